@@ -1,0 +1,51 @@
+# twrench_embed(TARGET NAME FILES ...): compiles files into TARGET, found at run time through
+# the generated header "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view.
+# The bytes are included by the assembler (.incbin), so that large assets cost no compile time.
+
+function(twrench_embed target name)
+  set(dir ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+  set(symbols "")
+  set(lookups "")
+  set(assembly "")
+  set(index 0)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(path ${file} ABSOLUTE)
+    get_filename_component(base ${file} NAME)
+    set(symbol twrench_${name}_${index})
+    string(APPEND assembly
+      "asm(\".pushsection .rodata,\\\"a\\\",@progbits\\n\""
+      "    \".global ${symbol}_begin\\n.balign 16\\n${symbol}_begin:\\n.incbin \\\"${path}\\\"\\n\""
+      "    \".global ${symbol}_end\\n${symbol}_end:\\n.byte 0\\n.popsection\\n\");\n")
+    string(APPEND symbols "extern const char ${symbol}_begin[], ${symbol}_end[];\n")
+    string(APPEND lookups
+      "    {\"${base}\", {${symbol}_begin, static_cast<std::size_t>(${symbol}_end - ${symbol}_begin)}},\n")
+    math(EXPR index "${index} + 1")
+    list(APPEND paths ${path})
+  endforeach()
+  file(CONFIGURE OUTPUT ${dir}/${name}.h @ONLY CONTENT
+"#pragma once
+#include <map>
+#include <string_view>
+namespace twrench::embedded {
+/// The embedded files by name; their bytes live as long as the program.
+const std::map<std::string_view, std::string_view>& @name@();
+}
+")
+  file(CONFIGURE OUTPUT ${dir}/${name}.cpp @ONLY CONTENT
+"#include \"embedded/@name@.h\"
+#include <cstddef>
+extern \"C\" {
+@symbols@}
+@assembly@
+namespace twrench::embedded {
+const std::map<std::string_view, std::string_view>& @name@() {
+  static const std::map<std::string_view, std::string_view> files{
+@lookups@  };
+  return files;
+}
+}
+")
+  set_source_files_properties(${dir}/${name}.cpp PROPERTIES OBJECT_DEPENDS "${paths}")
+  target_sources(${target} PRIVATE ${dir}/${name}.cpp)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "body/shape.h"
+
+namespace twrench {
+
+/// What the motion needs to know of a body. The origin is the centre of mass.
+struct MassProperties {
+  double mass;                     ///< g
+  Eigen::Vector3d centre_of_mass;  ///< cm, in the frame the parts are placed in, eq. (44)
+  Eigen::Matrix3d inertia;         ///< g cm^2, about the centre of mass, in body axes, eq. (13)
+  Eigen::Vector3d moments;         ///< principal moments, ascending, g cm^2
+  Eigen::Matrix3d axes;            ///< body_from_principal; column i belongs to moments[i]; proper
+};
+
+/// Mass, centre of mass and inertia of the parts together, by the parallel-axis theorem.
+/// `parts` is not empty, and each has positive density and size.
+MassProperties mass_properties(std::span<const Part> parts);
+
+/// Principal moments, ascending, and axes of a symmetric `inertia`. The axes form a proper
+/// rotation with a deterministic choice of sign: each of the first two has its component of
+/// largest magnitude positive (the first such on a tie). A matrix that is already diagonal gives
+/// a signed permutation, exactly.
+struct PrincipalAxes {
+  Eigen::Vector3d moments;
+  Eigen::Matrix3d axes;  ///< body_from_principal
+};
+PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
+
+/// The homogeneous box of density 1 g/cm^3 whose principal moments about x, y, z are `moments`:
+/// what is drawn where a body is given by its moments alone. Moments that no real body has
+/// (the triangle inequality fails) give a box with that edge nearly zero.
+Part equimomental_box(const Eigen::Vector3d& moments);
+
+}  // namespace twrench

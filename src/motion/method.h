@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twrench {
+
+/// An explicit Runge-Kutta tableau; `embedded` is empty where there is no second row of weights.
+struct Tableau {
+  std::vector<std::vector<double>> a;  ///< a[k] has k entries
+  std::vector<double> weights;         ///< of the value that is carried on
+  std::vector<double> embedded;        ///< of the value held against it for the error estimate
+
+  std::size_t stages() const { return weights.size(); }
+};
+
+/// How a step is taken from the mean of the stage velocities.
+enum class Update {
+  linear,       ///< W' = W + h W Omega: in the space of matrices, eq. (24); leaves SO(3)
+  exponential,  ///< W' = W exp(h Omega): on the group, eq. (25)
+};
+
+/// A method of integration: data, with its citation. One stepper runs them all.
+struct Method {
+  std::string_view name;
+  Update update;
+  Tableau tableau;
+  int order;                 ///< observed on SO(3), which may be less than the tableau's own
+  int tableau_order;         ///< of the weights, in a linear space; p in the step control
+  std::string_view source;   ///< where the specification or the literature prints it
+  std::string_view summary;  ///< one line for people
+
+  bool adaptive() const { return !tableau.embedded.empty(); }
+};
+
+/// All methods, in the order of the specification.
+std::span<const Method> methods();
+
+/// The method called `name`. Throws UsageError, with the nearest name offered.
+const Method& find_method(std::string_view name);
+
+}  // namespace twrench

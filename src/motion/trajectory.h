@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "motion/free_body.h"
+#include "motion/method.h"
+
+namespace twrench {
+
+/// How long the steps are.
+struct StepControl {
+  double step = 0.01;         ///< s: the step of a fixed-step method, the first of an adaptive one
+  double tolerance = 1e-10;   ///< of an adaptive method: bound on the estimate E of each step
+  std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
+};
+
+/// The motion from X(0) = Id, sampled at exactly `times` (s, any order, negative ones too).
+///
+/// The method's own steps t_k depend on the method and the control alone. A sample between t_k and
+/// t_(k+1) is one shortened step from t_k, which the steps after it do not see: so a sample at t is
+/// the same number whichever other times were asked for.
+///
+/// Throws UsageError when an adaptive step underflows or max_steps is passed.
+std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
+                               const StepControl& control, std::span<const double> times);
+
+}  // namespace twrench
