@@ -7,7 +7,7 @@
 // whose integral is x / sqrt(1 + x^2) / 2. The light of a rectangle is taken as the product of the
 // shares of its two sides, exact for long strips.
 
-const int light_count = 4;
+const int light_count = 5;
 uniform vec3 light_centre[light_count];
 uniform vec3 light_across[light_count];  // unit; the sides of the rectangle lie along these two
 uniform vec3 light_along[light_count];

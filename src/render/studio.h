@@ -16,7 +16,7 @@ struct AreaLight {
 
 /// The light around the body: it is fixed to the camera, and the body tumbles in it.
 struct Studio {
-  static constexpr int light_count = 4;
+  static constexpr int light_count = 5;
 
   std::array<AreaLight, light_count> lights;
   glm::vec3 above;  ///< radiance of the room overhead, linear
