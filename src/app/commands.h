@@ -15,14 +15,10 @@ void add_compare(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
 void add_scenes(CLI::App& app);
 
-inline void add_commands(CLI::App& app, ExitCode& code) {
-  
-  add_simulate(app);
-  add_inertia(app);
-  
-  add_compare(app, code);
-  add_methods(app);
-  add_scenes(app);
-}
+/// Adds all of them.
+void add_commands(CLI::App& app, ExitCode& code);
+
+/// Throws UsageError, with the nearest offered, when `word` is neither an option nor a command.
+void require_known_command(const CLI::App& app, const std::string& word);
 
 }  // namespace twrench

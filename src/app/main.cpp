@@ -26,6 +26,7 @@ ExitCode run(int argc, char** argv) {
   ExitCode code = ExitCode::done;
   twrench::add_commands(app, code);
   try {
+    twrench::require_known_command(app, argc > 1 ? argv[1] : "-");
     app.parse(argc, argv);
     return code;
   } catch (const CLI::Success& request) {  // --help, --version

@@ -8,7 +8,7 @@
 #include "app/progress.h"
 #include "image/image.h"
 #include "movie/frame_sequence.h"
-#include "movie/video_encoder.h"
+#include "movie/encoder.h"
 
 namespace twrench {
 

@@ -17,6 +17,12 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
+void Progress::add_option(CLI::App& command, std::string& style) {
+  command.add_option("--progress", style, "auto, bar, plain, json or none")
+      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+}
+
 Progress::Style Progress::style_called(const std::string& name) {
   if (name == "bar") return Style::bar;
   if (name == "json") return Style::json;

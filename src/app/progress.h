@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <string>
 
@@ -9,6 +10,9 @@ namespace twrench {
 /// and then elsewhere, a JSON object a line for programs, or nothing.
 class Progress {
  public:
+  /// Adds --progress to a command.
+  static void add_option(CLI::App& command, std::string& style);
+
   /// `style` is auto, bar, plain, json or none; auto is a bar on a terminal and plain elsewhere.
   Progress(const std::string& style, int total) : style_(style_called(style)), total_(total) {}
 

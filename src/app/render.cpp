@@ -20,6 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A matrix row by row.
+template <std::size_t count, typename Matrix>
+std::array<double, count> row_major(const Matrix& matrix) {
+  std::array<double, count> values;
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+    values[static_cast<std::size_t>(i)] = matrix(i / matrix.cols(), i % matrix.cols());
+  }
+  return values;
+}
+
+Eigen::Matrix3d pose_of(const FrameRecord& frame) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.X.data());
+}
+
 struct Options {
   explicit Options(CLI::App& command);
 
@@ -68,9 +82,7 @@ Options::Options(CLI::App& command) : scene(command) {
       ->capture_default_str();
   command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
       ->type_name("N");
-  command.add_option("--progress", progress, "auto, bar, plain, json or none")
-      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
-      ->capture_default_str();
+  Progress::add_option(command, progress);
   command.add_flag("--timing", timing, "say at the end how long each stage was busy");
 }
 
@@ -80,7 +92,8 @@ int job_count(const std::string& text) {
 }
 
 /// The frames to draw, each with its pose at its own time.
-std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>& numbers) {
+std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>& numbers,
+                                      const Renderer& renderer) {
   std::vector<double> times;
   times.reserve(numbers.size());
   for (const int frame : numbers) times.push_back(scene.film.time_of(frame));
@@ -92,6 +105,8 @@ std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>
     frames[i].frame = numbers[i];
     frames[i].t = times[i];
     frames[i].X = row_major<9>(samples[i].X);
+    frames[i].view = row_major<16>(renderer.view());
+    frames[i].projection = row_major<16>(renderer.projection());
   }
   return frames;
 }
@@ -112,6 +127,51 @@ void print_timing(const StageTimes& times, double posing, double seconds, std::s
              ms(1e-9 * static_cast<double>(times.encode)), ms(seconds));
 }
 
+fs::path video_path(const Options& options, const Scene& scene) {
+  return options.video.empty() ? fs::path("out") / (scene.name + ".mp4") : fs::path(options.video);
+}
+
+fs::path frames_folder(const Options& options, const Scene& scene) {
+  return options.frames_dir.empty() ? fs::path("out") / scene.name : fs::path(options.frames_dir);
+}
+
+VideoFormat video_format(const Scene& scene) {
+  return {scene.film.width, scene.film.height, scene.film.fps};
+}
+
+/// The encoder, known to work; null with --no-video.
+std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
+  if (options.no_video) return nullptr;
+  require_encoder(video_format(scene));
+  return std::make_unique<VideoEncoder>(video_path(options, scene), video_format(scene));
+}
+
+/// The folder of frames with its manifest begun; null with --no-frames.
+std::unique_ptr<FrameSequence> open_sequence(const Options& options, const Scene& scene,
+                                             const Renderer& renderer, const std::string& range) {
+  if (options.no_frames) return nullptr;
+  Manifest manifest;
+  manifest.version = version;
+  manifest.scene = scene_json(scene);
+  manifest.renderer = renderer.description();
+  manifest.width = scene.film.width;
+  manifest.height = scene.film.height;
+  manifest.fps = scene.film.fps;
+  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
+  manifest.range = range;
+  return std::make_unique<FrameSequence>(frames_folder(options, scene), std::move(manifest));
+}
+
+void print_summary(const Options& options, const Scene& scene, std::size_t frames,
+                   double seconds) {
+  if (options.progress == "none") return;
+  std::string text = fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", frames, seconds,
+                                 static_cast<double>(frames) / seconds);
+  if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
+  if (!options.no_video) text += "; film " + video_path(options, scene).string();
+  fmt::print(stderr, "{}\n", text);
+}
+
 void render(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.no_video && options.no_frames) {
@@ -119,62 +179,30 @@ void render(const Options& options) {
   }
   const Scene scene = options.scene.scene();
   const int count = scene.frame_count();
+  const std::string all = fmt::format("0-{}", count - 1);
   const std::vector<int> numbers =
-      parse_frame_range(options.range.empty() ? fmt::format("0-{}", count - 1) : options.range,
-                        count);
-  Outputs outputs{.jobs = job_count(options.jobs)};
+      parse_frame_range(options.range.empty() ? all : options.range, count);
+  const int jobs = job_count(options.jobs);
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
-  const fs::path video =
-      options.video.empty() ? fs::path("out") / (scene.name + ".mp4") : fs::path(options.video);
-  const fs::path folder =
-      options.frames_dir.empty() ? fs::path("out") / scene.name : fs::path(options.frames_dir);
-  std::unique_ptr<VideoEncoder> encoder;
-  if (!options.no_video) {
-    const VideoFormat format{scene.film.width, scene.film.height, scene.look.transparent ? 4 : 3,
-                             scene.film.fps};
-    encoder = std::make_unique<VideoEncoder>(video, format);
-    outputs.encoder = encoder.get();
-  }
-  std::vector<FrameRecord> frames = posed_frames(scene, numbers);
-  const double posing = seconds_since(start);
   const std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
   Renderer renderer(*context, scene);
-  for (FrameRecord& frame : frames) {
-    frame.view = row_major<16>(renderer.view());
-    frame.projection = row_major<16>(renderer.projection());
-  }
-  std::unique_ptr<FrameSequence> sequence;
-  if (!options.no_frames) {
-    Manifest manifest{.version = version,
-                      .scene = scene_json(scene),
-                      .renderer = renderer.description(),
-                      .width = scene.film.width,
-                      .height = scene.film.height,
-                      .fps = scene.film.fps,
-                      .range = format_frame_range(numbers)};
-    if (encoder) manifest.encoder = encoder->arguments();
-    sequence = std::make_unique<FrameSequence>(folder, std::move(manifest));
-    outputs.sequence = sequence.get();
-  }
+  const auto posing = std::chrono::steady_clock::now();
+  const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
+  const double posing_seconds = seconds_since(posing);
+  const auto encoder = open_encoder(options, scene);
+  const auto sequence = open_sequence(options, scene, renderer, format_frame_range(numbers));
 
   Progress progress(options.progress, static_cast<int>(frames.size()));
   StageTimes times;
   const auto draw = [&](const FrameRecord& frame) { return renderer.draw(pose_of(frame)); };
-  run_pipeline(frames, draw, outputs, progress, times);
+  run_pipeline(frames, draw, {sequence.get(), encoder.get(), jobs}, progress, times);
   if (sequence) sequence->finish();
   if (encoder) encoder->finish();
   progress.finish();
-
   const double seconds = seconds_since(start);
-  if (options.progress != "none") {
-    fmt::print(stderr, "{} frames in {:.1f} s, {:.1f} frames/s", frames.size(), seconds,
-               static_cast<double>(frames.size()) / seconds);
-    if (sequence) fmt::print(stderr, "; frames in {}", folder.string());
-    if (encoder) fmt::print(stderr, "; film {}", video.string());
-    fmt::print(stderr, "\n");
-  }
-  if (options.timing) print_timing(times, posing, seconds, frames.size());
+  print_summary(options, scene, frames.size(), seconds);
+  if (options.timing) print_timing(times, posing_seconds, seconds, frames.size());
 }
 
 }  // namespace
