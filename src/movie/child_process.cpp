@@ -102,11 +102,9 @@ class SpawnAttributes {
 };
 
 pid_t spawn(std::vector<std::string> command, const Descriptor& input, const Descriptor& errors) {
-  std::vector<char*> arguments;
-  for (std::string& argument : command) {
-    arguments.push_back(argument.data());
-  }
-  arguments.push_back(nullptr);
+  std::vector<char*> arguments(command.size() + 1);  // the last is null
+  std::transform(command.begin(), command.end(), arguments.begin(),
+                 [](std::string& argument) { return argument.data(); });
   pid_t pid = -1;
   const int failed = posix_spawnp(&pid, arguments[0], SpawnActions(input, errors).get(),
                                   SpawnAttributes().get(), arguments.data(), environ);

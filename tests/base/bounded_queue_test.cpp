@@ -75,6 +75,7 @@ TEST(BoundedQueue, CloseWakesAllWaitingConsumers) {
   BoundedQueue<int> queue(1);
   std::atomic<int> nothings = 0;
   std::vector<std::thread> consumers;
+  consumers.reserve(3);
   for (int i = 0; i < 3; ++i) {
     consumers.emplace_back([&] {
       if (!queue.pop()) {
@@ -95,6 +96,7 @@ TEST(BoundedQueue, LosesAndDoublesNothingBetweenManyThreads) {
   BoundedQueue<int> queue(4);
   std::vector<std::atomic<int>> seen(std::size_t{producers} * each);
   std::vector<std::thread> threads;
+  threads.reserve(2 * producers);
   std::atomic<int> running = producers;
   for (int p = 0; p < producers; ++p) {
     threads.emplace_back([&, p] {

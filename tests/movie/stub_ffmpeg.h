@@ -10,37 +10,35 @@
 
 namespace twrench {
 
-/// An ffmpeg of the test's own before the real one in PATH, a shell script; while it lives.
-class StubFfmpeg {
+/// Another PATH while it lives.
+class PathSetting {
  public:
-  explicit StubFfmpeg(const ScratchFolder& scratch, const std::string& script)
-      : path_(std::getenv("PATH")) {
-    const std::filesystem::path folder = scratch / "bin";
-    std::filesystem::create_directories(folder);
-    write_file_atomically(folder / "ffmpeg", std::string_view("#!/bin/sh\n" + script));
-    std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
-    setenv("PATH", (folder.string() + ":" + path_).c_str(), 1);
+  explicit PathSetting(const std::string& path) { setenv("PATH", path.c_str(), 1); }
+  ~PathSetting() { setenv("PATH", before_.c_str(), 1); }
+  PathSetting(const PathSetting&) = delete;
+  PathSetting& operator=(const PathSetting&) = delete;
+
+  static std::string current() {
+    const char* path = std::getenv("PATH");
+    return path != nullptr ? path : "";
   }
-  ~StubFfmpeg() { setenv("PATH", path_.c_str(), 1); }
-  StubFfmpeg(const StubFfmpeg&) = delete;
-  StubFfmpeg& operator=(const StubFfmpeg&) = delete;
 
  private:
-  std::string path_;
+  const std::string before_ = current();
 };
 
-/// A PATH in which there is nothing; while it lives.
-class EmptyPath {
+/// An ffmpeg of the test's own, a shell script, before the real one in PATH; while it lives.
+class StubFfmpeg {
  public:
-  explicit EmptyPath(const ScratchFolder& scratch) : path_(std::getenv("PATH")) {
-    setenv("PATH", scratch.path().c_str(), 1);
+  StubFfmpeg(const ScratchFolder& scratch, const std::string& script)
+      : path_((scratch / "bin").string() + ":" + PathSetting::current()) {
+    std::filesystem::create_directories(scratch / "bin");
+    write_file_atomically(scratch / "bin/ffmpeg", std::string_view("#!/bin/sh\n" + script));
+    std::filesystem::permissions(scratch / "bin/ffmpeg", std::filesystem::perms::owner_all);
   }
-  ~EmptyPath() { setenv("PATH", path_.c_str(), 1); }
-  EmptyPath(const EmptyPath&) = delete;
-  EmptyPath& operator=(const EmptyPath&) = delete;
 
  private:
-  std::string path_;
+  PathSetting path_;
 };
 
 }  // namespace twrench
