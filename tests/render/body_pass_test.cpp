@@ -49,7 +49,7 @@ class BodyPassTest : public testing::Test {
   std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
   gl::Functions gl{*context};
   Material all_set{glm::vec3(0.5F), glm::vec3(0.5F), 0.1F};
-  BodyPass pass{gl,      body_mesh(t_wrench().body.parts),
+  BodyPass pass{gl,      body_mesh(t_wrench().body.parts, 0.01),
                 4.5,     frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}),
                 all_set, dark_studio()};
 };
