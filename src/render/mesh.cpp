@@ -15,9 +15,12 @@ using Eigen::Vector3d;
 constexpr double bevel_share = 0.05;
 constexpr double quarter = std::numbers::pi / 2;
 
+// The least chords of a quarter turn, however small the picture: the normals between are linear.
+constexpr int least_of_body = 8;
+constexpr int least_of_bevel = 2;
+
 /// How many chords a quarter turn on a circle of `radius` needs to stay within `tolerance` of it.
-int chords_of_quarter(double radius, double tolerance) {
-  constexpr int least = 2;  // for the normals' sake
+int chords_of_quarter(double radius, double tolerance, int least) {
   if (tolerance >= radius) return least;
   const double half_angle = std::acos(1 - tolerance / radius);
   return std::max(least, static_cast<int>(std::ceil(quarter / (2 * half_angle))));
@@ -53,10 +56,11 @@ Rings rings_of(const Cylinder& cylinder, double tolerance) {
   const double bevel = bevel_share * std::min(cylinder.radius, cylinder.length / 2);
   const double inner_radius = cylinder.radius - bevel;
   const double inner_height = cylinder.length / 2 - bevel;
-  const int around = 4 * chords_of_quarter(cylinder.radius, tolerance);
+  const int around = 4 * chords_of_quarter(cylinder.radius, tolerance, least_of_body);
+  const int along_bevel = chords_of_quarter(bevel, tolerance, least_of_bevel);
   Rings rings;
   for (const double end : {-1.0, 1.0}) {
-    for (const double latitude : bevel_latitudes(end, chords_of_quarter(bevel, tolerance))) {
+    for (const double latitude : bevel_latitudes(end, along_bevel)) {
       auto& ring = rings.emplace_back();
       for (int i = 0; i < around; ++i) {
         const double longitude = 4 * quarter * i / around;
@@ -74,7 +78,7 @@ Rings rings_of(const Cylinder& cylinder, double tolerance) {
 Rings rings_of(const Box& box, double tolerance) {
   const double bevel = bevel_share * box.size.minCoeff() / 2;
   const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
-  const int chords = chords_of_quarter(bevel, tolerance);
+  const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
   Rings rings;
   for (const double end : {-1.0, 1.0}) {
     for (const double latitude : bevel_latitudes(end, chords)) {
@@ -94,7 +98,7 @@ Rings rings_of(const Box& box, double tolerance) {
 }
 
 Rings rings_of(const Ellipsoid& ellipsoid, double tolerance) {
-  const int chords = chords_of_quarter(ellipsoid.radii.maxCoeff(), tolerance);
+  const int chords = chords_of_quarter(ellipsoid.radii.maxCoeff(), tolerance, least_of_body);
   Rings rings;
   for (int j = 0; j < 2 * chords; ++j) {
     auto& ring = rings.emplace_back();

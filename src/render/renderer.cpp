@@ -27,10 +27,10 @@ Camera camera_of(const Scene& scene, double radius) {
                        static_cast<double>(scene.film.width) / scene.film.height, radius});
 }
 
-/// A mesh whose facets cannot be told from the shape's: a tenth of a pixel in the picture's middle.
+/// A mesh whose facets cannot be told from the shape's: a fifth of a pixel in the picture's middle.
 Mesh mesh_of(const Scene& scene, const Camera& camera) {
   const double pixel = 2 * camera.distance / (camera.projection(1, 1) * scene.film.height);  // cm
-  return body_mesh(joined_parts(visible_parts(scene.body)), 0.1 * pixel);
+  return body_mesh(joined_parts(visible_parts(scene.body)), 0.2 * pixel);
 }
 
 /// The pixels from `low` to `high`, which are device coordinates, with one more on each side for

@@ -167,7 +167,7 @@ TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
 TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
   const Part ball{Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
   std::size_t count = 0;
-  for (const double bound : {0.1, 0.01, 0.001}) {
+  for (const double bound : {0.02, 0.005, 0.001}) {
     const Mesh mesh = part_mesh(ball, bound);
     EXPECT_GT(mesh.vertices.size(), count) << "finer, the smaller the tolerance";
     count = mesh.vertices.size();
