@@ -22,7 +22,10 @@ vec3 reflected_share(float n_v) {
 void main() {
   vec3 n = normalize(stage_normal);
   vec3 to_eye = normalize(eye - stage_position);
-  float n_v = clamp(dot(n, to_eye), 0.0, 1.0);
+  // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
+  // direction runs away, would flicker.
+  n = normalize(n + max(0.15 - dot(n, to_eye), 0.0) * to_eye);
+  float n_v = dot(n, to_eye);
   vec3 mirrored = 2.0 * n_v * n - to_eye;
 
   // Normals that turn within a pixel widen the lobe, or thin bevels would sparkle (Tokuyoshi and
