@@ -116,6 +116,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::draw(const Matrix3d& X) { return parts_->draw(X); }
+std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
 Matrix4d Renderer::view() const { return parts_->camera.view; }
 Matrix4d Renderer::projection() const { return parts_->camera.projection; }
 

@@ -24,6 +24,9 @@ class Renderer {
   /// The frame for the pose X (space_from_body). RGBA when the scene is transparent, else RGB.
   Image draw(const Eigen::Matrix3d& X);
 
+  /// The renderer and version that GL gives: frames are the same bytes where it is the same.
+  std::string description() const;
+
   /// Matrices for column vectors: clip = projection * view * point in space coordinates.
   Eigen::Matrix4d view() const;
   Eigen::Matrix4d projection() const;
