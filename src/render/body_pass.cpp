@@ -15,12 +15,18 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 
-gl::Program body_program(const gl::Functions& gl) {
+bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
+
+/// Whether the body scatters is compiled in, not asked at each pixel: llvmpipe takes both ways of
+/// an if, and the second doubles the work.
+gl::Program body_program(const gl::Functions& gl, const Material& material) {
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
   const std::array vertex{file("body.vert")};
-  const std::array fragment{file("area_light.glsl"), file("tone.glsl"), file("body.frag")};
+  const std::array fragment{file("studio.glsl"), file("tone.glsl"),
+                            file(scatters(material) ? "matte.glsl" : "metal.glsl"),
+                            file("body.frag")};
   return {gl, vertex, fragment};
 }
 
@@ -56,7 +62,7 @@ Matrix4d camera_from_stage(const Camera& camera, double radius) {
 BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, const Camera& camera,
                    const Material& material, const Studio& studio)
     : gl_(&gl),
-      program_(body_program(gl)),
+      program_(body_program(gl, material)),
       array_(gl),
       vertices_(gl),
       indices_(gl),
@@ -89,9 +95,9 @@ void BodyPass::draw(const Matrix3d& X) const {
 }
 
 void BodyPass::set_material(const Material& material) const {
-  program_.set("diffuse", material.diffuse);
+  if (scatters(material)) program_.set("diffuse", material.diffuse);
   program_.set("reflectance", material.reflectance);
-  program_.set("alpha", material.alpha);
+  program_.set("roughness", material.roughness);
 }
 
 void BodyPass::set_studio(const Studio& studio) const {

@@ -18,7 +18,7 @@ Material material(const Look& look) {
   const Eigen::Vector3d reflectance =
       look.metallic * color + (1 - look.metallic) * Eigen::Vector3d::Constant(dielectric);
   return {glm_from_eigen(((1 - look.metallic) * color).eval()), glm_from_eigen(reflectance),
-          static_cast<float>(look.roughness * look.roughness)};
+          static_cast<float>(look.roughness)};
 }
 
 }  // namespace twrench

@@ -13,7 +13,7 @@ double linear_from_srgb(double value);
 struct Material {
   glm::vec3 diffuse;      ///< linear albedo; black for a metal
   glm::vec3 reflectance;  ///< linear, at normal incidence: F0 of Schlick's Fresnel
-  float alpha;            ///< width of the GGX distribution: roughness squared (Burley 2012)
+  float roughness;        ///< its square is the width of the GGX distribution (Burley 2012)
 };
 
 Material material(const Look& look);

@@ -12,10 +12,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int around = 192;         // facets of a full turn; a multiple of 4
-constexpr int along_meridian = 96;  // facets of an ellipsoid from pole to pole; even
-constexpr int along_bevel = 6;      // facets of a bevel's quarter turn
 constexpr double bevel_share = 0.05;
+constexpr double quarter = std::numbers::pi / 2;
+
+// The least chords of a quarter turn, however small the picture: the normals between are linear.
+constexpr int least_of_body = 8;
+constexpr int least_of_bevel = 2;
+
+/// How many chords a quarter turn on a circle of `radius` needs to stay within `tolerance` of it.
+int chords_of_quarter(double radius, double tolerance, int least) {
+  if (tolerance >= radius) return least;
+  const double half_angle = std::acos(1 - tolerance / radius);
+  return std::max(least, static_cast<int>(std::ceil(quarter / (2 * half_angle))));
+}
 
 struct Point {
   Vector3d position;
@@ -23,12 +32,8 @@ struct Point {
 };
 
 /// A closed surface as rings of equally many points, from its bottom (-z) to its top, each ring
-/// counter-clockwise seen from the top; between them quads, and at both ends a fan.
-struct Rings {
-  Point bottom;
-  std::vector<std::vector<Point>> rings;
-  Point top;
-};
+/// counter-clockwise seen from the top. Between them lie quads; the first and the last are filled.
+using Rings = std::vector<std::vector<Point>>;
 
 Vector3d on_unit_sphere(double longitude, double latitude) {
   return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
@@ -42,19 +47,21 @@ std::vector<double> steps(double first, double last, int count) {
   return result;
 }
 
-constexpr double quarter = std::numbers::pi / 2;
+/// The latitudes of a bevel at the end -1 or +1 of a shape, upward.
+std::vector<double> bevel_latitudes(double end, int chords) {
+  return end < 0 ? steps(-quarter, 0, chords) : steps(0, quarter, chords);
+}
 
-Rings rings_of(const Cylinder& cylinder) {
+Rings rings_of(const Cylinder& cylinder, double tolerance) {
   const double bevel = bevel_share * std::min(cylinder.radius, cylinder.length / 2);
   const double inner_radius = cylinder.radius - bevel;
   const double inner_height = cylinder.length / 2 - bevel;
-  Rings result{{{0, 0, -cylinder.length / 2}, -Vector3d::UnitZ()},
-               {},
-               {{0, 0, cylinder.length / 2}, Vector3d::UnitZ()}};
+  const int around = 4 * chords_of_quarter(cylinder.radius, tolerance, least_of_body);
+  const int along_bevel = chords_of_quarter(bevel, tolerance, least_of_bevel);
+  Rings rings;
   for (const double end : {-1.0, 1.0}) {
-    const double middle = end * quarter / 2;  // of the bevel's latitudes, which run upward
-    for (const double latitude : steps(middle - quarter / 2, middle + quarter / 2, along_bevel)) {
-      auto& ring = result.rings.emplace_back();
+    for (const double latitude : bevel_latitudes(end, along_bevel)) {
+      auto& ring = rings.emplace_back();
       for (int i = 0; i < around; ++i) {
         const double longitude = 4 * quarter * i / around;
         const Vector3d normal = on_unit_sphere(longitude, latitude);
@@ -63,65 +70,73 @@ Rings rings_of(const Cylinder& cylinder) {
       }
     }
   }
-  return result;
+  return rings;
 }
 
 /// A box with rounded edges is a sphere of the bevel's radius, cut into octants that are moved
 /// apart to the corners of an inner box.
-Rings rings_of(const Box& box) {
+Rings rings_of(const Box& box, double tolerance) {
   const double bevel = bevel_share * box.size.minCoeff() / 2;
   const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
-  Rings result{{{0, 0, -box.size.z() / 2}, -Vector3d::UnitZ()},
-               {},
-               {{0, 0, box.size.z() / 2}, Vector3d::UnitZ()}};
-  for (const double up : {-1.0, 1.0}) {
-    const double middle = up * quarter / 2;
-    for (const double latitude : steps(middle - quarter / 2, middle + quarter / 2, along_bevel)) {
-      auto& ring = result.rings.emplace_back();
+  const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
+  Rings rings;
+  for (const double end : {-1.0, 1.0}) {
+    for (const double latitude : bevel_latitudes(end, chords)) {
+      auto& ring = rings.emplace_back();
       for (int octant = 0; octant < 4; ++octant) {
-        const Vector3d corner = on_unit_sphere((octant + 0.5) * quarter, 0);
-        const Vector3d signs(std::copysign(1.0, corner.x()), std::copysign(1.0, corner.y()), up);
-        for (const double longitude :
-             steps(octant * quarter, (octant + 1) * quarter, along_bevel)) {
+        const Vector3d middle = on_unit_sphere((octant + 0.5) * quarter, 0);
+        const Vector3d corner(std::copysign(inner.x(), middle.x()),
+                              std::copysign(inner.y(), middle.y()), end * inner.z());
+        for (const double longitude : steps(octant * quarter, (octant + 1) * quarter, chords)) {
           const Vector3d normal = on_unit_sphere(longitude, latitude);
-          ring.push_back({signs.cwiseProduct(inner) + bevel * normal, normal});
+          ring.push_back({corner + bevel * normal, normal});
         }
       }
     }
   }
-  return result;
+  return rings;
 }
 
-Rings rings_of(const Ellipsoid& ellipsoid) {
-  const auto point = [&](double longitude, double latitude) {
-    const Vector3d unit = on_unit_sphere(longitude, latitude);
-    return Point{unit.cwiseProduct(ellipsoid.radii),
-                 unit.cwiseQuotient(ellipsoid.radii).normalized()};
-  };
-  Rings result{point(0, -quarter), {}, point(0, quarter)};
-  for (int j = 1; j < along_meridian; ++j) {
-    auto& ring = result.rings.emplace_back();
-    const double latitude = quarter * (2.0 * j / along_meridian - 1);
-    for (int i = 0; i < around; ++i) ring.push_back(point(4 * quarter * i / around, latitude));
+Rings rings_of(const Ellipsoid& ellipsoid, double tolerance) {
+  const int chords = chords_of_quarter(ellipsoid.radii.maxCoeff(), tolerance, least_of_body);
+  Rings rings;
+  for (int j = 0; j < 2 * chords; ++j) {
+    auto& ring = rings.emplace_back();
+    const double latitude = quarter * ((j + 0.5) / chords - 1);  // half a step from the poles
+    for (int i = 0; i < 4 * chords; ++i) {
+      const Vector3d unit = on_unit_sphere(quarter * i / chords, latitude);
+      ring.push_back(
+          {unit.cwiseProduct(ellipsoid.radii), unit.cwiseQuotient(ellipsoid.radii).normalized()});
+    }
   }
-  return result;
+  return rings;
 }
 
 class MeshBuilder {
  public:
   explicit MeshBuilder(const Part& part) : part_(part) {}
 
-  std::uint32_t add(const Point& point) {
+  void add(const Point& point) {
     mesh_.vertices.push_back(
         {glm_from_eigen((part_.position + part_.body_from_part * point.position).eval()),
          glm_from_eigen((part_.body_from_part * point.normal).eval())});
-    return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
   }
 
   /// Triangles without area, as a box has at the poles of its corners, are left out.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
+  }
+
+  /// Fills the flat polygon of the vertices first, first + 1, ..., last, which turns
+  /// counter-clockwise seen from outside or clockwise, with triangles as fat as can be: a fan would
+  /// be all slivers.
+  void fill(std::uint32_t first, std::uint32_t last, bool clockwise) {
+    if (last - first < 2) return;
+    const std::uint32_t middle = first + (last - first) / 2;
+    triangle(first, clockwise ? last : middle, clockwise ? middle : last);
+    fill(first, middle, clockwise);
+    fill(middle, last, clockwise);
   }
 
   Mesh take() { return std::move(mesh_); }
@@ -137,36 +152,33 @@ class MeshBuilder {
 
 }  // namespace
 
-Mesh part_mesh(const Part& part) {
-  const Rings surface = std::visit([](const auto& shape) { return rings_of(shape); }, part.shape);
+Mesh part_mesh(const Part& part, double tolerance) {
+  const Rings rings =
+      std::visit([&](const auto& shape) { return rings_of(shape, tolerance); }, part.shape);
+  const auto count = static_cast<std::uint32_t>(rings.front().size());
+  const auto last_ring = static_cast<std::uint32_t>(rings.size() - 1) * count;
   MeshBuilder mesh(part);
-  const auto count = static_cast<std::uint32_t>(surface.rings.front().size());
-  const auto ring_count = static_cast<std::uint32_t>(surface.rings.size());
-  for (const auto& ring : surface.rings) {
+  for (const auto& ring : rings) {
     for (const Point& point : ring) mesh.add(point);
   }
-  const std::uint32_t bottom = mesh.add(surface.bottom);
-  const std::uint32_t top = mesh.add(surface.top);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t next = (i + 1) % count;
-    mesh.triangle(bottom, next, i);
-    for (std::uint32_t ring = 0; ring + 1 < ring_count; ++ring) {
-      const std::uint32_t low = ring * count;
-      const std::uint32_t high = low + count;
+  for (std::uint32_t low = 0; low < last_ring; low += count) {
+    const std::uint32_t high = low + count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t next = (i + 1) % count;
       mesh.triangle(low + i, low + next, high + next);
       mesh.triangle(low + i, high + next, high + i);
     }
-    const std::uint32_t last = (ring_count - 1) * count;
-    mesh.triangle(top, last + i, last + next);
   }
+  mesh.fill(last_ring, last_ring + count - 1, false);
+  mesh.fill(0, count - 1, true);
   return mesh.take();
 }
 
-Mesh body_mesh(std::span<const Part> parts) {
+Mesh body_mesh(std::span<const Part> parts, double tolerance) {
   Mesh result;
   for (const Part& part : parts) {
     const auto offset = static_cast<std::uint32_t>(result.vertices.size());
-    const Mesh mesh = part_mesh(part);
+    const Mesh mesh = part_mesh(part, tolerance);
     result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     for (const std::uint32_t index : mesh.indices) result.indices.push_back(offset + index);
   }

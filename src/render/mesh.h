@@ -23,10 +23,11 @@ struct Mesh {
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by
 /// a small bevel (5 % of the smallest half dimension), so that they catch a line of light; all
-/// other points lie on the exact shape, but for the facets: fine enough to look smooth at 4K.
-Mesh part_mesh(const Part& part);
+/// other vertices lie on the exact shape, and the facets between them depart from it by no more
+/// than `tolerance` cm. Facets finer than that cost much: thin triangles are drawn badly.
+Mesh part_mesh(const Part& part, double tolerance);
 
 /// The meshes of all parts in one.
-Mesh body_mesh(std::span<const Part> parts);
+Mesh body_mesh(std::span<const Part> parts, double tolerance);
 
 }  // namespace twrench

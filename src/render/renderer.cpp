@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 #include <optional>
 #include <utility>
 
@@ -13,6 +13,8 @@
 #include "render/glm_from_eigen.h"
 #include "render/joined_parts.h"
 #include "render/layer.h"
+#include "render/mesh.h"
+#include "render/reach.h"
 
 namespace twrench {
 namespace {
@@ -20,15 +22,15 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 
-double bounding_radius(const Mesh& mesh) {
-  float radius = 0;
-  for (const Vertex& v : mesh.vertices) radius = std::max(radius, glm::length(v.position));
-  return static_cast<double>(radius);
-}
-
 Camera camera_of(const Scene& scene, double radius) {
   return frame_sphere({scene.look.camera, scene.look.field_of_view,
                        static_cast<double>(scene.film.width) / scene.film.height, radius});
+}
+
+/// A mesh whose facets cannot be told from the shape's: a fifth of a pixel in the picture's middle.
+Mesh mesh_of(const Scene& scene, const Camera& camera) {
+  const double pixel = 2 * camera.distance / (camera.projection(1, 1) * scene.film.height);  // cm
+  return body_mesh(joined_parts(visible_parts(scene.body)), 0.2 * pixel);
 }
 
 /// The pixels from `low` to `high`, which are device coordinates, with one more on each side for
@@ -53,9 +55,9 @@ struct Renderer::Parts {
   Image draw(const Matrix3d& X) const;
 
   gl::Functions gl;
-  Mesh mesh;
-  double radius;
+  double radius;  // cm, of the sphere that holds the body in every pose
   Camera camera;
+  Mesh mesh;
   gl::Framebuffer framebuffer;
   BodyPass body;
   std::optional<Image> behind;  // none where the film is transparent
@@ -63,9 +65,9 @@ struct Renderer::Parts {
 
 Renderer::Parts::Parts(gl::Context& context, const Scene& scene)
     : gl(context),
-      mesh(body_mesh(joined_parts(visible_parts(scene.body)))),
-      radius(bounding_radius(mesh)),
+      radius(reach(visible_parts(scene.body))),
       camera(camera_of(scene, radius)),
+      mesh(mesh_of(scene, camera)),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
       body(gl, mesh, radius, camera, material(scene.look), dark_studio()) {
   if (!scene.look.transparent) {

@@ -44,17 +44,22 @@ class Reflection {
   GLuint program_;
 };
 
-class BodyPassTest : public testing::Test {
+/// A metal, and a body that scatters: two shaders.
+class BodyPassTest : public testing::TestWithParam<glm::vec3> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
   gl::Functions gl{*context};
-  Material all_set{glm::vec3(0.5F), glm::vec3(0.5F), 0.1F};
-  BodyPass pass{gl,      body_mesh(t_wrench().body.parts),
-                4.5,     frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}),
-                all_set, dark_studio()};
+  BodyPass pass{gl,
+                body_mesh(t_wrench().body.parts, 0.01),
+                4.5,
+                frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}),
+                Material{GetParam(), glm::vec3(0.5F), 0.3F},
+                dark_studio()};
 };
 
-TEST_F(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
+INSTANTIATE_TEST_SUITE_P(Diffuse, BodyPassTest, testing::Values(glm::vec3(0), glm::vec3(0.5F)));
+
+TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
   EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "position"), position_attribute);
   EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "normal"), normal_attribute);
   GLint count = 0;
@@ -63,7 +68,7 @@ TEST_F(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
 }
 
 // That each uniform that C++ sets is in the shader, Program::set itself sees to.
-TEST_F(BodyPassTest, SetsEveryUniformOfTheShader) {
+TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   const gl::Framebuffer framebuffer(gl, 16, 16, 1);
   framebuffer.draw_within({0, 0, 16, 16});
   pass.draw(Eigen::Matrix3d::Identity());

@@ -22,7 +22,7 @@ TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
   EXPECT_NEAR(metal.reflectance.x, 1, 1e-6);
   EXPECT_NEAR(metal.reflectance.y, 0.2158605, 1e-6);
   EXPECT_EQ(metal.reflectance.z, 0);
-  EXPECT_NEAR(metal.alpha, 0.09, 1e-6);
+  EXPECT_NEAR(metal.roughness, 0.3, 1e-6);
 }
 
 TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {

@@ -25,6 +25,7 @@ struct Case {
   double area;
 };
 
+constexpr double tolerance = 5e-4;
 constexpr double bevel = 0.05;  // of all cases: their smallest half dimension is 1
 
 /// Pappus: what a bevel takes from a sharp rim, whose section is a square less a quarter disc.
@@ -69,7 +70,7 @@ class PartMesh : public testing::TestWithParam<Case> {
             1.0,
             {0.5, -2, 1},
             Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix()};
-  Mesh mesh = part_mesh(part);
+  Mesh mesh = part_mesh(part, tolerance);
 
   std::array<Vector3d, 3> corners(std::size_t triangle) const {
     const auto corner = [&](std::size_t k) {
@@ -117,7 +118,7 @@ TEST_P(PartMesh, HasUnitNormalsAlongItsTriangles) {
     const Vector3d facet = (b - a).cross(c - a).normalized();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d normal = vector(mesh.vertices[mesh.indices[3 * i + k]].normal);
-      // Within half a facet of the bevel, the coarsest: 15 degrees for a quarter in six.
+      // Within half a facet of the bevel, the coarsest: a quarter turn in six.
       ASSERT_GT(normal.dot(facet), std::cos(0.2)) << "triangle " << i;
     }
   }
@@ -138,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PartMesh,
 
 TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
   const Part part{Cylinder{2, 10}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-  for (const Vertex& vertex : part_mesh(part).vertices) {
+  for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     const double across = std::hypot(p.x(), p.y());
     ASSERT_LE(across, 2 + 1e-6);
@@ -155,7 +156,7 @@ TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
 TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
   const Vector3d radii(1, 2, 3);
   const Part part{Ellipsoid{radii}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-  for (const Vertex& vertex : part_mesh(part).vertices) {
+  for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     ASSERT_NEAR(p.cwiseQuotient(radii).norm(), 1, 1e-6);
     const Vector3d gradient = p.cwiseQuotient(radii.cwiseProduct(radii)).normalized();
@@ -163,12 +164,30 @@ TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
   }
 }
 
+TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
+  const Part ball{Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
+  std::size_t count = 0;
+  for (const double bound : {0.02, 0.005, 0.001}) {
+    const Mesh mesh = part_mesh(ball, bound);
+    EXPECT_GT(mesh.vertices.size(), count) << "finer, the smaller the tolerance";
+    count = mesh.vertices.size();
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& a = mesh.vertices[mesh.indices[i + k]].position;
+        const auto& b = mesh.vertices[mesh.indices[i + (k + 1) % 3]].position;
+        ASSERT_GT(vector(0.5F * (a + b)).norm(), 2 - 2.1 * bound);  // diagonals of a facet: twice
+      }
+    }
+  }
+}
+
 TEST(BodyMesh, JoinsTheMeshesOfItsParts) {
   const Part ball{Ellipsoid{{1, 1, 1}}, 1.0, {5, 0, 0}, Eigen::Matrix3d::Identity()};
   const Part box{Box{{1, 1, 1}}, 1.0, {-5, 0, 0}, Eigen::Matrix3d::Identity()};
   const std::array parts{ball, box};
-  const Mesh mesh = body_mesh(parts);
-  EXPECT_EQ(mesh.vertices.size(), part_mesh(ball).vertices.size() + part_mesh(box).vertices.size());
+  const Mesh mesh = body_mesh(parts, tolerance);
+  EXPECT_EQ(mesh.vertices.size(),
+            part_mesh(ball, tolerance).vertices.size() + part_mesh(box, tolerance).vertices.size());
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto side = [&](std::size_t k) {
       return mesh.vertices[mesh.indices[i + k]].position.x > 0;

@@ -1,4 +1,4 @@
-// Rectangular lights seen through a lobe about a direction.
+// The studio, rectangular lights in a dark room, seen through a lobe about a direction.
 //
 // The lobe is (1 + r^2)^-2 / pi at the distance r, in units of its width, from its middle on a
 // plane across it: with the width alpha this is the GGX distribution, and with the width 1 it is
@@ -13,6 +13,8 @@ uniform vec3 light_across[light_count];  // unit; the sides of the rectangle lie
 uniform vec3 light_along[light_count];
 uniform vec2 light_half_size[light_count];
 uniform vec3 light_radiance[light_count];
+uniform vec3 room_above;
+uniform vec3 room_below;
 
 // The share of the lobe of width 1 / sharpness about `direction` that light i fills, from `place`.
 float light_share(int i, vec3 place, vec3 direction, float sharpness) {
@@ -29,4 +31,19 @@ float light_share(int i, vec3 place, vec3 direction, float sharpness) {
   vec2 high = sharpness * (middle + half_size);
   vec2 share = high * inversesqrt(1.0 + high * high) - low * inversesqrt(1.0 + low * low);
   return 0.25 * share.x * share.y;
+}
+
+// What the room itself sends from a direction: a dark ceiling, a brighter floor.
+vec3 room(vec3 direction) {
+  float height = 0.5 + 0.5 * direction.y;
+  return mix(room_below, room_above, height * (2.0 - height));
+}
+
+// The light that comes to `place` through the lobe of width 1 / sharpness about `direction`.
+vec3 arriving(vec3 place, vec3 direction, float sharpness) {
+  vec3 sum = room(direction);
+  for (int i = 0; i < light_count; ++i) {
+    sum += light_radiance[i] * light_share(i, place, direction, sharpness);
+  }
+  return sum;
 }
