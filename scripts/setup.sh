@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# Installs what is missing of the Debian or Ubuntu packages that this project uses:
+#   setup.sh render   to build the program and make films with it
+#   setup.sh test     to run its tests as well
+# When nothing is missing it says nothing and calls neither apt nor sudo.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build pkgconf
+  libeigen3-dev libglm-dev libstb-dev libcli11-dev libtomlplusplus-dev libfmt-dev
+  nlohmann-json3-dev libboost-dev libdeflate-dev libssl-dev libgl-dev libosmesa6-dev
+  ffmpeg
+)
+# The formatter by its version: another one would lay the same sources out differently.
+test_packages=(libgtest-dev libgmock-dev clang-format-14)
+
+case "${1-}" in
+  render) ;;
+  test) packages+=("${test_packages[@]}") ;;
+  *)
+    echo "usage: $0 render|test" >&2
+    exit 2
+    ;;
+esac
+
+say() { printf 'twrench: %s\n' "$*" >&2; }
+
+if ! command -v apt-get >/dev/null; then
+  say "error: no apt-get here: this script sets up Debian 12 and Ubuntu 24.04"
+  say "elsewhere install the like of: ${packages[*]}; then: cmake --preset release && cmake --build --preset release"
+  exit 1
+fi
+
+installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${packages[@]}" \
+  2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+install=(apt-get install --yes --no-install-recommends "${missing[@]}")
+
+# Sets as_root to the words that go before a command to run it as root; false if there are none.
+find_root() {
+  as_root=()
+  ((EUID == 0)) && return
+  as_root=(sudo)
+  command -v sudo >/dev/null || return
+  sudo -n true 2>/dev/null && return
+  [[ -t 0 && -t 2 ]] && say "sudo is needed to install ${#missing[@]} packages" && sudo -v
+}
+if ! find_root; then
+  say "error: ${#missing[@]} packages are missing, and installing them takes an administrator's rights"
+  say "have this one command run as root, then start again:"
+  printf "apt-get update && %s\n" "${install[*]}" >&2
+  exit 1
+fi
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+mkdir -p build
+log=$PWD/build/setup.log
+# LC_ALL: the log is read below. The lock is often held for a while on a machine just started.
+run_apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
+    "$@" -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 </dev/null >>"$log" 2>&1
+}
+
+say "installing ${#missing[@]} packages with apt-get: ${missing[*]}"
+say "this takes a minute or two (log: $log)"
+: >"$log"
+run_apt apt-get update || say "warning: apt-get update failed in part; trying with what it got"
+if ! run_apt "${install[@]}"; then
+  tail -n 15 "$log" >&2
+  say "error: apt-get install failed (its last lines are above, all of them in $log)"
+  if grep -qE 'Unable to locate package|no installation candidate' "$log"; then
+    # shellcheck source=/dev/null
+    system=$(. /etc/os-release && printf '%s' "$PRETTY_NAME")
+    say "this is $system; the packages are those of Debian 12 and Ubuntu 24.04"
+    say "on Ubuntu some are in 'universe': see that /etc/apt/sources.list.d/ubuntu.sources names it"
+  fi
+  exit 1
+fi
+say "installed"
