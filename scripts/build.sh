@@ -34,10 +34,15 @@ if ((${#configure[@]})); then
     echo "twrench: error: cmake could not configure $dir: its reasons are above" >&2
     exit 1
   fi
-  echo "twrench: building $dir" >&2
 fi
 
-# A terminal gets ninja's one moving line; a log gets only what goes wrong.
+targets=("${@:-all}")
+# A dry run that would first have to configure again says something else.
+if [[ $(ninja -C "$dir" -n "${targets[@]}" | tail -n 1) == "ninja: no work to do." ]]; then
+  exit 0
+fi
+echo "twrench: building $dir" >&2
+# A terminal gets ninja's one moving line, a log only what goes wrong.
 quiet=()
 [[ -t 2 ]] || quiet=(--quiet)
-ninja -C "$dir" "${quiet[@]}" "${@:-all}" >&2
+ninja -C "$dir" "${quiet[@]}" "${targets[@]}" >&2

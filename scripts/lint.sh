@@ -13,7 +13,12 @@ done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
 
 case "${1-}" in
-  format) sources | xargs -0 clang-format-14 --dry-run -Werror ;;
+  format)
+    if ! sources | xargs -0 clang-format-14 --dry-run -Werror; then
+      echo "twrench: error: some lines are laid out differently; $0 fix lays them out" >&2
+      exit 1
+    fi
+    ;;
   fix) sources | xargs -0 clang-format-14 -i ;;
   # The pattern keeps generated sources out: they lie under build/.
   tidy) run-clang-tidy-14 -quiet -p build/release -j "$(nproc)" "^$(pwd -P)/(src|tests|bench)/" ;;

@@ -51,9 +51,11 @@ find_root() {
   [[ -t 0 && -t 2 ]] && say "sudo is needed to install ${#missing[@]} packages" && sudo -v
 }
 if ! find_root; then
+  command="apt-get update && ${install[*]}"
+  ! command -v sudo >/dev/null || command="sudo sh -c '$command'"
   say "error: ${#missing[@]} packages are missing, and installing them takes an administrator's rights"
-  say "have this one command run as root, then start again:"
-  printf "apt-get update && %s\n" "${install[*]}" >&2
+  say "have an administrator run this one command, then start again:"
+  printf '%s\n' "$command" >&2
   exit 1
 fi
 
@@ -69,15 +71,17 @@ run_apt() {
 say "installing ${#missing[@]} packages with apt-get: ${missing[*]}"
 say "this takes a minute or two (log: $log)"
 : >"$log"
-run_apt apt-get update || say "warning: apt-get update failed in part; trying with what it got"
+# A source that cannot be reached need not hold what is missing: the installation decides.
+lists=whole
+run_apt apt-get update --error-on=any || lists=partial
 if ! run_apt "${install[@]}"; then
   tail -n 15 "$log" >&2
-  say "error: apt-get install failed (its last lines are above, all of them in $log)"
-  if grep -qE 'Unable to locate package|no installation candidate' "$log"; then
-    # shellcheck source=/dev/null
-    system=$(. /etc/os-release && printf '%s' "$PRETTY_NAME")
-    say "this is $system; the packages are those of Debian 12 and Ubuntu 24.04"
-    say "on Ubuntu some are in 'universe': see that /etc/apt/sources.list.d/ubuntu.sources names it"
+  say "error: apt-get could not install them; its last lines are above, all of them in $log"
+  if [[ $lists == partial ]]; then
+    say "it could not fetch every package list: check the network and /etc/apt/sources.list*"
+  elif grep -qE 'Unable to locate package|no installation candidate' "$log"; then
+    say "they are packages of Debian 12 and Ubuntu 24.04; on Ubuntu some are in 'universe', which"
+    say "the Components of /etc/apt/sources.list.d/ubuntu.sources must name"
   fi
   exit 1
 fi
