@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,13 +8,15 @@
 
 namespace twrench {
 
-/// An explicit Runge-Kutta tableau; `embedded` is empty where there is no second row of weights.
+/// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
-  std::vector<std::vector<double>> a;  ///< a[k] has k entries
-  std::vector<double> weights;         ///< of the value that is carried on
-  std::vector<double> embedded;        ///< of the value held against it for the error estimate
+  using Row = std::array<double, 6>;
 
-  std::size_t stages() const { return weights.size(); }
+  int stages;
+  std::array<Row, 6> a;  ///< row k holds a_k1 .. a_k(k-1)
+  Row weights;           ///< of the value that is carried on
+  Row embedded{};        ///< of the value held against it for the error estimate
+  bool embedded_pair = false;
 };
 
 /// How a step is taken from the mean of the stage velocities.
@@ -33,13 +35,15 @@ struct Method {
   std::string_view source;   ///< where the specification or the literature prints it
   std::string_view summary;  ///< one line for people
 
-  bool adaptive() const { return !tableau.embedded.empty(); }
+  bool adaptive() const { return tableau.embedded_pair; }
 };
 
 /// All methods, in the order of the specification.
 std::span<const Method> methods();
 
-/// The method called `name`. Throws UsageError, with the nearest name offered.
-const Method& find_method(std::string_view name);
+std::vector<std::string> method_names();
+
+/// The method called `name`. Throws UsageError about `what`, with the nearest name offered.
+const Method& find_method(std::string_view name, const std::string& what = "method");
 
 }  // namespace twrench

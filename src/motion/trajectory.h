@@ -9,6 +9,10 @@
 
 namespace twrench {
 
+/// The least tolerance that makes sense: the estimate E of a step is a difference of two rotations,
+/// each known to a few 1e-16.
+inline constexpr double least_tolerance = 1e-15;
+
 /// How long the steps are.
 struct StepControl {
   double step = 0.01;         ///< s: the step of a fixed-step method, the first of an adaptive one
@@ -22,7 +26,8 @@ struct StepControl {
 /// t_(k+1) is one shortened step from t_k, which the steps after it do not see: so a sample at t is
 /// the same number whichever other times were asked for.
 ///
-/// Throws UsageError when an adaptive step underflows or max_steps is passed.
+/// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
+/// motion is no longer finite, or max_steps is passed.
 std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
                                const StepControl& control, std::span<const double> times);
 

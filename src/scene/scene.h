@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,14 +9,9 @@
 #include "body/mass_properties.h"
 #include "body/shape.h"
 #include "motion/trajectory.h"
+#include "scene/color.h"
 
 namespace twrench {
-
-/// A colour as people write it: sRGB, each 0 to 255.
-struct Color {
-  int red, green, blue;
-  bool operator==(const Color&) const = default;
-};
 
 /// The body: its parts or, where it is given so, its principal moments alone.
 struct Body {
@@ -54,6 +48,9 @@ struct Look {
   Eigen::Vector3d camera{0.0, 5.0, 20.0};  ///< direction from the body to the camera, space axes
 };
 
+/// Sets the background from "transparent" or a colour. Throws UsageError about `what`.
+void set_background(Look& look, const std::string& text, const std::string& what);
+
 /// Everything that determines a film. Plain values with defaults; a file or the command line
 /// overrides them.
 struct Scene {
@@ -64,7 +61,7 @@ struct Scene {
   Film film;
   Look look;
 
-  /// N = round(duration * fps / speed).
+  /// N = round(duration * fps / speed). Throws UsageError unless that is 1 to 10^7.
   int frame_count() const;
 };
 
@@ -84,8 +81,5 @@ Scene load_scene(const std::string& name_or_path);
 
 /// Reads a scene from TOML text; `source` names it in errors.
 Scene parse_scene(std::string_view toml, const std::string& source);
-
-/// Checks what no single key can tell. Throws UsageError.
-void validate(const Scene& scene);
 
 }  // namespace twrench

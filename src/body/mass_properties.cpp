@@ -1,0 +1,81 @@
+#include "body/mass_properties.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// The inertia about the origin of a point mass at d; the second term of the parallel-axis theorem.
+Matrix3d point_inertia(double mass, const Vector3d& d) {
+  return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+}
+
+/// Flips the columns so that the choice of sign does not depend on the eigenvalue solver.
+Matrix3d with_definite_signs(Matrix3d axes) {
+  for (int i = 0; i < 2; ++i) {
+    Eigen::Index largest = 0;
+    axes.col(i).cwiseAbs().maxCoeff(&largest);
+    if (axes(largest, i) < 0.0) axes.col(i) = -axes.col(i);
+  }
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+}  // namespace
+
+MassProperties mass_properties(std::span<const Part> parts) {
+  MassProperties body{};
+  body.centre_of_mass.setZero();
+  body.inertia.setZero();
+  for (const Part& part : parts) {
+    const double mass = part.density * volume(part.shape);
+    body.mass += mass;
+    body.centre_of_mass += mass * part.position;  // eq. (44), divided by the mass below
+  }
+  body.centre_of_mass /= body.mass;
+  for (const Part& part : parts) {
+    const double mass = part.density * volume(part.shape);
+    const Matrix3d& R = part.body_from_part;
+    body.inertia += R * central_moments(part.shape, mass).asDiagonal() * R.transpose() +
+                    point_inertia(mass, part.position - body.centre_of_mass);
+  }
+  const PrincipalAxes principal = principal_axes(body.inertia);
+  body.moments = principal.moments;
+  body.axes = principal.axes;
+  return body;
+}
+
+PrincipalAxes principal_axes(const Matrix3d& inertia) {
+  if (inertia.isDiagonal(0.0)) {  // the solver would be right, but not to the last digit
+    std::array<Eigen::Index, 3> order{0, 1, 2};
+    std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return inertia(i, i); });
+    PrincipalAxes result{Vector3d::Zero(), Matrix3d::Zero()};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Eigen::Index from = order[static_cast<std::size_t>(i)];
+      result.moments[i] = inertia(from, from);
+      result.axes(from, i) = 1.0;
+    }
+    result.axes = with_definite_signs(result.axes);
+    return result;
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
+  return {solver.eigenvalues(), with_definite_signs(solver.eigenvectors())};
+}
+
+Part equimomental_box(const Vector3d& moments) {
+  // I_x = M (b^2 + c^2)/12 and so on give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes M = a b c.
+  const double sum = moments.sum();
+  const double least = 1e-6 * sum;  // a plate, where the triangle inequality leaves no thickness
+  const Vector3d s = (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least);
+  const double mass = std::pow(std::pow(6.0, 1.5) * std::sqrt(s.prod()), 0.4);
+  return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};
+}
+
+}  // namespace twrench

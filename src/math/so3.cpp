@@ -1,0 +1,54 @@
+#include "math/so3.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace twrench::so3 {
+
+Matrix3d hat(const Vector3d& w) {
+  Matrix3d Omega;
+  Omega << 0, -w.z(), w.y(),  //
+      w.z(), 0, -w.x(),       //
+      -w.y(), w.x(), 0;
+  return Omega;
+}
+
+Vector3d vee(const Matrix3d& Omega) { return {Omega(2, 1), Omega(0, 2), Omega(1, 0)}; }
+
+Matrix3d exp(const Vector3d& u) {
+  // Eq. (21) in half-angle form: sin(w)/w = sinc(w/2) cos(w/2) and (1 - cos w)/w^2 = sinc(w/2)^2/2
+  // lose no digits for any angle, where 1 - cos w would for small ones.
+  const double half = 0.5 * u.norm();
+  const double sinc = half > 0.0 ? std::sin(half) / half : 1.0;
+  const double a = sinc * std::cos(half);
+  const double b = 0.5 * sinc * sinc;
+  const double xx = u.x() * u.x(), yy = u.y() * u.y(), zz = u.z() * u.z();
+  const double xy = b * u.x() * u.y(), xz = b * u.x() * u.z(), yz = b * u.y() * u.z();
+  Matrix3d X;
+  X << 1.0 - b * (yy + zz), xy - a * u.z(), xz + a * u.y(),  //
+      xy + a * u.z(), 1.0 - b * (xx + zz), yz - a * u.x(),   //
+      xz - a * u.y(), yz + a * u.x(), 1.0 - b * (xx + yy);
+  return X;
+}
+
+Matrix3d exp(double h, const Matrix3d& Omega) { return exp(h * vee(Omega)); }
+
+Vector3d log(const Matrix3d& X) {
+  // By way of the unit quaternion (w, v), which keeps all digits at both ends of the range:
+  // near 0, where the trace does not tell the angle, and near pi, where X - X^T vanishes.
+  Eigen::Quaterniond q(X);
+  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  Vector3d v = q.vec();
+  const double sine = v.norm();
+  if (sine == 0.0) return Vector3d::Zero();
+  if (q.w() == 0.0) {
+    for (int i = 0; i < 3; ++i) {
+      if (v[i] == 0.0) continue;
+      if (v[i] < 0.0) v = -v;
+      break;
+    }
+  }
+  return 2.0 * std::atan2(sine, q.w()) / sine * v;
+}
+
+}  // namespace twrench::so3

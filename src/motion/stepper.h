@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "motion/free_body.h"
+#include "motion/method.h"
+
+namespace twrench {
+
+/// The angular velocity, body axes, rad/s, that belongs to X: eq. (19), omega = I^-1 X^T L. A
+/// method that leaves SO(3) takes the inverse in place of the transpose, as eq. (24) prints it.
+Eigen::Vector3d angular_velocity(const FreeBody& body, Update update, const Eigen::Matrix3d& X);
+
+/// One step of h seconds (negative ones too) from X.
+struct Step {
+  Eigen::Matrix3d X;
+  double error;  ///< E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5; else 0
+};
+Step take_step(const FreeBody& body, const Method& method, const Eigen::Matrix3d& X, double h);
+
+}  // namespace twrench

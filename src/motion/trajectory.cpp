@@ -1,0 +1,121 @@
+#include "motion/trajectory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "base/error.h"
+#include "motion/stepper.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+
+// Sauer's step control, Numerical Analysis, section 6.5. The factor's bounds are the usual ones:
+// an estimate that happens to vanish must not let the step run away, nor one bad step kill it.
+constexpr double safety = 0.8;
+constexpr double least_factor = 0.2;
+constexpr double largest_factor = 5.0;
+
+/// Walks along the method's own steps t_0 = 0, t_1, ... in the direction of `sign`.
+class Walk {
+ public:
+  Walk(const FreeBody& body, const Method& method, const StepControl& control, double sign)
+      : body_(body), method_(method), control_(control), next_length_(sign * control.step) {}
+
+  /// The sample at t, which must not lie before the one asked for last.
+  Sample sample_at(double t) {
+    while (std::abs(t) > std::abs(t_next_)) advance();
+    const Matrix3d X = t == t_next_ ? X_next_ : take_step(body_, method_, X_, t - t_).X;
+    if (!X.allFinite()) {
+      throw UsageError(fmt::format("method {}", method_.name),
+                       fmt::format("the motion is no longer finite at t = {} s", t),
+                       "take a shorter --step, or a method that stays on SO(3)");
+    }
+    return {t, X, angular_velocity(body_, method_.update, X)};
+  }
+
+ private:
+  /// Moves to the next of the method's own steps.
+  void advance() {
+    X_ = X_next_;
+    t_ = t_next_;
+    if (method_.adaptive()) {
+      step_adaptively();
+    } else {
+      count_step();
+      X_next_ = take_step(body_, method_, X_, next_length_).X;
+      t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
+    }
+  }
+
+  void step_adaptively() {
+    double length = next_length_;
+    for (int attempt = 0;; ++attempt) {
+      count_step();
+      const double t_end = t_ + length;
+      length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
+      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step))) throw underflow();
+      const Step step = take_step(body_, method_, X_, length);
+      const double ratio = control_.tolerance / std::max(step.error, 1e-300);
+      const double order = method_.tableau_order;
+      const double factor =
+          std::clamp(safety * std::pow(ratio, 1.0 / (order + 1.0)), least_factor, largest_factor);
+      next_length_ = factor * length;
+      if (step.error < control_.tolerance) {
+        X_next_ = step.X;
+        t_next_ = t_end;
+        return;
+      }
+      length = attempt == 0 ? std::min(factor, 1.0) * length : 0.5 * length;
+    }
+  }
+
+  void count_step() {
+    if (++steps_ <= control_.max_steps) return;
+    throw UsageError(fmt::format("method {}", method_.name),
+                     fmt::format("more than {} steps at t = {} s", control_.max_steps, t_),
+                     "take a longer --step, a larger --tolerance or a shorter --duration");
+  }
+
+  UsageError underflow() const {
+    return {fmt::format("method {}", method_.name),
+            fmt::format("the step underflows at t = {} s with tolerance {}", t_,
+                        control_.tolerance),
+            "take a larger --tolerance, or a slower motion"};
+  }
+
+  const FreeBody& body_;
+  const Method& method_;
+  const StepControl& control_;
+  double next_length_;  ///< signed
+  std::int64_t steps_ = 0;
+  double t_ = 0.0, t_next_ = 0.0;
+  Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
+};
+
+}  // namespace
+
+std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
+                               const StepControl& control, std::span<const double> times) {
+  if (method.adaptive() && !(control.tolerance >= least_tolerance)) {
+    throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
+                                              control.tolerance, least_tolerance));
+  }
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
+  std::vector<Sample> samples(times.size());
+  Walk forward(body, method, control, 1.0);
+  Walk backward(body, method, control, -1.0);
+  for (const std::size_t i : order) {
+    samples[i] = (times[i] < 0.0 ? backward : forward).sample_at(times[i]);
+  }
+  return samples;
+}
+
+}  // namespace twrench

@@ -1,0 +1,44 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "scene/limits.h"
+
+namespace twrench {
+
+int Scene::frame_count() const {
+  const double frames = std::round(motion.duration * film.fps / film.speed);
+  if (frames < 1.0 || frames > limits::most_frames) {
+    throw UsageError("film", fmt::format("it would have {} frames, but must have 1 to {}", frames,
+                                         limits::most_frames),
+                     "change the duration, the frames a second or the speed");
+  }
+  return static_cast<int>(frames);
+}
+
+void set_background(Look& look, const std::string& text, const std::string& what) {
+  look.transparent = text == "transparent";
+  look.background.reset();
+  if (!look.transparent) look.background = parse_color(text, what);
+}
+
+MassProperties mass_properties(const Body& body) {
+  if (!body.moments) return mass_properties(body.parts);
+  const PrincipalAxes principal = principal_axes(body.moments->asDiagonal());
+  return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(),
+          body.moments->asDiagonal(), principal.moments, principal.axes};
+}
+
+std::vector<Part> visible_parts(const Body& body) {
+  if (body.moments) return {equimomental_box(*body.moments)};
+  const Eigen::Vector3d centre = mass_properties(body.parts).centre_of_mass;
+  std::vector<Part> parts = body.parts;
+  for (Part& part : parts) part.position -= centre;
+  return parts;
+}
+
+}  // namespace twrench

@@ -1,0 +1,152 @@
+// Scenes from TOML. Keys, units and defaults are documented in docs/scene-files.md.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "embedded/scenes.h"
+#include "math/so3.h"
+#include "scene/scene.h"
+#include "scene/toml_table.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+Shape read_shape(TomlTable& part) {
+  const std::string shape = part.required_text("shape");
+  if (shape == "cylinder") {
+    return Cylinder{part.required_number("radius", limits::length),
+                    part.required_number("length", limits::length)};
+  }
+  if (shape == "box") return Box{part.required_vector("size", limits::length)};
+  if (shape == "ellipsoid") return Ellipsoid{part.required_vector("radii", limits::length)};
+  if (shape == "sphere") {
+    return Ellipsoid{Vector3d::Constant(part.required_number("radius", limits::length))};
+  }
+  const std::vector<std::string> shapes{"cylinder", "box", "ellipsoid", "sphere"};
+  throw unknown_name(part.place("shape"), shape, shapes);
+}
+
+Eigen::Matrix3d read_orientation(TomlTable& part) {
+  Vector3d axis = Vector3d::UnitZ();
+  Vector3d rotation = Vector3d::Zero();
+  part.vector("axis", limits::coordinate, axis);
+  part.vector("rotation", limits::coordinate, rotation);
+  if (part.has("axis") && part.has("rotation")) {
+    throw UsageError(part.place("rotation"), "must not be given together with axis");
+  }
+  if (axis.isZero(0.0)) throw UsageError(part.place("axis"), "must not be zero");
+  return part.has("axis") ? frame_with_z_along(axis) : so3::exp(rotation);
+}
+
+Part read_part(TomlTable& table) {
+  Part part{read_shape(table), table.required_number("density", limits::density), Vector3d::Zero(),
+            read_orientation(table)};
+  table.vector("position", limits::coordinate, part.position);
+  return part;
+}
+
+Body read_body(TomlTable& file) {
+  Body body;
+  file.tables("part", [&](TomlTable& part) {
+    if (body.parts.size() == limits::most_parts) {
+      throw UsageError(part.place("shape"),
+                       fmt::format("a body has at most {} parts", limits::most_parts));
+    }
+    body.parts.push_back(read_part(part));
+  });
+  file.table("body", [&](TomlTable& table) {
+    body.moments = table.required_vector("moments", limits::moment);
+  });
+  if (body.parts.empty() != body.moments.has_value()) {
+    throw UsageError(file.place("part"),
+                     "a body is given either by [[part]] tables or by [body] moments");
+  }
+  return body;
+}
+
+void read_motion(TomlTable& table, Motion& motion) {
+  table.vector("omega", limits::coordinate, motion.omega);
+  table.text("method", motion.method);
+  find_method(motion.method, table.place("method"));
+  table.number("step", limits::step, motion.control.step);
+  table.number("tolerance", limits::tolerance, motion.control.tolerance);
+  table.number("duration", limits::duration, motion.duration);
+}
+
+void read_film(TomlTable& table, Film& film) {
+  table.size("size", limits::pixels, film.width, film.height);
+  table.number("fps", limits::fps, film.fps);
+  table.number("speed", limits::speed, film.speed);
+}
+
+void read_look(TomlTable& table, Look& look) {
+  table.whole("samples", limits::samples, look.samples);
+  table.flag("bare", look.bare);
+  if (table.has("background")) set_background(look, table.required_text("background"),
+                                              table.place("background"));
+  if (table.has("color")) {
+    look.color = parse_color(table.required_text("color"), table.place("color"));
+  }
+  table.number("metallic", limits::fraction, look.metallic);
+  table.number("roughness", limits::roughness, look.roughness);
+  table.number("field_of_view", limits::angle_of_view, look.field_of_view);
+  table.vector("camera", limits::coordinate, look.camera);
+  if (look.camera.isZero(0.0)) throw UsageError(table.place("camera"), "must not be zero");
+}
+
+std::string read_text_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || file.bad()) {
+    throw FileError(path, "cannot be read", "give a scene file that exists, or a built-in scene");
+  }
+  return text.str();
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& source) {
+  toml::table root;
+  try {
+    root = toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    throw UsageError(fmt::format("{}:{}", source, error.source().begin.line),
+                     std::string(error.description()));
+  }
+  Scene scene;
+  scene.name = std::filesystem::path(source).stem().string();
+  TomlTable file(root, source, "");
+  file.text("title", scene.title);
+  scene.body = read_body(file);
+  file.table("motion", [&](TomlTable& table) { read_motion(table, scene.motion); });
+  file.table("film", [&](TomlTable& table) { read_film(table, scene.film); });
+  file.table("look", [&](TomlTable& table) { read_look(table, scene.look); });
+  file.finish();
+  return scene;
+}
+
+std::vector<std::string> builtin_scene_names() {
+  return {"dzhanibekov", "stable-y", "stable-z", "sphere"};
+}
+
+Scene load_scene(const std::string& name_or_path) {
+  if (name_or_path.ends_with(".toml")) {
+    return parse_scene(read_text_file(name_or_path), name_or_path);
+  }
+  const std::string file = name_or_path + ".toml";
+  const auto& builtin = embedded::scenes();
+  if (!builtin.contains(file)) {
+    throw unknown_name("scene", name_or_path, builtin_scene_names());
+  }
+  return parse_scene(builtin.at(file), file);
+}
+
+}  // namespace twrench

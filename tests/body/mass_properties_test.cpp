@@ -1,0 +1,119 @@
+#include "body/mass_properties.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <numbers>
+#include <random>
+
+#include "math/so3.h"
+#include "scene/scene.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+TEST(MassProperties, TheTWrench) {
+  const MassProperties wrench = mass_properties(load_scene("dzhanibekov").body);
+  const double M1 = pi * 8 * 6.7, M2 = pi * 4 * 6.7;  // R = 1
+  const double Ixx = M1 / 4 + M1 * 64 / 12 + M2 / 2;                            // eq. (46)
+  const double Iyy = M1 + M2 * 16 / 4 + M1 / 2 + M2 / 4 + M2 * 16 / 12;         // eq. (47)
+  const double Izz = M1 + M2 * 16 / 4 + M1 / 4 + M1 * 64 / 12 + M2 / 4 + M2 * 16 / 12;  // (48)
+  EXPECT_NEAR(wrench.mass, 12 * pi * 6.7, 1e-12 * wrench.mass);
+  EXPECT_EQ(wrench.centre_of_mass, Vector3d::Zero());
+  EXPECT_NEAR(wrench.inertia(0, 0), Ixx, 1e-12 * Ixx);
+  EXPECT_NEAR(wrench.inertia(1, 1), Iyy, 1e-12 * Iyy);
+  EXPECT_NEAR(wrench.inertia(2, 2), Izz, 1e-12 * Izz);
+  EXPECT_TRUE(wrench.inertia.isDiagonal(0.0)) << wrench.inertia;
+  // The figures the specification prints, and the 25-digit reference's first sixteen.
+  EXPECT_NEAR(wrench.inertia(0, 0), 982.2713030224087, 1e-12 * Ixx);
+  EXPECT_NEAR(wrench.inertia(1, 1), 722.6710300807721, 1e-12 * Iyy);
+  EXPECT_NEAR(wrench.inertia(2, 2), 1578.650308428871, 1e-12 * Izz);
+  // Iyy < Ixx < Izz: x is the intermediate axis.
+  EXPECT_EQ(wrench.axes.col(0).cwiseAbs(), Vector3d::UnitY());
+  EXPECT_EQ(wrench.axes.col(1).cwiseAbs(), Vector3d::UnitX());
+}
+
+std::vector<Part> three_parts() {
+  return {{Cylinder{1, 5}, 2, {1, 2, 3}, so3::exp(Vector3d(0.3, 0.4, -1))},
+          {Box{{1, 2, 4}}, 3, {-4, 0, 1}, so3::exp(Vector3d(1, -0.2, 0))},
+          {Ellipsoid{{1, 0.5, 2}}, 5, {0, 3, -2}, so3::exp(Vector3d(-2, 0.1, 0.7))}};
+}
+
+TEST(MassProperties, DoNotDependOnWhereTheSceneWasDrawn) {
+  const std::vector<Part> parts = three_parts();
+  const Matrix3d R = so3::exp(Vector3d(0.5, -1.5, 0.8));
+  const Vector3d shift(10, -20, 5);
+  std::vector<Part> moved = parts;
+  for (Part& part : moved) {
+    part.position = R * part.position + shift;
+    part.body_from_part = R * part.body_from_part;
+  }
+  const MassProperties a = mass_properties(parts), b = mass_properties(moved);
+  EXPECT_NEAR(a.mass, b.mass, 1e-12 * a.mass);
+  EXPECT_LE((b.centre_of_mass - (R * a.centre_of_mass + shift)).norm(), 1e-13);
+  EXPECT_LE((b.inertia - R * a.inertia * R.transpose()).norm(), 1e-12 * a.inertia.norm());
+  EXPECT_LE((a.moments - b.moments).norm(), 1e-12 * a.moments.norm());
+}
+
+TEST(MassProperties, ABoxCutInTwoIsTheSameBox) {
+  const Matrix3d Id = Matrix3d::Identity();
+  const std::vector<Part> whole{{Box{{4, 2, 3}}, 2, {0, 0, 0}, Id}};
+  const std::vector<Part> halves{{Box{{1, 2, 3}}, 2, {-1.5, 0, 0}, Id},
+                                 {Box{{3, 2, 3}}, 2, {0.5, 0, 0}, Id}};
+  EXPECT_LE((mass_properties(whole).inertia - mass_properties(halves).inertia).norm(), 1e-12);
+}
+
+TEST(MassProperties, PrincipalAxesDiagonalise) {
+  const MassProperties body = mass_properties(three_parts());
+  const Matrix3d D = body.axes.transpose() * body.inertia * body.axes;
+  EXPECT_LE((D - Matrix3d(body.moments.asDiagonal())).norm(), 1e-12 * body.inertia.norm());
+  EXPECT_NEAR(body.axes.determinant(), 1.0, 1e-14);
+  EXPECT_LE(body.moments[0], body.moments[1]);
+  EXPECT_LE(body.moments[1], body.moments[2]);
+}
+
+TEST(PrincipalAxes, OrderAndSignAreDefinite) {
+  const Matrix3d R = so3::exp(Vector3d(0.4, 1.1, -0.3));
+  const Matrix3d inertia = R * Vector3d(3, 1, 2).asDiagonal() * R.transpose();
+  const PrincipalAxes principal = principal_axes((inertia + inertia.transpose()) / 2);
+  EXPECT_LE((principal.moments - Vector3d(1, 2, 3)).norm(), 1e-14);
+  for (int i = 0; i < 2; ++i) {
+    Eigen::Index largest = 0;
+    principal.axes.col(i).cwiseAbs().maxCoeff(&largest);
+    EXPECT_GT(principal.axes(largest, i), 0);
+  }
+  EXPECT_NEAR(principal.axes.determinant(), 1, 1e-14);
+}
+
+TEST(PrincipalAxes, OfADiagonalMatrixAreExact) {
+  for (const Vector3d& moments : {Vector3d(1, 2, 3), Vector3d(3, 1, 2), Vector3d(2, 3, 1),
+                                  Vector3d(3, 2, 1), Vector3d(1, 1, 1), Vector3d(2, 1, 2)}) {
+    const PrincipalAxes p = principal_axes(moments.asDiagonal());
+    EXPECT_EQ(Matrix3d(p.axes * p.moments.asDiagonal() * p.axes.transpose()),
+              Matrix3d(moments.asDiagonal()));
+    EXPECT_EQ(p.axes.determinant(), 1);
+  }
+}
+
+TEST(EquimomentalBox, HasTheMomentsItWasMadeFrom) {
+  for (const Vector3d& moments : {Vector3d(1, 1, 1), Vector3d(3, 4, 5), Vector3d(900, 700, 1500)}) {
+    const std::vector<Part> parts{equimomental_box(moments)};
+    EXPECT_LE((mass_properties(parts).inertia - Matrix3d(moments.asDiagonal())).norm(),
+              1e-12 * moments.norm());
+  }
+}
+
+TEST(EquimomentalBox, OfAnImpossibleBodyIsAThinPlate) {
+  const Part part = equimomental_box({1, 1, 5});
+  const Vector3d size = std::get<Box>(part.shape).size;
+  EXPECT_TRUE(size.allFinite());
+  EXPECT_GT(size.minCoeff(), 0);
+  EXPECT_LT(size.z(), 0.01 * size.x());
+}
+
+}  // namespace
+}  // namespace twrench

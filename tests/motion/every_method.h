@@ -1,0 +1,20 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "motion/method.h"
+
+namespace twrench {
+
+/// INSTANTIATE_TEST_SUITE_P(All, Suite, every_method(), method_test_name) runs a test for each.
+inline auto every_method() { return testing::ValuesIn(methods().begin(), methods().end()); }
+
+inline std::string method_test_name(const testing::TestParamInfo<Method>& param) {
+  std::string name(param.param.name);
+  std::erase(name, '-');
+  return name;
+}
+
+}  // namespace twrench

@@ -1,0 +1,190 @@
+#include "motion/trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "math/so3.h"
+#include "motion/diagnostics.h"
+#include "motion/every_method.h"
+#include "motion/reference.h"
+#include "motion/stepper.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+std::vector<double> times_of(const ReferenceCase& c) {
+  std::vector<double> times;
+  for (const Sample& s : c.samples) times.push_back(s.t);
+  return times;
+}
+
+double worst_error(const ReferenceCase& c, const std::vector<Sample>& samples) {
+  double worst = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    worst = std::max(worst, (samples[i].X - c.samples[i].X).norm());
+    worst = std::max(worst, (samples[i].omega - c.samples[i].omega).norm());
+  }
+  return worst;
+}
+
+class Task5 : public testing::TestWithParam<const char*> {};
+
+// Task 5: a step so small that the error stays under 1e-6 at every reference time up to 100 s.
+TEST_P(Task5, ReachesTheReference) {
+  const ReferenceCase c = reference_case(GetParam());
+  for (const char* name : {"midpoint", "trapezoid", "rk4", "rkf45"}) {
+    Method method = find_method(name);
+    method.tableau.embedded_pair = false;  // the step is what is chosen here
+    const StepControl control{.step = 2e-4};
+    EXPECT_LE(worst_error(c, trajectory(c.body, method, control, times_of(c))), 1e-6) << name;
+  }
+}
+
+// No tolerance that doubles can keep brings the printed RKF45 to 1e-6 by itself: both its rows lack
+// the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps grow too long.
+TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
+  const ReferenceCase c = reference_case(GetParam());
+  const StepControl control{.tolerance = 1e-15};
+  const double error =
+      worst_error(c, trajectory(c.body, find_method("rkf45"), control, times_of(c)));
+  EXPECT_GT(error, 1e-6);
+  EXPECT_LT(error, 1e-4);
+}
+
+// "A step length so small that the energy does not change noticeably."
+TEST_P(Task5, KeepsTheEnergy) {
+  const ReferenceCase c = reference_case(GetParam());
+  std::vector<double> times;
+  for (int i = 0; i <= 1000; ++i) times.push_back(0.1 * i);
+  const double start = energy(c.body.inertia, c.omega0);
+  for (const auto& [name, bound] : {std::pair{"rk4", 2e-6}, std::pair{"rkf45", 3e-5}}) {
+    const StepControl control{.step = 0.01, .tolerance = 1e-10};
+    double drift = 0;
+    for (const Sample& s : trajectory(c.body, find_method(name), control, times)) {
+      const Diagnostics d = diagnose(c.body, start, s);
+      drift = std::max(drift, std::abs(d.energy_drift));
+      EXPECT_LE(d.orthogonality_error, 1e-12);
+      EXPECT_LE(d.momentum_error, 1e-12);
+    }
+    std::printf("%s %s: largest energy drift over 100 s %.2e\n", GetParam(), name, drift);
+    EXPECT_LE(drift, bound) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Task5, testing::Values("wrench-a", "wrench-b", "wrench-c"));
+
+class EveryMethod : public testing::TestWithParam<Method> {
+ protected:
+  const ReferenceCase wrench_ = reference_case("wrench-a");
+  StepControl control_{.step = 0.07, .tolerance = 1e-6};
+};
+
+INSTANTIATE_TEST_SUITE_P(All, EveryMethod, every_method(), method_test_name);
+
+// A frame must not depend on which other frames are drawn.
+TEST_P(EveryMethod, SampleDoesNotDependOnTheOthers) {
+  const std::vector<double> many{0, 3.1, 0.5, 0.7, 0.7, 0.14, 2.999, 3.0};
+  const auto together = trajectory(wrench_.body, GetParam(), control_, many);
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    const std::vector<double> one{many[i]};
+    const Sample alone = trajectory(wrench_.body, GetParam(), control_, one)[0];
+    EXPECT_EQ(together[i].t, many[i]);
+    EXPECT_EQ(together[i].X, alone.X);
+    EXPECT_EQ(together[i].omega, alone.omega);
+  }
+}
+
+TEST_P(EveryMethod, StartsAtTheIdentity) {
+  const std::vector<double> start{0};
+  const Sample s = trajectory(wrench_.body, GetParam(), control_, start)[0];
+  EXPECT_EQ(s.X, Matrix3d::Identity());
+  EXPECT_LE((s.omega - wrench_.omega0).norm(), 1e-15);
+}
+
+TEST_P(EveryMethod, TakesItsOwnStepsAndASmallerLastOne) {
+  if (GetParam().adaptive()) return;
+  const std::vector<double> times{0.2};  // 0.07, 0.07, 0.06
+  Matrix3d X = Matrix3d::Identity();
+  X = take_step(wrench_.body, GetParam(), X, 0.07).X;
+  X = take_step(wrench_.body, GetParam(), X, 0.07).X;
+  X = take_step(wrench_.body, GetParam(), X, 0.2 - 2 * 0.07).X;
+  EXPECT_EQ(trajectory(wrench_.body, GetParam(), control_, times)[0].X, X);
+}
+
+TEST_P(EveryMethod, GoesBackInTime) {
+  // Reversing time and the spin is a symmetry: X(-t; omega) = X(t; -omega).
+  const FreeBody reversed = free_body(wrench_.body.inertia, -wrench_.omega0);
+  const std::vector<double> forth{2.5}, back{-2.5};
+  const Sample a = trajectory(wrench_.body, GetParam(), control_, back)[0];
+  const Sample b = trajectory(reversed, GetParam(), control_, forth)[0];
+  EXPECT_LE((a.X - b.X).norm(), 1e-14);
+}
+
+TEST_P(EveryMethod, ABodyAtRestStaysAtRest) {
+  const FreeBody still = free_body(wrench_.body.inertia, Vector3d::Zero());
+  const std::vector<double> times{100};
+  EXPECT_EQ(trajectory(still, GetParam(), control_, times)[0].X, Matrix3d::Identity());
+}
+
+TEST(Adaptive, StepsFollowSauersControl) {
+  // The bound on E holds for each step: two runs whose tolerances differ by 32 = 2^5 differ in
+  // their number of steps by about 32^(1/5) = 2, because E falls like h^5.
+  const ReferenceCase c = reference_case("wrench-a");
+  const auto steps_with = [&](double tolerance) {
+    const std::vector<double> times{100};
+    for (std::int64_t n = 1;; n += 1 + n / 50) {
+      const StepControl control{.step = 0.01, .tolerance = tolerance, .max_steps = n};
+      try {
+        trajectory(c.body, find_method("rkf45"), control, times);
+        return static_cast<double>(n);
+      } catch (const UsageError&) {
+      }
+    }
+  };
+  EXPECT_NEAR(steps_with(1e-9 / 32) / steps_with(1e-9), 2.0, 0.25);
+}
+
+TEST(Adaptive, RefusesAToleranceBelowRoundOff) {
+  const ReferenceCase c = reference_case("wrench-a");
+  const std::vector<double> times{10};
+  const StepControl control{.tolerance = 0.9e-15};
+  EXPECT_THROW(trajectory(c.body, find_method("rkf45"), control, times), UsageError);
+}
+
+TEST(Adaptive, EndsWhenTheStepUnderflows) {
+  // So fast that its square overflows: no step, however short, has a finite estimate.
+  const FreeBody fast = free_body(Vector3d(1, 2, 3).asDiagonal(), {1e200, 1e200, 1e200});
+  const std::vector<double> times{1};
+  try {
+    trajectory(fast, find_method("rkf45"), {}, times);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("underflows"), std::string::npos) << error.what();
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+TEST(Trajectory, EndsWhenTheStepsRunOut) {
+  const ReferenceCase c = reference_case("wrench-a");
+  const std::vector<double> times{10};
+  const StepControl control{.step = 0.01, .max_steps = 999};
+  EXPECT_THROW(trajectory(c.body, find_method("rk4"), control, times), UsageError);
+  const StepControl enough{.step = 0.01, .max_steps = 1001};
+  EXPECT_NO_THROW(trajectory(c.body, find_method("rk4"), enough, times));
+}
+
+TEST(Trajectory, SaysWhenAMethodHasDiverged) {
+  const FreeBody fast = free_body(Vector3d(1, 2, 3).asDiagonal(), {0.1, 1e4, 0.1});
+  const std::vector<double> times{1e3};
+  const StepControl control{.step = 1};
+  EXPECT_THROW(trajectory(fast, find_method("euler"), control, times), UsageError);
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,196 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "base/error.h"
+#include "scene/scene.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+
+TEST(SceneFile, BuiltInScenesLoad) {
+  for (const std::string& name : builtin_scene_names()) {
+    const Scene scene = load_scene(name);
+    EXPECT_EQ(scene.name, name);
+    EXPECT_FALSE(scene.title.empty());
+    EXPECT_EQ(scene.frame_count(), 960);
+  }
+}
+
+TEST(SceneFile, Tasks) {
+  EXPECT_EQ(load_scene("dzhanibekov").motion.omega, Vector3d(1, 0.05, 0));
+  EXPECT_EQ(load_scene("stable-y").motion.omega, Vector3d(0, 1, 0.05));
+  EXPECT_EQ(load_scene("stable-z").motion.omega, Vector3d(0.05, 0, 1));
+  const Eigen::Matrix3d I = mass_properties(load_scene("sphere").body).inertia;
+  EXPECT_LE((I - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+}
+
+constexpr const char* full = R"(
+title = "All keys"
+[[part]]
+shape = "box"
+size = [1, 2, 3]
+density = 2
+rotation = [0.1, 0.2, 0.3]
+[[part]]
+shape = "ellipsoid"
+radii = [1.0, 2.0, 3.0]
+density = 1.5
+position = [1, 0, 0]
+[motion]
+omega = [0.5, -1, 2]
+method = "rk4"
+step = 0.25
+tolerance = 1e-8
+duration = 12
+[film]
+size = [640, 360]
+fps = 25
+speed = 2
+[look]
+samples = 1
+bare = true
+background = "transparent"
+color = "#ff8800"
+metallic = 0.5
+roughness = 0.2
+field_of_view = 0.4
+camera = [1, 2, 3]
+)";
+
+TEST(SceneFile, EveryKeyIsRead) {
+  const Scene scene = parse_scene(full, "folder/some.toml");
+  EXPECT_EQ(scene.name, "some");
+  EXPECT_EQ(scene.title, "All keys");
+  ASSERT_EQ(scene.body.parts.size(), 2u);
+  EXPECT_EQ(std::get<Box>(scene.body.parts[0].shape).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.body.parts[0].density, 2);
+  EXPECT_NE(scene.body.parts[0].body_from_part, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(std::get<Ellipsoid>(scene.body.parts[1].shape).radii, Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.body.parts[1].position, Vector3d(1, 0, 0));
+  EXPECT_EQ(scene.motion.omega, Vector3d(0.5, -1, 2));
+  EXPECT_EQ(scene.motion.method, "rk4");
+  EXPECT_EQ(scene.motion.control.step, 0.25);
+  EXPECT_EQ(scene.motion.control.tolerance, 1e-8);
+  EXPECT_EQ(scene.motion.duration, 12);
+  EXPECT_EQ(scene.film.width, 640);
+  EXPECT_EQ(scene.film.height, 360);
+  EXPECT_EQ(scene.film.fps, 25);
+  EXPECT_EQ(scene.film.speed, 2);
+  EXPECT_EQ(scene.look.samples, 1);
+  EXPECT_TRUE(scene.look.bare);
+  EXPECT_TRUE(scene.look.transparent);
+  EXPECT_EQ(scene.look.color, (Color{255, 136, 0}));
+  EXPECT_EQ(scene.look.metallic, 0.5);
+  EXPECT_EQ(scene.look.roughness, 0.2);
+  EXPECT_EQ(scene.look.field_of_view, 0.4);
+  EXPECT_EQ(scene.look.camera, Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.frame_count(), 150);
+  EXPECT_EQ(scene.film.time_of(3), 3 * 2.0 / 25);
+}
+
+TEST(SceneFile, MomentsAlone) {
+  const Scene scene = parse_scene("[body]\nmoments = [3, 4, 5]", "m.toml");
+  const MassProperties body = mass_properties(scene.body);
+  EXPECT_TRUE(std::isnan(body.mass));
+  EXPECT_EQ(body.moments, Vector3d(3, 4, 5));
+  EXPECT_EQ(visible_parts(scene.body).size(), 1u);
+}
+
+TEST(SceneFile, VisiblePartsStandAboutTheCentreOfMass) {
+  const Scene scene = parse_scene(
+      "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\nposition = [5, 0, 0]", "s.toml");
+  EXPECT_EQ(visible_parts(scene.body)[0].position, Vector3d::Zero());
+}
+
+struct Mistake {
+  const char* text;
+  const char* place;
+  const char* why;
+};
+
+class SceneMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(SceneMistake, IsToldWithItsPlace) {
+  try {
+    parse_scene(GetParam().text, "bad.toml");
+    FAIL() << GetParam().text;
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(GetParam().place));
+    EXPECT_THAT(error.what(), HasSubstr(GetParam().why));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SceneMistake,
+    testing::Values(
+        Mistake{"title = ", "bad.toml:1", ""},
+        Mistake{"[body]\nmoments = [1,2,3]\ntitel = 1", "bad.toml:3: body", "'titel'"},
+        Mistake{"[body]\nmoments = [1,2,3]\n[film]\nfsp = 1", "bad.toml:4: film", "'fsp'"},
+        Mistake{"titel = 'x'\n[body]\nmoments = [1,2,3]", "bad.toml:1", "'titel'"},
+        Mistake{"[body]\nmoments = [1,2,-3]", "bad.toml:2: body.moments", "is -3"},
+        Mistake{"[body]\nmoments = [1,2]", "bad.toml:2: body.moments", "3 numbers"},
+        Mistake{"[body]\nmoments = [1,2,'3']", "bad.toml:2: body.moments", "number"},
+        Mistake{"[body]\nmoments = [1,2,nan]", "bad.toml:2: body.moments", "nan"},
+        Mistake{"[body]\nmoments = [1,2,inf]", "bad.toml:2: body.moments", "inf"},
+        Mistake{"title = 'x'", "part", "either"},
+        Mistake{"[[part]]\nshape='sphere'\nradius=1\ndensity=1\n[body]\nmoments=[1,2,3]", "part",
+                "either"},
+        Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 0", "bad.toml:4: part[0].density",
+                "greater than 0"},
+        Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -2", "bad.toml:4: part[0].density",
+                "is -2"},
+        Mistake{"[[part]]\nshape = 'sphere'\nradius = 1", "bad.toml:1: part[0].density", "missing"},
+        Mistake{"[[part]]\nshape = 'spere'\nradius = 1", "bad.toml:2: part[0].shape", "'spere'"},
+        Mistake{"[[part]]\nshape = 'cylinder'\nradius = 1\nlength = 1\ndensity = 1\n"
+                "axis = [0, 0, 0]",
+                "bad.toml:6: part[0].axis", "zero"},
+        Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\naxis = [1,0,0]\n"
+                "rotation = [1,0,0]",
+                "bad.toml:6: part[0].rotation", "together"},
+        Mistake{"part = 3", "bad.toml:1: part", "array of tables"},
+        Mistake{"body = 3", "bad.toml:1: body", "table"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nmethod = 'rk5'", "bad.toml:4: motion.method",
+                "'rk5'"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nstep = 0", "bad.toml:4: motion.step", "is 0"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nduration = -1", "motion.duration", "is -1"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640, 0]", "film.size", "is 0"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640.5, 360]", "film.size", "whole"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[film]\nfps = true", "film.fps", "number"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbare = 1", "look.bare", "true or false"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\ncolor = 'pink'", "look.color", "'pink'"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbackground = 7", "look.background", "text"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\ncamera = [0, 0, 0]", "look.camera", "zero"}));
+
+TEST(SceneFile, UnknownSceneOffersTheNearest) {
+  try {
+    load_scene("dzanibekov");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.remedy(), HasSubstr("did you mean 'dzhanibekov'?"));
+  }
+}
+
+TEST(SceneFile, MissingFileIsAFileError) {
+  EXPECT_THROW(load_scene("no/such.toml"), FileError);
+  EXPECT_THROW(load_scene(TWRENCH_TESTS_DIR "/../tests.toml"), FileError);
+}
+
+TEST(Scene, FrameCountIsBounded) {
+  Scene scene = load_scene("sphere");
+  scene.motion.duration = 1e9;
+  scene.film.speed = 0.001;
+  EXPECT_THROW(scene.frame_count(), UsageError);
+  scene.motion.duration = 1e-6;
+  scene.film.speed = 1;
+  EXPECT_THROW(scene.frame_count(), UsageError);
+}
+
+}  // namespace
+}  // namespace twrench
