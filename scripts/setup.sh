@@ -2,6 +2,7 @@
 # Installs what is missing of the Debian or Ubuntu packages that this project uses:
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
+#   setup.sh tidy     to run clang-tidy over it as well
 # When nothing is missing it says nothing and calls neither apt nor sudo.
 set -euo pipefail
 
@@ -17,8 +18,9 @@ test_packages=(libgtest-dev libgmock-dev clang-format-14)
 case "${1-}" in
   render) ;;
   test) packages+=("${test_packages[@]}") ;;
+  tidy) packages+=("${test_packages[@]}" clang-tidy-14) ;;
   *)
-    echo "usage: $0 render|test" >&2
+    echo "usage: $0 render|test|tidy" >&2
     exit 2
     ;;
 esac
