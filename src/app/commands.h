@@ -16,10 +16,10 @@ void add_methods(CLI::App& app);
 void add_scenes(CLI::App& app);
 
 inline void add_commands(CLI::App& app, ExitCode& code) {
-  add_render(app);
+  
   add_simulate(app);
   add_inertia(app);
-  add_encode(app);
+  
   add_compare(app, code);
   add_methods(app);
   add_scenes(app);

@@ -41,19 +41,19 @@ std::string text(const Scene& scene, const MassProperties& body) {
       matrix(body.axes));
 }
 
-nlohmann::ordered_json to_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-nlohmann::ordered_json to_json(const Eigen::Matrix3d& m) {
-  return {to_json(m.row(0)), to_json(m.row(1)), to_json(m.row(2))};
+nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
+  return {numbers(m.row(0)), numbers(m.row(1)), numbers(m.row(2))};
 }
 
 std::string json(const Scene& scene, const MassProperties& body) {
   nlohmann::ordered_json document{{"scene", scene.name}};
   document["mass"] = body.mass;  // NaN, where only moments are given, becomes null
-  document["centre_of_mass"] = to_json(body.centre_of_mass);
-  document["inertia"] = to_json(body.inertia);
-  document["principal_moments"] = to_json(body.moments);
-  document["principal_axes"] = to_json(body.axes);
+  document["centre_of_mass"] = numbers(body.centre_of_mass);
+  document["inertia"] = rows(body.inertia);
+  document["principal_moments"] = numbers(body.moments);
+  document["principal_axes"] = rows(body.axes);
   return document.dump(1) + "\n";
 }
 

@@ -24,6 +24,12 @@ void SceneOptions::add_number(const std::string& name, const std::string& value,
   });
 }
 
+void SceneOptions::add_flag(const std::string& name, const std::string& help,
+                            std::function<void(Scene&)> apply) {
+  command_.add_flag_callback(
+      name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help);
+}
+
 void SceneOptions::add_inertia_option() {
   add("--inertia", "A,B,C", "principal moments, g cm^2; the body is then only these",
       [](Scene& scene, const std::string& text) {

@@ -27,6 +27,10 @@ class SceneOptions {
   void add_number(const std::string& name, const std::string& value, const std::string& help,
                   const limits::Limit& limit, std::function<double&(Scene&)> target);
 
+  /// An option without a value that changes the scene.
+  void add_flag(const std::string& name, const std::string& help,
+                std::function<void(Scene&)> apply);
+
   /// --inertia alone.
   void add_inertia_option();
 

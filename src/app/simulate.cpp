@@ -85,7 +85,7 @@ void simulate(const Options& options) {
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const std::vector<double> times = sample_times(options, scene);
   const auto samples =
-      trajectory(body, find_method(scene.motion.method), scene.motion.control, times);
+      trajectory(body, find_method(scene.motion.method), scene.motion.control, times).samples;
   const double start = energy(body.inertia, scene.motion.omega);
   write_output(options.output, options.format == "csv" ? csv(samples, body, start)
                                                        : json(scene, samples, body, start));

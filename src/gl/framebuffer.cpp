@@ -62,23 +62,19 @@ void turn_upside_down(Image& image) {
 }  // namespace
 
 Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples)
-    : gl_(&gl),
-      width_(width),
-      height_(height),
-      color_(gl),
-      depth_(gl),
-      drawn_(gl),
-      resolved_color_(gl),
-      resolved_(gl) {
+    : gl_(&gl), width_(width), height_(height), color_(gl), depth_(gl), drawn_(gl) {
   check_limits(gl, width, height, samples);
-  const int stored_samples = samples > 1 ? samples : 0;  // 0 is GL's word for no multisampling
+  const bool multisampled = samples > 1;
+  const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling
+  if (multisampled) {
+    allocate(gl, resolved_color_.emplace(gl), 0, GL_RGBA8, width, height);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.emplace(gl).id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               resolved_color_->id());
+    check_complete(gl, width, height, 1);
+  }
   allocate(gl, color_, stored_samples, GL_RGBA8, width, height);
   allocate(gl, depth_, stored_samples, GL_DEPTH_COMPONENT24, width, height);
-  allocate(gl, resolved_color_, 0, GL_RGBA8, width, height);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                             resolved_color_.id());
-  check_complete(gl, width, height, 1);
   gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
@@ -94,12 +90,15 @@ void Framebuffer::draw_within(const Rectangle& area) const {
 
 Image Framebuffer::read(const Rectangle& area) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
-  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-  const int right = area.x + area.width;
-  const int top = area.y + area.height;
-  gl_->BlitFramebuffer(area.x, area.y, right, top, area.x, area.y, right, top, GL_COLOR_BUFFER_BIT,
-                       GL_NEAREST);
-  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  if (resolved_) {
+    gl_->Scissor(area.x, area.y, area.width, area.height);  // it bounds a blit too
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->id());
+    const int right = area.x + area.width;
+    const int top = area.y + area.height;
+    gl_->BlitFramebuffer(area.x, area.y, right, top, area.x, area.y, right, top,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_->id());
+  }
   Image image(area.width, area.height, 4);
   gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,

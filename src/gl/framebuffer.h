@@ -12,7 +12,7 @@ struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// A multisampled colour (RGBA8) and depth (24 bits) framebuffer with what it is resolved into.
+/// A colour (RGBA8) and depth (24 bits) framebuffer, multisampled or not.
 class Framebuffer {
  public:
   /// Throws UsageError, with the remedy, for a size or a number of samples that this GL cannot
@@ -36,8 +36,8 @@ class Framebuffer {
   Renderbuffer color_;
   Renderbuffer depth_;
   FramebufferObject drawn_;
-  Renderbuffer resolved_color_;
-  FramebufferObject resolved_;
+  std::optional<Renderbuffer> resolved_color_;  // none without multisampling
+  std::optional<FramebufferObject> resolved_;
 };
 
 }  // namespace twrench::gl

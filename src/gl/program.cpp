@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
@@ -27,19 +28,33 @@ struct Shader {
   Shader& operator=(const Shader&) = delete;
 };
 
-/// Compilers name a file by the number that #line gave it: "1:7(3): error" (Mesa) or "1(7) :"
-/// (others) for line 7 of the first file. The line with that number replaced by FILE:LINE.
+/// Lines that the file takes in the text that is compiled, where one more newline ends it.
+int line_count(const ShaderFile& file) {
+  return static_cast<int>(std::count(file.text.begin(), file.text.end(), '\n')) + 1;
+}
+
+/// A compiler sees the files as one text after the version line, and names places in it as
+/// "0:7(3): error" (Mesa), "0(7) : error" or "ERROR: 0:7: ..." (others). `line` with its first
+/// such place replaced by FILE:LINE. (#line could name files by number, but Mesa loses the number
+/// in most errors.)
 std::string named_line(std::string_view line, std::span<const ShaderFile> files) {
-  const char* const end = line.data() + line.size();
-  std::size_t file = 0;
+  const std::string_view place =
+      line.substr(std::min(line.find_first_of("0123456789"), line.size()));
+  const char* const end = place.data() + place.size();
+  int source = 0;
   int number = 0;
-  const auto after_file = std::from_chars(line.data(), end, file);
-  if (after_file.ec != std::errc() || file < 1 || file > files.size()) return std::string(line);
-  if (after_file.ptr == end) return std::string(line);
-  const auto after_line = std::from_chars(after_file.ptr + 1, end, number);
-  if (after_line.ec != std::errc()) return std::string(line);
-  const std::string_view rest(after_line.ptr, static_cast<std::size_t>(end - after_line.ptr));
-  return fmt::format("{}:{}{}", files[file - 1].name, number, rest);
+  const auto after_source = std::from_chars(place.data(), end, source);
+  if (after_source.ec != std::errc() || after_source.ptr == end) return std::string(line);
+  const auto after_number = std::from_chars(after_source.ptr + 1, end, number);
+  if (after_number.ec != std::errc()) return std::string(line);
+  number -= 1;  // the version line
+  for (const ShaderFile& file : files) {
+    const int lines = line_count(file);
+    if (number <= lines)
+      return fmt::format("{}:{}{}", file.name, number, std::string_view(after_number.ptr, end));
+    number -= lines;
+  }
+  return std::string(line);
 }
 
 /// The compiler's log on one line of text, its messages separated by "; ".
@@ -58,9 +73,7 @@ std::string named_log(std::string_view log, std::span<const ShaderFile> files) {
 
 void compile(const Shader& shader, std::span<const ShaderFile> files) {
   std::string text(version);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    text += fmt::format("#line 1 {}\n{}\n", i + 1, files[i].text);
-  }
+  for (const ShaderFile& file : files) text += fmt::format("{}\n", file.text);
   const Functions& gl = shader.gl;
   const GLchar* const begin = text.c_str();
   gl.ShaderSource(shader.id, 1, &begin, nullptr);

@@ -11,7 +11,7 @@
 
 namespace twrench::gl {
 
-/// A file of GLSL. It has no #version line: Program sets one for all files of a shader.
+/// A file of GLSL, without a #version line: Program sets one for all files of a shader.
 struct ShaderFile {
   std::string_view name;
   std::string_view text;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "body/mass_properties.h"
+
 namespace twrench {
 
 /// A rigid body that turns freely: eq. (19)-(20) with its constants. Body axes are any axes fixed
@@ -11,11 +13,12 @@ struct FreeBody {
   Eigen::Matrix3d inertia;   ///< I, body axes, g cm^2
   Eigen::Matrix3d inverse;   ///< I^-1
   Eigen::Vector3d momentum;  ///< L, space axes, g cm^2/s; constant
+  PrincipalAxes principal;   ///< of the inertia
 };
 
 /// The body with X(0) = Id and angular velocity omega (body axes, rad/s): L = I omega, eq. (12).
 inline FreeBody free_body(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
-  return {inertia, inertia.inverse(), inertia * omega};
+  return {inertia, inertia.inverse(), inertia * omega, principal_axes(inertia)};
 }
 
 /// The motion at one instant.

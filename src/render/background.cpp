@@ -25,8 +25,8 @@ double smooth_step(double low, double high, double x) {
 /// The sRGB colour, 0 to 255, at (u, v): u from -1 to 1 across, v from 0 at the top to 1.
 Array3d graded(double u, double v) {
   const Array3d night(9, 10, 13);
-  const Array3d slate(50, 54, 66);
-  const Array3d pool(58, 57, 52);
+  const Array3d slate(46, 50, 61);
+  const Array3d pool(46, 45, 41);
   const double floor = smooth_step(0.15, 0.85, v - 0.10 * u * u);
   const double distance = std::hypot(u / 0.42, (v - 1.02) / 0.30);
   const double light = std::exp(-distance * distance);

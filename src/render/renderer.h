@@ -14,7 +14,8 @@ namespace twrench {
 class Renderer {
  public:
   /// Compiles the shaders, makes the meshes and the framebuffer of the scene's film size.
-  /// Throws GlError when the context cannot do what is asked (size, samples).
+  /// Throws UsageError for a size or a number of samples that this OpenGL cannot do, GlError when
+  /// it lacks what is needed.
   Renderer(gl::Context& context, const Scene& scene);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

@@ -22,7 +22,7 @@ Studio dark_studio() {
            facing_body({-2.5F, -0.7F, 1.9F}, 1.5F, 3.4F, 2.2F * cool),
            facing_body({-0.8F, 3.1F, 1.0F}, 3.8F, 1.4F, 4.5F * warm),
            facing_body({-2.6F, 1.4F, -2.2F}, 0.9F, 3.2F, 6.0F * cool),
-           facing_body({2.7F, -0.6F, -2.0F}, 0.8F, 3.0F, 4.0F * cool)},
+           facing_body({1.7F, -1.5F, -2.6F}, 4.2F, 0.9F, 4.0F * cool)},
           {0.035F, 0.037F, 0.042F},
           {0.17F, 0.174F, 0.185F}};
 }
