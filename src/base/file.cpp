@@ -37,40 +37,22 @@ std::string remedy_for(int error_number) {
 std::string shortened(const std::string& name) { return name.substr(0, 200); }
 
 /// Makes and opens a file beside target. O_EXCL neither follows a link nor takes another's file.
-int open_beside(const std::filesystem::path& target, std::filesystem::path& path) {
+Descriptor open_beside(const std::filesystem::path& target, std::filesystem::path& path) {
   constexpr int most_leftovers = 10'000;  // of killed processes that had our number
   for (int n = 0; n < most_leftovers; ++n) {
     path = target.parent_path() /
            fmt::format(".{}.{}-{}.tmp", shortened(target.filename().string()), ::getpid(), n);
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) {
+    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (descriptor || errno != EEXIST) {
       return descriptor;
     }
   }
-  return -1;
+  return {};
 }
 
 std::string cannot_write(const std::filesystem::path& path) {
   return "cannot write " + path.string();
 }
-
-/// Owns a descriptor while a file is read.
-class OpenFile {
- public:
-  explicit OpenFile(const std::filesystem::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-    }
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
 
 }  // namespace
 
@@ -86,15 +68,12 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
                     "choose another name");
   }
   descriptor_ = open_beside(target_, path_);
-  if (descriptor_ < 0) {
+  if (!descriptor_) {
     throw file_error(cannot_write(target_), errno);
   }
 }
 
 PendingFile::~PendingFile() {
-  if (descriptor_ >= 0) {
-    ::close(descriptor_);
-  }
   if (!path_.empty()) {
     ::unlink(path_.c_str());
   }
@@ -102,7 +81,7 @@ PendingFile::~PendingFile() {
 
 void PendingFile::write(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t written = ::write(descriptor_.get(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) {
       continue;
     }
@@ -115,7 +94,7 @@ void PendingFile::write(std::span<const std::uint8_t> bytes) {
 
 void PendingFile::commit() {
   // On a network or a quota, close is where a full disk is told.
-  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
+  const bool closed = descriptor_.close();
   if (!closed || std::rename(path_.c_str(), target_.c_str()) != 0) {
     throw file_error(cannot_write(target_), errno);
   }
@@ -135,9 +114,9 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   const std::string what = "cannot read " + path.string();
-  const OpenFile file(path);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) {
+  if (!file || ::fstat(file.get(), &status) != 0) {
     throw file_error(what, errno);
   }
   // The size is a hint: a pipe has none. One byte more shows the end without growing.
@@ -145,7 +124,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size
   std::vector<std::uint8_t> bytes(std::min(std::max<std::size_t>(hint, 4096), max_bytes) + 1);
   std::size_t size = 0;
   while (true) {
-    const ssize_t got = ::read(file.descriptor(), bytes.data() + size, bytes.size() - size);
+    const ssize_t got = ::read(file.get(), bytes.data() + size, bytes.size() - size);
     if (got < 0 && errno == EINTR) {
       continue;
     }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 
 namespace twrench {
@@ -29,6 +30,8 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
+  const std::filesystem::path& target() const { return target_; }
+
   /// The temporary name, in the target's folder.
   const std::filesystem::path& path() const { return path_; }
 
@@ -41,7 +44,7 @@ class PendingFile {
  private:
   std::filesystem::path target_;
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
 };
 
 /// Makes `path` hold exactly these bytes, by way of a PendingFile. Throws FileError.
