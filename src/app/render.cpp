@@ -10,6 +10,7 @@
 #include "app/pipeline.h"
 #include "app/scene_options.h"
 #include "app/version.h"
+#include "base/file.h"
 #include "gl/context.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
@@ -143,7 +144,9 @@ VideoFormat video_format(const Scene& scene) {
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return nullptr;
   require_encoder(video_format(scene));
-  return std::make_unique<VideoEncoder>(video_path(options, scene), video_format(scene));
+  const fs::path path = video_path(options, scene);
+  if (path.has_parent_path()) make_folder(path.parent_path());
+  return std::make_unique<VideoEncoder>(path, video_format(scene));
 }
 
 /// The folder of frames with its manifest begun; null with --no-frames.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 namespace twrench {
@@ -58,6 +59,14 @@ std::string cannot_write(const std::filesystem::path& path) {
 
 FileError file_error(const std::string& what, int error_number) {
   return {what, std::generic_category().message(error_number), remedy_for(error_number)};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw file_error("cannot make the folder " + folder.string(), failed.value());
+  }
 }
 
 PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(target)) {

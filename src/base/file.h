@@ -17,6 +17,9 @@ namespace twrench {
 /// "cannot write out/a.png: No space left on device".
 FileError file_error(const std::string& what, int error_number);
 
+/// Makes the folder, and those it lies in, where they are missing. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
+
 /// A new file beside `target`, under a name that nobody else has, which becomes the target by
 /// commit() or vanishes. So a reader of the target finds it old, new or missing, never half
 /// written, whenever this process dies; what a killed one leaves is a hidden file

@@ -1,6 +1,5 @@
 #include "movie/frame_sequence.h"
 
-#include <system_error>
 #include <utility>
 
 #include "base/file.h"
@@ -10,11 +9,7 @@ namespace twrench {
 
 FrameSequence::FrameSequence(std::filesystem::path folder, Manifest manifest)
     : folder_(std::move(folder)), manifest_(std::move(manifest)) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder_, failed);
-  if (failed) {
-    throw file_error("cannot make the folder " + folder_.string(), failed.value());
-  }
+  make_folder(folder_);
 }
 
 FrameSequence::~FrameSequence() {

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"simulate --format xml", 2, "--format"},
         Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "more than"},
         Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
-        Mistake{"encode missing", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
+        Mistake{"encode missing -o a.mp4", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
 
 TEST(BadInput, FfmpegIsMissedBeforeTheFirstFrame) {
   const ScratchFolder folder;

@@ -44,7 +44,7 @@ TEST(Simulate, CsvAtExactlyTheTimesAskedFor) {
     EXPECT_EQ(rows[i][0], times[i]);
   }
   EXPECT_EQ(rows[0][1], 1);
-  EXPECT_EQ(rows[0][11], 0.05);
+  EXPECT_DOUBLE_EQ(rows[0][11], 0.05);
 }
 
 TEST(Simulate, FromZeroToTheDurationBothIncluded) {
