@@ -1,6 +1,7 @@
 #include "motion/exact.h"
 
 #include <Eigen/Geometry>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -16,11 +17,13 @@ using Eigen::Vector3d;
 
 /// D2 / G^2 of eq. (4), for ascending moments: negative where L circles the axis of least moment,
 /// positive where it circles that of greatest, zero on the separatrix. It is the one difference of
-/// the whole solution that cancels, and flips hang on its last digit: hence the wider type.
-double beyond_separatrix(const Vector3d& I, const Vector3d& m, double G) {
+/// the whole solution that cancels, and near the separatrix flips hang on its last digit: so it is
+/// taken from the velocity that was given, not from the rounded L, and in twice the digits.
+double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
+  using Quad = boost::multiprecision::cpp_bin_float_quad;
   const auto term = [&](int i) {
-    const long double mu = static_cast<long double>(m[i]) / G, moment = I[i];
-    return mu * mu * ((moment - I[1]) / moment);
+    const Quad w = Quad(omega[i]) / G;
+    return Quad(w * w * I[i] * (Quad(I[i]) - I[1]));
   };
   return static_cast<double>(term(0) + term(2));
 }
@@ -51,14 +54,15 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 
 }  // namespace
 
-ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.inverse * body.momentum) {
+ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
   const PrincipalAxes principal = principal_axes(body.inertia);
   const Vector3d m = principal.axes.transpose() * body.momentum;
   const double G = m.stableNorm();
   if (G == 0) {
     return;
   }
-  const double D2 = beyond_separatrix(principal.moments, m, G);
+  const double D2 =
+      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
