@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <cstddef>
 
 /// Jacobi's elliptic functions and one theta function, for the exact motion (docs/exact.md).
 /// Everything takes the parameter m = k^2 and its complement mc = 1 - k^2 side by side, never the
@@ -39,7 +40,7 @@ class Jacobi {
   double slope() const { return slope_; }
 
  private:
-  static constexpr int terms = 5;  ///< n = 0 ... 4: see hyperbolic_
+  static constexpr std::size_t terms = 5;  ///< n = 0 ... 4; of the hyperbolic series one fewer
   using Series = std::array<double, terms>;
 
   void expand_in_nome(double Kc, double a_prime);
@@ -48,13 +49,15 @@ class Jacobi {
   Values hyperbolic(double u) const;
 
   double K_;
-  bool hyperbolic_;               ///< series in q' = exp(-pi K/K'), else in q = exp(-pi K'/K)
-  double scale_;                  ///< pi/2K or pi/2K': what makes u the variable of the series
-  double shift_ = 0;              ///< d angle / du within a period; only where hyperbolic
+  bool hyperbolic_;   ///< the series are in q' = exp(-pi K/K'), else in q = exp(-pi K'/K)
+  double scale_ = 0;  ///< of u in the series: pi/2K' or pi/2K
+  double drift_ = 0;  ///< d angle / du
   double slope_ = 0;
-  double sn_scale_ = 1, cn_scale_ = 1, dn_scale_ = 1;
-  Series even_{}, odd_{};         ///< coefficients of theta_3, theta_4 and of theta_1, theta_2
-  Series real_{}, imaginary_{};   ///< coefficients of Theta(u + i a)
+  double sn_scale_ = 0, cn_scale_ = 0, dn_scale_ = 0;
+  Series even_{};    ///< of theta_3 and theta_4
+  Series odd_{};     ///< of theta_1 and theta_2
+  Series cosine_{};  ///< of the real part of Theta(u + i a)
+  Series sine_{};    ///< of its imaginary part
 };
 
 }  // namespace twrench::elliptic

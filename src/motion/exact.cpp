@@ -83,7 +83,8 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   const Vector3d amplitude(std::sqrt(-I[0] * Dc / ac), std::sqrt(I[1] * Da / ab),
                            std::sqrt(I[2] * Da / ac));
   const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 * ac / (Dc * ab));
-  const double rate = std::copysign(G * std::sqrt(-Dc * ab / (I[0] * I[1] * I[2])), ac);
+  const double rate =
+      std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
 
   // Eq. (7): the phase at t = 0, from sn u : cn u.
   const double s = mu[1], c = mu[2] * std::sqrt(I[1] * ac / (I[2] * ab)), size = std::hypot(s, c);
@@ -95,8 +96,8 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
 
   // Eq. (12): dpsi/dt at u = 0, less what Theta contributes there.
   const double energy = (mu.array().square() / I.array()).sum();
-  const double spin = G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) -
-                      2 * rate * jacobi.slope();
+  const double spin =
+      G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) - 2 * rate * jacobi.slope();
   return {jacobi, m, mc, rate, phase, spin, amplitude, G * I.cwiseInverse()};
 }
 
@@ -131,7 +132,8 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
-  return Flips{interval, first, std::log(16 / o.mc) / rate, 2 * std::asin(std::min(1.0, o.amplitude[1]))};
+  return Flips{interval, first, std::log(16 / o.mc) / rate,
+               2 * std::asin(std::min(1.0, o.amplitude[1]))};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {
