@@ -14,7 +14,7 @@ using std::numbers::pi;
 /// The n-th power of x >= 0, and 1 for n = 0.
 double power(double x, std::size_t n) { return std::pow(x, static_cast<double>(n)); }
 
-/// theta_k(0, q), docs/exact.md (14): of theta_2, what stands beside its factor q^(1/4), which
+/// theta_k(0, q), eq. (E10): of theta_2, what stands beside its factor q^(1/4), which
 /// cancels wherever it is used. q <= 0.124.
 struct ThetaConstants {
   double theta2, theta3, theta4;
@@ -37,7 +37,9 @@ double complete_first(double mc) { return incomplete_first(1, 0, mc); }
 
 double incomplete_first(double s, double c, double mc) {
   const double delta2 = c * c + mc * s * s;
-  if (delta2 == 0) return std::copysign(std::numeric_limits<double>::infinity(), s);
+  if (delta2 == 0) {
+    return std::copysign(std::numeric_limits<double>::infinity(), s);
+  }
   return s * boost::math::ellint_rf(c * c, delta2, 1.0);
 }
 
@@ -102,7 +104,7 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
   slope_ = drift_ + 0.5 * scale_ * slope / theta;
 }
 
-Jacobi::Values Jacobi::circular(double u) const {
+Jacobi::Values Jacobi::circular(double u) const {  // eq. (E10)
   const double z = scale_ * u;
   const double c = std::cos(z), s = std::sin(z);
   const double c2 = (c - s) * (c + s), s2 = 2 * c * s;
@@ -128,7 +130,7 @@ Jacobi::Values Jacobi::circular(double u) const {
           0};
 }
 
-Jacobi::Values Jacobi::hyperbolic(double u) const {
+Jacobi::Values Jacobi::hyperbolic(double u) const {  // eq. (E11)
   // u = 2K turns + r; an infinite K makes turns 0, and must not be multiplied by it.
   const double turns = std::nearbyint(0.5 * u / K_);
   const double r = turns == 0 ? u : std::fma(-2 * turns, K_, u);

@@ -4,7 +4,8 @@
 #include <complex>
 #include <cstddef>
 
-/// Jacobi's elliptic functions and one theta function, for the exact motion (docs/exact.md).
+/// Jacobi's elliptic functions and one theta function, for the exact motion
+/// (docs/exact.md, whose equations are (E1), (E2) ...).
 /// Everything takes the parameter m = k^2 and its complement mc = 1 - k^2 side by side, never the
 /// modulus k: as m rounds to 1, all that is known of the motion stands in mc.
 namespace twrench::elliptic {

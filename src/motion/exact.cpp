@@ -15,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// D2 / G^2 of eq. (4), for ascending moments: negative where L circles the axis of least moment,
+/// D2 / G^2 of eq. (E1), for ascending moments: negative where L circles the axis of least moment,
 /// positive where it circles that of greatest, zero on the separatrix. It is the one difference of
 /// the whole solution that cancels, and near the separatrix flips hang on its last digit: so it is
 /// taken from the velocity that was given, not from the rounded L, and in twice the digits.
@@ -38,7 +38,7 @@ Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
   return axes;
 }
 
-/// The rotation P of least angle that takes the unit vector mu to e_a, eq. (2); mu[0] >= 0.
+/// The rotation P of least angle that takes the unit vector mu to e_a, eq. (E5); mu[0] >= 0.
 Matrix3d least_rotation(const Vector3d& mu) {
   const double a = mu[0], b = mu[1], c = mu[2], h = 1 / (1 + a);
   Matrix3d P;
@@ -46,8 +46,7 @@ Matrix3d least_rotation(const Vector3d& mu) {
   return P;
 }
 
-/// (G^2 - 2 T I_i) / G^2, eq. (4), for the axis i whose moment is the least or the greatest: its
-/// terms have one sign.
+/// D_i / G^2 of eq. (E1), where i has the least or the greatest moment: the terms have one sign.
 double excess(const Vector3d& I, const Vector3d& mu, int i) {
   return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
 }
@@ -79,22 +78,22 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   const double Da = excess(I, mu, 0), Dc = excess(I, mu, 2);
   const double ab = I[1] - I[0], bc = I[2] - I[1], ac = I[2] - I[0];
 
-  // Eq. (6): a solution of Euler's equation in Jacobi's functions.
+  // Eq. (E3); excess divides by G^2, and so amplitude is of mu = m/G.
   const Vector3d amplitude(std::sqrt(-I[0] * Dc / ac), std::sqrt(I[1] * Da / ab),
                            std::sqrt(I[2] * Da / ac));
   const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 * ac / (Dc * ab));
   const double rate =
       std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
 
-  // Eq. (7): the phase at t = 0, from sn u : cn u.
+  // Eq. (E4): the phase at t = 0. All phases are one where sn u and cn u are left undetermined.
   const double s = mu[1], c = mu[2] * std::sqrt(I[1] * ac / (I[2] * ab)), size = std::hypot(s, c);
   const double phase = size > 0 ? elliptic::incomplete_first(s / size, c / size, mc) : 0;
 
-  // Eq. (10): how far from the real line the poles of dpsi/dt lie.
+  // Eq. (E8).
   const double pole = elliptic::incomplete_first(amplitude[0], amplitude[2], m);
   const elliptic::Jacobi jacobi(m, mc, pole);
 
-  // Eq. (12): dpsi/dt at u = 0, less what Theta contributes there.
+  // Eq. (E9).
   const double energy = (mu.array().square() / I.array()).sum();
   const double spin =
       G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) - 2 * rate * jacobi.slope();
@@ -107,7 +106,7 @@ ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
 
   const double angle = spin * t + 2 * v.angle;
   const std::complex<double> rotor =
-      std::polar(1 / std::norm(v.theta), angle) * (v.theta * v.theta);  // exp(i psi), eq. (11)
+      std::polar(1 / std::norm(v.theta), angle) * (v.theta * v.theta);  // exp(i psi), eq. (E7)
   Matrix3d turn = least_rotation(mu);
   const Eigen::RowVector3d row = turn.row(1);
   turn.row(1) = rotor.real() * row - rotor.imag() * turn.row(2);

@@ -10,7 +10,7 @@
 namespace twrench {
 
 /// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) with X(0) = Id,
-/// at any t, for the same cost whatever t. docs/exact.md derives it, and numbers the equations.
+/// at any t, for the same cost whatever t. Derived in docs/exact.md, whose equations are (E1) on.
 ///
 /// Every positive definite inertia and every momentum: both sides of the separatrix and the
 /// separatrix itself, symmetric bodies, the sphere, spin about a principal axis, rest.
@@ -53,7 +53,7 @@ class ExactMotion {
   struct Orbit {
     struct State {
       Eigen::Vector3d mu;    ///< m/G
-      Eigen::Matrix3d turn;  ///< Rot(e_a, psi) P, eq. (2): the motion up to constant rotations
+      Eigen::Matrix3d turn;  ///< Rot(e_a, psi) P, eq. (E5): the motion up to constant rotations
     };
     State at(double t) const;
 

@@ -18,7 +18,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 Real pi() { return boost::math::constants::pi<Real>(); }
 
-Real complete(Real mc) {
+Real complete(const Real& mc) {
   Real a = 1, b = sqrt(mc);
   while (abs(a - b) > 1e-40 * a) {
     const Real mean = (a + b) / 2;
@@ -34,7 +34,7 @@ struct Reference {
 
 /// By the definitions, DLMF 22.2.4-6 and 20.2.4, summed in 50 digits: no transformation, no
 /// reduction, as many terms as it takes.
-Reference by_definition(Real u, Real m, Real mc, Real a_prime) {
+Reference by_definition(const Real& u, const Real& m, const Real& mc, const Real& a_prime) {
   const Real K = complete(mc), Kc = complete(m), q = exp(-pi() * Kc / K), z = pi() * u / (2 * K);
   const Real alpha = pi() * (Kc - a_prime) / (2 * K);
   struct Thetas {
@@ -47,7 +47,9 @@ Reference by_definition(Real u, Real m, Real mc, Real a_prime) {
       const Real odd = 2 * pow(q, n * (n + 1)), even = 2 * pow(q, n * n);
       t.t1 += sign * odd * sin((2 * n + 1) * at);
       t.t2 += odd * cos((2 * n + 1) * at);
-      if (n == 0) continue;
+      if (n == 0) {
+        continue;
+      }
       t.t3 += even * cos(2 * n * at);
       t.t4 += sign * even * cos(2 * n * at);
     }

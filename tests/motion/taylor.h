@@ -30,7 +30,9 @@ class TaylorMotion {
       const Real step = left < 0 ? Real(-h) : h;
       for (std::size_t i = 0; i < 7; ++i) {
         Real value = 0;
-        for (std::size_t n = order + 1; n-- > 0;) value = series_[n][i] + step * value;
+        for (std::size_t n = order + 1; n-- > 0;) {
+          value = series_[n][i] + step * value;
+        }
         state_[i] = value;
       }
       t_ = last ? Real(t) : Real(t_ + step);
@@ -60,9 +62,15 @@ class TaylorMotion {
     series_[0] = state_;
     for (std::size_t n = 0; n < order; ++n) {
       State sum{};
-      for (std::size_t i = 0; i <= n; ++i) add_products(sum, series_[i], series_[n - i]);
-      for (std::size_t k = 0; k < 3; ++k) series_[n + 1][k] = euler_[k] * sum[k] / Real(n + 1);
-      for (std::size_t k = 3; k < 7; ++k) series_[n + 1][k] = sum[k] / Real(2 * (n + 1));
+      for (std::size_t i = 0; i <= n; ++i) {
+        add_products(sum, series_[i], series_[n - i]);
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        series_[n + 1][k] = euler_[k] * sum[k] / Real(n + 1);
+      }
+      for (std::size_t k = 3; k < 7; ++k) {
+        series_[n + 1][k] = sum[k] / Real(2 * (n + 1));
+      }
     }
   }
 
