@@ -14,7 +14,8 @@ void add_methods(CLI::App& app) {
   command->callback([] {
     std::string text;
     for (const Method& m : methods()) {
-      text += fmt::format("{:<12} order {}  {}; {}\n", m.name, m.order, m.summary, m.source);
+      const std::string order = m.order == 0 ? "exact  " : fmt::format("order {}", m.order);
+      text += fmt::format("{:<19}{}  {}; {}\n", m.name, order, m.summary, m.source);
     }
     write_output("-", text);
   });

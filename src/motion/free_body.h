@@ -13,12 +13,14 @@ struct FreeBody {
   Eigen::Matrix3d inertia;   ///< I, body axes, g cm^2
   Eigen::Matrix3d inverse;   ///< I^-1
   Eigen::Vector3d momentum;  ///< L, space axes, g cm^2/s; constant
+  Eigen::Vector3d omega;     ///< at t = 0, where X = Id, body axes, rad/s; as it was given, where
+                             ///< L is I omega rounded: close to the separatrix that tells
   PrincipalAxes principal;   ///< of the inertia
 };
 
 /// The body with X(0) = Id and angular velocity omega (body axes, rad/s): L = I omega, eq. (12).
 inline FreeBody free_body(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
-  return {inertia, inertia.inverse(), inertia * omega, principal_axes(inertia)};
+  return {inertia, inertia.inverse(), inertia * omega, omega, principal_axes(inertia)};
 }
 
 /// The motion at one instant.

@@ -79,6 +79,9 @@ constexpr Method all[] = {
      "commutator-free: products of two exponentials"},
     {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
      "five implicit trapezoids a step; keeps the energy to round-off"},
+    {"exact", ClosedForm{}, 0, 0, true, true,
+     "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
+     "the motion in closed form, by elliptic and theta functions; the same cost at any t"},
 };
 
 }  // namespace

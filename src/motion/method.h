@@ -52,7 +52,7 @@ struct ImplicitTrapezoid {
 /// rotation about its axis: half of the first two, the third, and back.
 struct StrangSplitting {};
 
-/// No steps: the solution itself.
+/// The solution itself, motion/exact.h; a step of it, where one is asked for, has any length.
 struct ClosedForm {};
 
 using Scheme =
@@ -62,7 +62,8 @@ using Scheme =
 struct Method {
   std::string_view name;
   Scheme scheme;
-  int order;                 ///< observed on SO(3), which may be less than the tableau's own
+  int order;                 ///< observed on SO(3), which may be less than the tableau's own;
+                             ///< 0 for the closed form, whose error knows no step
   int tableau_order;         ///< in a linear space; p in the step control
   bool conserves_energy;     ///< to round-off, whatever the step
   bool reversible;           ///< a step of -h undoes a step of h, to round-off

@@ -1,10 +1,10 @@
 #include "motion/stepper.h"
 
 #include <array>
-#include <cassert>
 #include <limits>
 
 #include "math/so3.h"
+#include "motion/exact.h"
 
 namespace twrench {
 namespace {
@@ -117,9 +117,10 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
   return {end, 0.0, 5};
 }
 
-Step step(const FreeBody&, const ClosedForm&, const Matrix3d& X, double) {
-  assert(!"the closed form takes no steps");
-  return {X, infinite, 0};
+/// The motion is the same at all times: it starts anew from the velocity at X.
+Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) {
+  const Vector3d omega = body.inverse * body_momentum(body, false, X);
+  return {X * ExactMotion(free_body(body.inertia, omega)).at(h).X, 0.0, 1};
 }
 
 }  // namespace

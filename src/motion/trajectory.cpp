@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "motion/exact.h"
 #include "motion/stepper.h"
 
 namespace twrench {
@@ -113,10 +114,21 @@ class Walk {
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
 };
 
+/// The closed form goes to each time at once.
+Trajectory exact_trajectory(const FreeBody& body, std::span<const double> times) {
+  const ExactMotion motion(body);
+  Trajectory result;
+  result.samples.reserve(times.size());
+  for (const double t : times) result.samples.push_back(motion.at(t));
+  result.evaluations = static_cast<std::int64_t>(times.size());
+  return result;
+}
+
 }  // namespace
 
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times) {
+  if (std::holds_alternative<ClosedForm>(method.scheme)) return exact_trajectory(body, times);
   if (method.adaptive() && !(control.tolerance >= least_tolerance)) {
     throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
                                               control.tolerance, least_tolerance));

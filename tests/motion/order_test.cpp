@@ -27,6 +27,7 @@ class MethodOrder : public testing::TestWithParam<Method> {};
 // the first is (h^3/12) omega x omega'. Only the tableaus are of order 4 and 5.
 TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const Method& method = GetParam();
+  if (method.order == 0) GTEST_SKIP() << "no step, no order";
   // From where the slope is asymptotic, to where round-off flattens it.
   const int coarsest = method.order == 1 ? 6400 : 800;
   constexpr double round_off = 1e-12;

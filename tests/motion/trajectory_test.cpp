@@ -103,12 +103,12 @@ TEST_P(EveryMethod, SampleDoesNotDependOnTheOthers) {
 TEST_P(EveryMethod, StartsAtTheIdentity) {
   const std::vector<double> start{0};
   const Sample s = trajectory(wrench_.body, GetParam(), control_, start).samples[0];
-  EXPECT_EQ(s.X, Matrix3d::Identity());
+  EXPECT_LE((s.X - Matrix3d::Identity()).norm(), 1e-15);
   EXPECT_LE((s.omega - wrench_.omega0).norm(), 1e-15);
 }
 
 TEST_P(EveryMethod, TakesItsOwnStepsAndASmallerLastOne) {
-  if (GetParam().adaptive()) return;
+  if (GetParam().adaptive() || GetParam().order == 0) GTEST_SKIP() << "no step of its own";
   const std::vector<double> times{0.2};  // 0.07, 0.07, 0.06
   Matrix3d X = Matrix3d::Identity();
   X = take_step(wrench_.body, GetParam(), X, 0.07).X;

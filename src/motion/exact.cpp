@@ -1,0 +1,150 @@
+#include "motion/exact.h"
+
+#include <Eigen/Geometry>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "body/mass_properties.h"
+#include "math/so3.h"
+
+namespace twrench {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// D2 / G^2 of eq. (E1), for ascending moments: negative where L circles the axis of least moment,
+/// positive where it circles that of greatest, zero on the separatrix. It is the one difference of
+/// the whole solution that cancels, and near the separatrix flips hang on its last digit: so it is
+/// taken from the velocity that was given, not from the rounded L, and in twice the digits.
+double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
+  using Quad = boost::multiprecision::cpp_bin_float_quad;
+  const auto term = [&](int i) {
+    const Quad w = Quad(omega[i]) / G;
+    return Quad(w * w * I[i] * (Quad(I[i]) - I[1]));
+  };
+  return static_cast<double>(term(0) + term(2));
+}
+
+/// Body axes (a, b, c), a proper rotation: a is the principal axis `a` (0 or 2), b the
+/// intermediate one, and the components of m along a and c are not negative.
+Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
+  Matrix3d axes;
+  axes.col(0) = std::copysign(1.0, m[a]) * principal.axes.col(a);
+  axes.col(2) = std::copysign(1.0, m[2 - a]) * principal.axes.col(2 - a);
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+/// The rotation P of least angle that takes the unit vector mu to e_a, eq. (E5); mu[0] >= 0.
+Matrix3d least_rotation(const Vector3d& mu) {
+  const double a = mu[0], b = mu[1], c = mu[2], h = 1 / (1 + a);
+  Matrix3d P;
+  P << a, b, c, -b, 1 - b * b * h, -b * c * h, -c, -b * c * h, 1 - c * c * h;
+  return P;
+}
+
+/// D_i / G^2 of eq. (E1), where i has the least or the greatest moment: the terms have one sign.
+double excess(const Vector3d& I, const Vector3d& mu, int i) {
+  return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
+}
+
+}  // namespace
+
+ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
+  const PrincipalAxes& principal = body.principal;
+  const Vector3d m = principal.axes.transpose() * body.momentum;
+  const double G = m.stableNorm();
+  if (G == 0) {
+    return;
+  }
+  const double D2 =
+      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
+  const int a = D2 > 0 ? 2 : 0;
+  const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
+  body_from_motion_ = motion_axes(principal, a, m);
+  const Vector3d mu = body_from_motion_.transpose() * body.momentum / G;
+  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) {
+    return;
+  }
+  kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
+  orbit_ = orbit(G, mu, I, D2);
+  space_from_turned_ = body_from_motion_ * orbit_->at(0).turn.transpose();
+}
+
+ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector3d& I, double D2) {
+  const double Da = excess(I, mu, 0), Dc = excess(I, mu, 2);
+  const double ab = I[1] - I[0], bc = I[2] - I[1], ac = I[2] - I[0];
+
+  // Eq. (E3); excess divides by G^2, and so amplitude is of mu = m/G.
+  const Vector3d amplitude(std::sqrt(-I[0] * Dc / ac), std::sqrt(I[1] * Da / ab),
+                           std::sqrt(I[2] * Da / ac));
+  const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 * ac / (Dc * ab));
+  const double rate =
+      std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
+
+  // Eq. (E4): the phase at t = 0. All phases are one where sn u and cn u are left undetermined.
+  const double s = mu[1], c = mu[2] * std::sqrt(I[1] * ac / (I[2] * ab)), size = std::hypot(s, c);
+  const double phase = size > 0 ? elliptic::incomplete_first(s / size, c / size, mc) : 0;
+
+  // Eq. (E8).
+  const double pole = elliptic::incomplete_first(amplitude[0], amplitude[2], m);
+  const elliptic::Jacobi jacobi(m, mc, pole);
+
+  // Eq. (E9).
+  const double energy = (mu.array().square() / I.array()).sum();
+  const double spin =
+      G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) - 2 * rate * jacobi.slope();
+  return {jacobi, m, mc, rate, phase, spin, amplitude, G * I.cwiseInverse()};
+}
+
+ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
+  const elliptic::Jacobi::Values v = jacobi.at(rate * t + phase);
+  const Vector3d mu = amplitude.cwiseProduct(Vector3d(v.dn, v.sn, v.cn)).normalized();
+
+  const double angle = spin * t + 2 * v.angle;
+  const std::complex<double> rotor =
+      std::polar(1 / std::norm(v.theta), angle) * (v.theta * v.theta);  // exp(i psi), eq. (E7)
+  Matrix3d turn = least_rotation(mu);
+  const Eigen::RowVector3d row = turn.row(1);
+  turn.row(1) = rotor.real() * row - rotor.imag() * turn.row(2);
+  turn.row(2) = rotor.imag() * row + rotor.real() * turn.row(2);
+  return {mu, turn};
+}
+
+Sample ExactMotion::at(double t) const {
+  if (!orbit_) {
+    return {t, so3::exp(t * omega0_), omega0_};
+  }
+  const auto [mu, turn] = orbit_->at(t);
+  return {t, space_from_turned_ * turn * body_from_motion_.transpose(),
+          body_from_motion_ * orbit_->velocity.cwiseProduct(mu)};
+}
+
+std::optional<ExactMotion::Flips> ExactMotion::flips() const {
+  if (!orbit_ || orbit_->m == 0) {
+    return std::nullopt;
+  }
+  const Orbit& o = *orbit_;
+  const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
+  const double interval = 2 * o.jacobi.quarter_period() / rate;
+  const double first = phase < 0 ? -phase / rate : interval - phase / rate;
+  return Flips{interval, first, std::log(16 / o.mc) / rate,
+               2 * std::asin(std::min(1.0, o.amplitude[1]))};
+}
+
+std::vector<double> ExactMotion::flip_times(double t_end) const {
+  std::vector<double> times;
+  if (const auto flips = this->flips()) {
+    double t = flips->first;
+    for (int n = 1; t <= t_end && std::isfinite(t); ++n) {
+      times.push_back(t);
+      t = flips->first + n * flips->interval;
+    }
+  }
+  return times;
+}
+
+}  // namespace twrench

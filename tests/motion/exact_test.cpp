@@ -1,0 +1,246 @@
+#include "motion/exact.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "math/so3.h"
+#include "motion/random_bodies.h"
+#include "motion/reference.h"
+#include "motion/taylor.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Kind = ExactMotion::Kind;
+
+ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
+  return ExactMotion(free_body(moments.asDiagonal(), omega));
+}
+
+/// What an angle is known to after a turn by |omega| t, in units of one rounding of it.
+double turned(const Vector3d& omega, double t) { return std::max(1.0, omega.norm() * std::abs(t)); }
+
+/// Ten roundings or so: a hundredth of what is promised (1e-13), twice what is seen.
+constexpr double tight = 2e-15;
+
+template <typename Reference>
+void expect_agrees(const Vector3d& moments, const Vector3d& omega, double t, Reference reference) {
+  SCOPED_TRACE(testing::Message() << "moments " << moments.transpose() << " omega "
+                                  << omega.transpose() << " t " << t);
+  reference.advance_to(t);
+  const Sample sample = exact(moments, omega).at(t);
+  const double bound = tight * turned(omega, t);
+  EXPECT_EQ(sample.t, t);
+  EXPECT_LT((sample.X - reference.X()).norm(), bound);
+  EXPECT_LT((sample.omega - reference.omega()).norm(), bound * omega.norm());
+}
+
+using Wide = TaylorMotion<long double, 22>;
+using Wider = TaylorMotion<boost::multiprecision::cpp_bin_float_quad, 36>;
+
+TEST(ExactMotion, AgreesWithEveryReference) {
+  for (const ReferenceCase& c : reference_cases()) {
+    const ExactMotion motion(c.body);
+    for (const Sample& known : c.samples) {
+      SCOPED_TRACE(testing::Message() << c.name << " at " << known.t);
+      const Sample sample = motion.at(known.t);
+      EXPECT_LT((sample.X - known.X).norm(), tight * turned(c.omega0, known.t));
+      EXPECT_LT((sample.omega - known.omega).norm(), tight * turned(c.omega0, known.t));
+    }
+  }
+}
+
+TEST(ExactMotion, AgreesWithTaylorSeriesForRandomBodies) {
+  RandomBodies random;
+  for (int n = 0; n < 1500; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    expect_agrees(moments, omega, random.between(-40, 40) / omega.norm(), Wide(moments, omega));
+  }
+}
+
+TEST(ExactMotion, AgreesWithTaylorSeriesAfterAThousandTurns) {
+  RandomBodies random;
+  for (int n = 0; n < 10; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    expect_agrees(moments, omega, random.between(-1, 1) * 1e4 / omega.norm(), Wide(moments, omega));
+  }
+}
+
+struct Boundary {
+  const char* name;
+  Vector3d (*moments)(double offset);
+  Vector3d (*omega)(double offset);
+};
+
+/// Each family crosses a boundary between cases where its offset is zero.
+class AcrossBoundaries : public testing::TestWithParam<Boundary> {};
+
+TEST_P(AcrossBoundaries, AgreesWithTaylorSeries) {
+  for (const double offset : {0.1, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0}) {
+    for (const double side : {1.0, -1.0}) {
+      const Vector3d moments = GetParam().moments(side * offset);
+      const Vector3d omega = GetParam().omega(side * offset);
+      const double t = side * 30 / omega.norm();
+      expect_agrees(moments, omega, t, Wider(moments, omega));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , AcrossBoundaries,
+    testing::Values(
+        Boundary{"separatrix", [](double) { return Vector3d(1, 4, 6); },
+                 [](double d) { return Vector3d(2 + d, 0.7, 1); }},
+        Boundary{"separatrix_unequal", [](double) { return Vector3d(3.7, 1.1, 2.3); },
+                 [](double d) { return Vector3d(1 + d, -std::sqrt(3.7 * 1.4 / 1.1 / 1.2), -0.1); }},
+        Boundary{"intermediate_axis", [](double) { return Vector3d(1, 2, 3); },
+                 [](double d) { return Vector3d(d, 1, 0); }},
+        Boundary{"intermediate_axis_other_side", [](double) { return Vector3d(2, 3, 1); },
+                 [](double d) { return Vector3d(-1, d, 0.1 * d); }},
+        Boundary{"least_axis", [](double) { return Vector3d(1, 2, 3); },
+                 [](double d) { return Vector3d(1, d, -d / 3); }},
+        Boundary{"greatest_axis", [](double) { return Vector3d(1, 2, 3); },
+                 [](double d) { return Vector3d(d / 3, d, -1); }},
+        Boundary{"prolate", [](double d) { return Vector3d(1, 2, 2 + d); },
+                 [](double) { return Vector3d(1, 0.3, -0.2); }},
+        Boundary{"oblate", [](double d) { return Vector3d(2 + d, 2, 3); },
+                 [](double) { return Vector3d(0.4, -0.1, 1); }},
+        Boundary{"oblate_turned_in_its_plane", [](double d) { return Vector3d(2 + d, 3, 2); },
+                 [](double d) { return Vector3d(0.4, d, 0.2); }},
+        Boundary{"sphere", [](double d) { return Vector3d(1 + d, 1, 1 - d / 2); },
+                 [](double) { return Vector3d(0.4, 0.1, 0.2); }}),
+    [](const auto& boundary) { return boundary.param.name; });
+
+TEST(ExactMotion, TellsTheKindsApart) {
+  EXPECT_EQ(exact({1, 2, 3}, {1, 0.1, 0.1}).kind(), Kind::about_least);
+  EXPECT_EQ(exact({1, 2, 3}, {0.1, 0.1, 1}).kind(), Kind::about_greatest);
+  EXPECT_EQ(exact({1, 4, 6}, {2, 0, 1}).kind(), Kind::separatrix);
+  EXPECT_EQ(exact({1, 2, 3}, {0, 0, 0}).kind(), Kind::steady);
+  EXPECT_EQ(exact({1, 1, 1}, {1, 2, 3}).kind(), Kind::steady);
+  EXPECT_EQ(exact({2, 2, 3}, {1, 2, 0}).kind(), Kind::steady);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(exact({1, 2, 3}, -Vector3d::Unit(axis)).kind(), Kind::steady);
+  }
+}
+
+TEST(ExactMotion, SteadySpinIsOneExponential) {
+  const std::vector<std::pair<Vector3d, Vector3d>> steady = {{{1, 2, 3}, {0, -0.7, 0}},
+                                                             {{5, 5, 5}, {1, 2, 3}},
+                                                             {{2, 3, 2}, {1, 0, 2}},
+                                                             {{1, 2, 3}, {0, 0, 0}}};
+  for (const auto& [moments, omega] : steady) {
+    for (const double t : {-3.0, 0.0, 1e3}) {
+      const Sample sample = exact(moments, omega).at(t);
+      EXPECT_EQ(sample.X, so3::exp(t * omega));
+      EXPECT_EQ(sample.omega, omega);
+    }
+  }
+}
+
+TEST(ExactMotion, OnTheSeparatrixTheBodyComesToRestOnItsIntermediateAxis) {
+  const ExactMotion motion = exact({1, 4, 6}, {2, 0, 1});
+  const double speed = Vector3d(2, 0, 6).norm() / 4;  // G / I_2
+  const Sample late = motion.at(1e6), early = motion.at(-1e6);
+  EXPECT_LT((late.omega.cwiseAbs() - Vector3d(0, speed, 0)).norm(), 1e-15);
+  EXPECT_LT((late.omega + early.omega).norm(), 1e-15);
+  const Sample later = motion.at(1e6 + 1);
+  EXPECT_LT((later.X - late.X * so3::exp(late.omega)).norm(), 1e-9);  // 1e6 radians, rounded
+}
+
+TEST(ExactMotion, BeginsAtTheIdentity) {
+  RandomBodies random;
+  for (int n = 0; n < 300; ++n) {
+    const Vector3d omega = random.omega();
+    const Sample sample = exact(random.moments(), omega).at(0);
+    EXPECT_LT((sample.X - Matrix3d::Identity()).norm(), tight);
+    EXPECT_LT((sample.omega - omega).norm(), tight * omega.norm());
+  }
+}
+
+TEST(ExactMotion, ConservesWhatIsConserved) {
+  RandomBodies random;
+  for (int n = 0; n < 500; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const Sample s = ExactMotion(body).at(random.between(-1e6, 1e6));
+    const Vector3d m = body.inertia * s.omega;
+    const double G = body.momentum.norm();
+    EXPECT_LT((s.X.transpose() * s.X - Matrix3d::Identity()).norm(), tight);
+    EXPECT_NEAR(s.X.determinant(), 1, tight);
+    EXPECT_NEAR(m.norm(), G, tight * G);
+    EXPECT_LT((s.X * m - body.momentum).norm(), tight * G);
+    const double energy = omega.dot(body.momentum);
+    EXPECT_NEAR(s.omega.dot(m), energy, 3 * tight * energy);
+  }
+}
+
+TEST(ExactMotion, GoesOnFromWhereItWas) {
+  RandomBodies random;
+  for (int n = 0; n < 500; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    const double t1 = random.between(-10, 10) / omega.norm();
+    const double t2 = random.between(-10, 10) / omega.norm();
+    const ExactMotion motion = exact(moments, omega);
+    const Sample first = motion.at(t1);
+    const Sample second = exact(moments, first.omega).at(t2);
+    // The rounding of omega(t1) is spread by the motion: far less tight than a sample itself.
+    EXPECT_LT((motion.at(t1 + t2).X - first.X * second.X).norm(), 1e-12);
+  }
+}
+
+TEST(ExactMotion, DoesNotDependOnHowTheAxesAreNamed) {
+  const Vector3d moments(1.3, 2.1, 2.9);
+  const double t = 11;
+  for (const Vector3d& omega : {Vector3d(0.9, 0.4, 0.1), Vector3d(0.1, 0.8, 0.7)}) {
+    const Sample sample = exact(moments, omega).at(t);
+    std::array<int, 3> order{0, 1, 2};
+    do {
+      for (int signs = 0; signs < 8; ++signs) {
+        Matrix3d M = Matrix3d::Zero();  // a mirror image as often as not: omega is axial
+        for (int i = 0; i < 3; ++i) {
+          M(i, order[static_cast<std::size_t>(i)]) = (signs >> i) % 2 == 0 ? 1 : -1;
+        }
+        const double handedness = M.determinant();
+        const Sample renamed = exact(M.cwiseAbs() * moments, handedness * M * omega).at(t);
+        EXPECT_LT((renamed.X - M * sample.X * M.transpose()).norm(), tight * t);
+        EXPECT_LT((renamed.omega - handedness * M * sample.omega).norm(), tight * t);
+      }
+    } while (std::ranges::next_permutation(order).found);
+  }
+}
+
+TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
+  RandomBodies random;
+  for (int n = 0; n < 300; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    const double t = random.between(-10, 10) / omega.norm();
+    const Matrix3d R = so3::exp(random.vector());
+    const Matrix3d inertia = R * moments.asDiagonal() * R.transpose();
+    const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
+    const Sample sample = exact(moments, omega).at(t);
+    const Sample rotated = ExactMotion(free_body(symmetric, R * omega)).at(t);
+    EXPECT_LT((rotated.X - R * sample.X * R.transpose()).norm(), 1e-12);
+    EXPECT_LT((rotated.omega - R * sample.omega).norm(), 1e-12 * omega.norm());
+  }
+}
+
+TEST(ExactMotion, OnlyTheRatiosOfMomentsMatter) {
+  const Vector3d moments(1, 2, 3), omega(0.3, 1.1, -0.4);
+  const Sample sample = exact(moments, omega).at(7);
+  for (const double scale : {0x1p-500, 0x1p+300}) {
+    EXPECT_LT((exact(scale * moments, omega).at(7).X - sample.X).norm(), tight);
+    EXPECT_LT((exact(moments, scale * omega).at(7 / scale).X - sample.X).norm(), tight);
+  }
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "motion/exact.h"
+#include "motion/random_bodies.h"
+#include "motion/reference.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
+  return ExactMotion(free_body(moments.asDiagonal(), omega));
+}
+
+TEST(Flips, IntervalsOfKnownBodies) {
+  struct Known {
+    Vector3d moments, omega;
+    double interval;
+  };
+  // Complete integrals in 40 digits.
+  for (const Known& k : {Known{{3, 5, 9}, {0, 2.0 / 5, 0.01 / 9}, 59.055443523193},
+                         Known{{1, 2, 3}, {0.01, 1, 0.01}, 19.552867098634},
+                         Known{{0.3, 0.35, 0.4}, {0.1, 15, 0.1}, 6.167472904670}}) {
+    const auto flips = exact(k.moments, k.omega).flips();
+    ASSERT_TRUE(flips);
+    EXPECT_NEAR(flips->interval, k.interval, 1e-12 * k.interval);
+  }
+}
+
+TEST(Flips, OfTheWrench) {
+  const auto flips = ExactMotion(reference_case("wrench-a").body).flips();
+  ASSERT_TRUE(flips);
+  EXPECT_NEAR(flips->interval, 23.630725246383427, 1e-13);
+  EXPECT_NEAR(flips->first, 23.630725246383427 / 2, 1e-13);  // it starts half-way between two
+  EXPECT_NEAR(flips->asymptotic_interval, 23.618730497761169, 1e-13);
+  EXPECT_GT(flips->swing, 3.0);
+  EXPECT_LT(ExactMotion(reference_case("wrench-b").body).flips()->swing, 0.4);
+  EXPECT_LT(ExactMotion(reference_case("wrench-c").body).flips()->swing, 0.1);
+}
+
+TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
+  RandomBodies random;
+  for (int n = 0; n < 200; ++n) {
+    Vector3d moments = random.moments();
+    std::ranges::sort(moments);
+    const Vector3d omega = random.omega();
+    const ExactMotion motion = exact(moments, omega);
+    const double end = 60 / omega.norm();
+    const std::vector<double> times = motion.flip_times(end);
+    std::vector<double> bounds{0.0};
+    for (const double t : times) {
+      EXPECT_GT(t, bounds.back());
+      EXPECT_LE(t, end);
+      EXPECT_LT(std::abs(motion.at(t).omega[1]), 1e-11 * omega.norm());
+      bounds.push_back(t);
+    }
+    bounds.push_back(end);
+    // Between two flips there is no other: the sign is one and alternates.
+    double sign = std::copysign(1.0, omega[1]);
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+      for (const double share : {0.02, 0.5, 0.98}) {
+        const double t = bounds[i] + share * (bounds[i + 1] - bounds[i]);
+        EXPECT_GT(sign * motion.at(t).omega[1], 0) << moments << "\n" << omega;
+      }
+      sign = -sign;
+    }
+  }
+}
+
+TEST(Flips, TendToTheAsymptoticInterval) {
+  for (const double offset : {1e-3, 1e-6, 1e-12, 1e-150}) {
+    const auto flips = exact({1, 2, 3}, {offset, 1, 0}).flips();
+    ASSERT_TRUE(flips);
+    EXPECT_NEAR(flips->asymptotic_interval / flips->interval, 1, offset * offset + 1e-15);
+    EXPECT_NEAR(flips->swing, std::numbers::pi, 3 * offset + 1e-7);
+  }
+}
+
+TEST(Flips, OnTheSeparatrixOneAtMost) {
+  const ExactMotion before = exact({1, 4, 6}, {2, -0.5, 1}), after = exact({1, 4, 6}, {2, 0.5, 1});
+  ASSERT_TRUE(before.flips() && after.flips());
+  EXPECT_EQ(before.flips()->interval, infinity);
+  EXPECT_EQ(before.flips()->asymptotic_interval, infinity);
+  const auto times = std::max(before.flip_times(1e9), after.flip_times(1e9));
+  const auto none = std::min(before.flip_times(1e9), after.flip_times(1e9));
+  EXPECT_EQ(times.size(), 1U);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(Flips, NoneWithoutAnIntermediateAxisOrWithoutMotionAboutIt) {
+  EXPECT_FALSE(exact({1, 2, 2}, {1, 0.3, -0.2}).flips());
+  EXPECT_FALSE(exact({1, 1, 1}, {1, 0.3, -0.2}).flips());
+  EXPECT_FALSE(exact({1, 2, 3}, {0, 1, 0}).flips());
+  EXPECT_FALSE(exact({1, 2, 3}, {0, 0, 0}).flips());
+  EXPECT_TRUE(exact({1, 2, 3}, {0, 0, 0}).flip_times(100).empty());
+}
+
+}  // namespace
+}  // namespace twrench
