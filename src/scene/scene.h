@@ -21,7 +21,7 @@ struct Body {
 
 struct Motion {
   Eigen::Vector3d omega{1.0, 0.05, 0.0};  ///< omega(0), body axes, rad/s
-  std::string method = "rkf45";
+  std::string method = "rkmk45";
   StepControl control;
   double duration = 96.0;  ///< s of motion
 };
