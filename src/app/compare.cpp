@@ -1,3 +1,5 @@
+#include "image/compare.h"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,7 +8,6 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "base/file.h"
-#include "image/compare.h"
 #include "image/png.h"
 #include "scene/limits.h"
 
@@ -21,8 +22,8 @@ struct Options {
 };
 
 ExitCode compare_files(const Options& options) {
-  const int threshold = limits::check_whole({0, 255}, "--threshold",
-                                            parse_number(options.threshold, "--threshold"));
+  const int threshold =
+      limits::check_whole({0, 255}, "--threshold", parse_number(options.threshold, "--threshold"));
   const double allowed =
       limits::check(limits::fraction, "--share", parse_number(options.share, "--share"));
   const Image a = read_png(options.a), b = read_png(options.b);
@@ -51,8 +52,9 @@ void add_compare(CLI::App& app, ExitCode& code) {
   const auto options = std::make_shared<Options>();
   command->add_option("A", options->a, "a PNG file")->required();
   command->add_option("B", options->b, "a PNG file")->required();
-  command->add_option("--threshold", options->threshold,
-                      "a pixel differs when a channel is further apart than this, of 255")
+  command
+      ->add_option("--threshold", options->threshold,
+                   "a pixel differs when a channel is further apart than this, of 255")
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--share", options->share, "the share of pixels that may differ, 0 to 1")

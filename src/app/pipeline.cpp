@@ -36,9 +36,7 @@ class Timed {
 class Pipeline {
  public:
   Pipeline(const Outputs& outputs, StageTimes& times)
-      : outputs_(outputs),
-        times_(times),
-        to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
+      : outputs_(outputs), times_(times), to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
     if (outputs.sequence != nullptr) {
       for (int i = 0; i < outputs.jobs; ++i) start([this] { compress(); });
     }

@@ -7,8 +7,8 @@
 
 #include "app/progress.h"
 #include "image/image.h"
-#include "movie/frame_sequence.h"
 #include "movie/encoder.h"
+#include "movie/frame_sequence.h"
 
 namespace twrench {
 

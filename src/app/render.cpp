@@ -56,10 +56,9 @@ void add_film_options(SceneOptions& scene) {
     s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
     s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
   });
-  scene.add("--background", "COLOR", "#rrggbb, black, gray, white or transparent",
-            [](Scene& s, const std::string& text) {
-              set_background(s.look, text, "--background");
-            });
+  scene.add(
+      "--background", "COLOR", "#rrggbb, black, gray, white or transparent",
+      [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); });
   scene.add("--samples", "N", "samples a pixel, against jagged edges",
             [](Scene& s, const std::string& text) {
               s.look.samples = limits::check_whole(limits::samples, "--samples",
@@ -165,8 +164,7 @@ std::unique_ptr<FrameSequence> open_sequence(const Options& options, const Scene
   return std::make_unique<FrameSequence>(frames_folder(options, scene), std::move(manifest));
 }
 
-void print_summary(const Options& options, const Scene& scene, std::size_t frames,
-                   double seconds) {
+void print_summary(const Options& options, const Scene& scene, std::size_t frames, double seconds) {
   if (options.progress == "none") return;
   std::string text = fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", frames, seconds,
                                  static_cast<double>(frames) / seconds);

@@ -27,8 +27,9 @@ struct Options {
 std::vector<double> regular_times(const Scene& scene) {
   const double samples = std::floor(scene.motion.duration * scene.film.fps);
   if (samples > limits::most_frames) {
-    throw UsageError("simulate", fmt::format("there would be {} samples, but at most {} are allowed",
-                                             samples, limits::most_frames),
+    throw UsageError("simulate",
+                     fmt::format("there would be {} samples, but at most {} are allowed", samples,
+                                 limits::most_frames),
                      "give a shorter --duration, a lower --fps, or --times");
   }
   std::vector<double> times;

@@ -32,19 +32,18 @@ Vector3d central_moments(const Shape& shape, double mass) {
   const auto from_mean_squares = [mass](const Vector3d& s) {
     return Vector3d{mass * (s.y() + s.z()), mass * (s.x() + s.z()), mass * (s.x() + s.y())};
   };
-  return std::visit(Overload{
-                        [&](const Cylinder& c) {
-                          const double rr = c.radius * c.radius / 4.0;
-                          return from_mean_squares({rr, rr, c.length * c.length / 12.0});
-                        },
-                        [&](const Box& b) {
-                          return from_mean_squares(b.size.cwiseProduct(b.size) / 12.0);
-                        },
-                        [&](const Ellipsoid& e) {
-                          return from_mean_squares(e.radii.cwiseProduct(e.radii) / 5.0);
-                        },
-                    },
-                    shape);
+  return std::visit(
+      Overload{
+          [&](const Cylinder& c) {
+            const double rr = c.radius * c.radius / 4.0;
+            return from_mean_squares({rr, rr, c.length * c.length / 12.0});
+          },
+          [&](const Box& b) { return from_mean_squares(b.size.cwiseProduct(b.size) / 12.0); },
+          [&](const Ellipsoid& e) {
+            return from_mean_squares(e.radii.cwiseProduct(e.radii) / 5.0);
+          },
+      },
+      shape);
 }
 
 double bounding_radius(const Shape& shape) {

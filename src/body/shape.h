@@ -27,9 +27,9 @@ using Shape = std::variant<Cylinder, Box, Ellipsoid>;
 /// A homogeneous solid, placed in the frame in which the scene describes the body.
 struct Part {
   Shape shape;
-  double density;                          ///< g/cm^3
-  Eigen::Vector3d position;                ///< of its centre, cm
-  Eigen::Matrix3d body_from_part;          ///< orientation; proper orthogonal
+  double density;                  ///< g/cm^3
+  Eigen::Vector3d position;        ///< of its centre, cm
+  Eigen::Matrix3d body_from_part;  ///< orientation; proper orthogonal
 };
 
 /// Volume in cm^3.

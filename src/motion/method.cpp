@@ -18,7 +18,8 @@ constexpr Tableau kutta{.stages = 4,
                         .a = {{{}, {1.0 / 2}, {0.0, 1.0 / 2}, {0.0, 0.0, 1.0}}},
                         .weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
 
-/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the 5th-order row is held against it.
+/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the 5th-order row is held against
+/// it.
 constexpr Tableau fehlberg{
     .stages = 6,
     .a = {{{},
@@ -34,12 +35,9 @@ constexpr Tableau fehlberg{
 /// Celledoni, Marthinsen and Owren: X2 = X e^(k1/2), X3 = X e^(k2/2), X4 = X2 e^(k3 - k1/2).
 constexpr CommutatorFree cf4{
     .stages = 4,
-    .stage = {{{},
-               {{{1.0 / 2}, {}}},
-               {{{0.0, 1.0 / 2}, {}}},
-               {{{1.0 / 2}, {-1.0 / 2, 0.0, 1.0}}}}},
-    .update = {{{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12},
-                {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
+    .stage = {{{}, {{{1.0 / 2}, {}}}, {{{0.0, 1.0 / 2}, {}}}, {{{1.0 / 2}, {-1.0 / 2, 0.0, 1.0}}}}},
+    .update = {
+        {{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12}, {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
 
 /// Suzuki's fractal: four steps of p and one of 1 - 4p, backwards, cancel the error of h^3.
 constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))

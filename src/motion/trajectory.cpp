@@ -98,10 +98,10 @@ class Walk {
   }
 
   UsageError underflow() const {
-    return {fmt::format("method {}", method_.name),
-            fmt::format("the step underflows at t = {} s with tolerance {}", t_,
-                        control_.tolerance),
-            "take a larger --tolerance, or a slower motion"};
+    return {
+        fmt::format("method {}", method_.name),
+        fmt::format("the step underflows at t = {} s with tolerance {}", t_, control_.tolerance),
+        "take a larger --tolerance, or a slower motion"};
   }
 
   const FreeBody& body_;

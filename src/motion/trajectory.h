@@ -15,8 +15,8 @@ inline constexpr double least_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
-  double step = 0.01;         ///< s: the step of a fixed-step method, the first of an adaptive one
-  double tolerance = 1e-10;   ///< of an adaptive method: bound on the estimate E of each step
+  double step = 0.01;        ///< s: the step of a fixed-step method, the first of an adaptive one
+  double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
   std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
 };
 

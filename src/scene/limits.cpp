@@ -28,8 +28,8 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
-  throw UsageError(what, fmt::format("is {}, but must be a whole number, {}", value,
-                                     limit.describe()));
+  throw UsageError(what,
+                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()));
 }
 
 }  // namespace twrench::limits

@@ -33,7 +33,7 @@ inline constexpr Limit pixels{16, 16384};              // whole
 inline constexpr Limit samples{1, 64};                 // whole
 inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
-inline constexpr Limit angle_of_view{0.05, 2.5};       // rad
+inline constexpr Limit angle_of_view{0.05, 2.5};  // rad
 
 inline constexpr int most_parts = 1000;
 inline constexpr double most_frames = 10'000'000;

@@ -16,7 +16,8 @@ namespace twrench {
 /// The body: its parts or, where it is given so, its principal moments alone.
 struct Body {
   std::vector<Part> parts;
-  std::optional<Eigen::Vector3d> moments;  ///< about the body's x, y, z, g cm^2; then parts is empty
+  std::optional<Eigen::Vector3d>
+      moments;  ///< about the body's x, y, z, g cm^2; then parts is empty
 };
 
 struct Motion {
@@ -37,14 +38,14 @@ struct Film {
 
 /// What is drawn beside the geometry of the body.
 struct Look {
-  int samples = 4;                  ///< of the multisampled framebuffer; 1 is none
-  bool bare = false;                ///< the body alone
-  bool transparent = false;         ///< no background: alpha is the body's coverage
-  std::optional<Color> background;  ///< a flat one; else the graded one
-  Color color{184, 188, 196};       ///< of the metal
-  double metallic = 1.0;            ///< 0 to 1
-  double roughness = 0.34;          ///< 0.05 to 1
-  double field_of_view = 0.55;      ///< the smaller angle of the view, rad
+  int samples = 4;                         ///< of the multisampled framebuffer; 1 is none
+  bool bare = false;                       ///< the body alone
+  bool transparent = false;                ///< no background: alpha is the body's coverage
+  std::optional<Color> background;         ///< a flat one; else the graded one
+  Color color{184, 188, 196};              ///< of the metal
+  double metallic = 1.0;                   ///< 0 to 1
+  double roughness = 0.34;                 ///< 0.05 to 1
+  double field_of_view = 0.55;             ///< the smaller angle of the view, rad
   Eigen::Vector3d camera{0.0, 5.0, 20.0};  ///< direction from the body to the camera, space axes
 };
 
@@ -54,7 +55,7 @@ void set_background(Look& look, const std::string& text, const std::string& what
 /// Everything that determines a film. Plain values with defaults; a file or the command line
 /// overrides them.
 struct Scene {
-  std::string name;   ///< names the output; letters, digits, '-' and '_'
+  std::string name;  ///< names the output; letters, digits, '-' and '_'
   std::string title;
   Body body;
   Motion motion;

@@ -89,8 +89,8 @@ void read_film(TomlTable& table, Film& film) {
 void read_look(TomlTable& table, Look& look) {
   table.whole("samples", limits::samples, look.samples);
   table.flag("bare", look.bare);
-  if (table.has("background")) set_background(look, table.required_text("background"),
-                                              table.place("background"));
+  if (table.has("background"))
+    set_background(look, table.required_text("background"), table.place("background"));
   if (table.has("color")) {
     look.color = parse_color(table.required_text("color"), table.place("color"));
   }

@@ -42,12 +42,9 @@ ordered_json scene_json(const Scene& scene) {
                     {"tolerance", control.tolerance},
                     {"duration", duration}};
   json["film"] = {{"size", {film.width, film.height}}, {"fps", film.fps}, {"speed", film.speed}};
-  json["look"] = {{"samples", look.samples},
-                  {"bare", look.bare},
-                  {"color", to_string(look.color)},
-                  {"metallic", look.metallic},
-                  {"roughness", look.roughness},
-                  {"field_of_view", look.field_of_view},
+  json["look"] = {{"samples", look.samples},        {"bare", look.bare},
+                  {"color", to_string(look.color)}, {"metallic", look.metallic},
+                  {"roughness", look.roughness},    {"field_of_view", look.field_of_view},
                   {"camera", numbers(look.camera)}};
   if (look.transparent) json["look"]["background"] = "transparent";
   if (look.background) json["look"]["background"] = to_string(*look.background);

@@ -64,16 +64,14 @@ void TomlTable::text(const std::string& key, std::string& value) {
   }
 }
 
-void TomlTable::vector(const std::string& key, const limits::Limit& limit,
-                       Eigen::Vector3d& value) {
+void TomlTable::vector(const std::string& key, const limits::Limit& limit, Eigen::Vector3d& value) {
   if (const toml::node* node = find(key)) {
     const std::vector<double> v = numbers(*node, key, 3);
     value = limits::check(limit, place(key), Eigen::Vector3d(v[0], v[1], v[2]));
   }
 }
 
-void TomlTable::size(const std::string& key, const limits::Limit& limit, int& width,
-                     int& height) {
+void TomlTable::size(const std::string& key, const limits::Limit& limit, int& width, int& height) {
   if (const toml::node* node = find(key)) {
     const std::vector<double> v = numbers(*node, key, 2);
     width = limits::check_whole(limit, place(key), v[0]);

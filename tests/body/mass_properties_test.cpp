@@ -18,9 +18,9 @@ using std::numbers::pi;
 
 TEST(MassProperties, TheTWrench) {
   const MassProperties wrench = mass_properties(load_scene("dzhanibekov").body);
-  const double M1 = pi * 8 * 6.7, M2 = pi * 4 * 6.7;  // R = 1
-  const double Ixx = M1 / 4 + M1 * 64 / 12 + M2 / 2;                            // eq. (46)
-  const double Iyy = M1 + M2 * 16 / 4 + M1 / 2 + M2 / 4 + M2 * 16 / 12;         // eq. (47)
+  const double M1 = pi * 8 * 6.7, M2 = pi * 4 * 6.7;                                    // R = 1
+  const double Ixx = M1 / 4 + M1 * 64 / 12 + M2 / 2;                                    // eq. (46)
+  const double Iyy = M1 + M2 * 16 / 4 + M1 / 2 + M2 / 4 + M2 * 16 / 12;                 // eq. (47)
   const double Izz = M1 + M2 * 16 / 4 + M1 / 4 + M1 * 64 / 12 + M2 / 4 + M2 * 16 / 12;  // (48)
   EXPECT_NEAR(wrench.mass, 12 * pi * 6.7, 1e-12 * wrench.mass);
   EXPECT_EQ(wrench.centre_of_mass, Vector3d::Zero());

@@ -69,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --inertia 1,0,2", 2, "--inertia: is 0"},
         Mistake{"render --inertia 1,-1,2", 2, "--inertia: is -1"},
         Mistake{"render --duration 1e9 --fps 1000", 2, "frames"},
-        Mistake{"render --duration 1e-6", 2, "0 frames"},
-        Mistake{"render --frames 5-3", 2, "5-3"}, Mistake{"render --frames 0-960", 2, "960"},
-        Mistake{"render --frames x", 2, "'x'"}, Mistake{"render --jobs 0", 2, "--jobs: is 0"},
+        Mistake{"render --duration 1e-6", 2, "0 frames"}, Mistake{"render --frames 5-3", 2, "5-3"},
+        Mistake{"render --frames 0-960", 2, "960"}, Mistake{"render --frames x", 2, "'x'"},
+        Mistake{"render --jobs 0", 2, "--jobs: is 0"},
         Mistake{"render --samples 0", 2, "--samples: is 0"},
         Mistake{"render --samples 64", 2, "samples"},
         Mistake{"render --background pink", 2, "--background: 'pink'"},
@@ -99,7 +99,8 @@ TEST(BadInput, FfmpegIsMissedBeforeTheFirstFrame) {
 
 TEST(BadInput, AFullDiskIsToldByTheStandardOutput) {
   const ScratchFolder folder;
-  const Outcome run = run_twrench(folder, "simulate --times 1 -o - >/dev/full 2>err.txt; exit $?; :");
+  const Outcome run =
+      run_twrench(folder, "simulate --times 1 -o - >/dev/full 2>err.txt; exit $?; :");
   EXPECT_EQ(run.code, 5);
   EXPECT_THAT(text_of(folder / "err.txt"), HasSubstr("No space left on device"));
 }

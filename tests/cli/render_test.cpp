@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/sha256.h"
 #include "base/file.h"
+#include "base/sha256.h"
 #include "cli/twrench.h"
 #include "image/compare.h"
 #include "image/png.h"
@@ -63,8 +63,8 @@ TEST(Render, FramesArePosedByTheTrajectory) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, small + "--no-video --method rk4 --step 0.05").code, 0);
   const json manifest = json::parse(text_of(folder / "out/dzhanibekov/manifest.json"));
-  const Outcome motion = run_twrench(
-      folder, "simulate --method rk4 --step 0.05 --times 5.4 --format json");
+  const Outcome motion =
+      run_twrench(folder, "simulate --method rk4 --step 0.05 --times 5.4 --format json");
   const json sample = json::parse(motion.out)["samples"][0];
   EXPECT_EQ(manifest["frames"][9]["t"], sample["t"]);
   EXPECT_EQ(manifest["frames"][9]["X"], sample["X"]);
@@ -119,12 +119,11 @@ TEST(Render, EncodeMakesTheSameFilmFromTheFrames) {
 
 TEST(Render, TransparentFramesHaveTheBodysCoverageAsAlpha) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--no-video --bare --background transparent --frames 0")
-                .code,
-            0);
+  ASSERT_EQ(
+      run_twrench(folder, small + "--no-video --bare --background transparent --frames 0").code, 0);
   const Image image = read_png(folder / "out/dzhanibekov/frame_000000.png");
   ASSERT_EQ(image.channels, 4);
-  EXPECT_EQ(image.pixels[3], 0);                                      // a corner
+  EXPECT_EQ(image.pixels[3], 0);                                       // a corner
   EXPECT_EQ(image.pixels[(45 * 160 + 80) * std::size_t{4} + 3], 255);  // the centre of mass
 }
 

@@ -51,7 +51,8 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
 
 INSTANTIATE_TEST_SUITE_P(All, MethodOrder, every_method(), method_test_name);
 
-// The figures published for the printed RK4 and RKF45 (its 5th-order row aside) at 100 to 800 steps.
+// The figures published for the printed RK4 and RKF45 (its 5th-order row aside) at 100 to 800
+// steps.
 TEST(MethodError, OfThePrintedRungeKuttaMethods) {
   const double expected[] = {6.1e-3, 1.1e-3, 2.4e-4, 5.8e-5};
   for (int i = 0; i < 4; ++i) {

@@ -40,14 +40,17 @@ TEST_P(Task5, ReachesTheReference) {
   const ReferenceCase c = reference_case(GetParam());
   for (const char* name : {"midpoint", "trapezoid", "rk4", "rkf45"}) {
     Method method = find_method(name);
-    std::get<RungeKutta>(method.scheme).tableau.embedded_pair = false;  // the step is what is chosen here
+    std::get<RungeKutta>(method.scheme).tableau.embedded_pair =
+        false;  // the step is what is chosen here
     const StepControl control{.step = 2e-4};
-    EXPECT_LE(worst_error(c, trajectory(c.body, method, control, times_of(c)).samples), 1e-6) << name;
+    EXPECT_LE(worst_error(c, trajectory(c.body, method, control, times_of(c)).samples), 1e-6)
+        << name;
   }
 }
 
 // No tolerance that doubles can keep brings the printed RKF45 to 1e-6 by itself: both its rows lack
-// the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps grow too long.
+// the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps grow too
+// long.
 TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
   const ReferenceCase c = reference_case(GetParam());
   const StepControl control{.tolerance = 1e-15};

@@ -1,5 +1,6 @@
 // Frames held against images that were looked at and found right. An image that ought to change is
-// written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be looked at and committed with its reason.
+// written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be looked at and committed with its
+// reason.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
