@@ -85,9 +85,9 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   const double rate =
       std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
 
-  // Eq. (E4): the phase at t = 0. All phases are one where sn u and cn u are left undetermined.
+  // Eq. (E4): the phase at t = 0.
   const double s = mu[1], c = mu[2] * std::sqrt(I[1] * ac / (I[2] * ab)), size = std::hypot(s, c);
-  const double phase = size > 0 ? elliptic::incomplete_first(s / size, c / size, mc) : 0;
+  const double phase = elliptic::incomplete_first(s / size, c / size, mc);
 
   // Eq. (E8).
   const double pole = elliptic::incomplete_first(amplitude[0], amplitude[2], m);
@@ -131,15 +131,16 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
-  return Flips{interval, first, std::log(16 / o.mc) / rate,
-               2 * std::asin(std::min(1.0, o.amplitude[1]))};
+  // Where sn u = 1, L has no component along c, and that along a is least.
+  const double swing = 2 * std::atan2(o.amplitude[1], std::sqrt(o.mc) * o.amplitude[0]);
+  return Flips{interval, first, std::log(16 / o.mc) / rate, swing};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {
   std::vector<double> times;
   if (const auto flips = this->flips()) {
     double t = flips->first;
-    for (int n = 1; t <= t_end && std::isfinite(t); ++n) {
+    for (int n = 1; t <= t_end; ++n) {
       times.push_back(t);
       t = flips->first + n * flips->interval;
     }

@@ -145,16 +145,18 @@ TEST(Jacobi, SlopeIsTheDerivativeAtZero) {
   }
 }
 
-TEST(Jacobi, TrigonometricLimit) {
-  const Jacobi jacobi(0, 1, 0.7);
-  for (const double u : {-3.0, 0.0, 0.4, 100.0}) {
-    const auto v = jacobi.at(u);
-    EXPECT_NEAR(v.sn, std::sin(u), 4 * eps * (1 + std::abs(u)));
-    EXPECT_NEAR(v.cn, std::cos(u), 4 * eps * (1 + std::abs(u)));
-    EXPECT_EQ(v.dn, 1);
-    EXPECT_EQ(std::arg(v.theta) + v.angle, 0);
+TEST(Jacobi, CircularLimit) {
+  for (const double a_prime : {0.7, std::numeric_limits<double>::infinity()}) {
+    const Jacobi jacobi(0, 1, a_prime);
+    for (const double u : {-3.0, 0.0, 0.4, 100.0}) {
+      const auto v = jacobi.at(u);
+      EXPECT_NEAR(v.sn, std::sin(u), 4 * eps * (1 + std::abs(u)));
+      EXPECT_NEAR(v.cn, std::cos(u), 4 * eps * (1 + std::abs(u)));
+      EXPECT_EQ(v.dn, 1);
+      EXPECT_EQ(std::arg(v.theta) + v.angle, 0);
+    }
+    EXPECT_EQ(jacobi.slope(), 0);
   }
-  EXPECT_EQ(jacobi.slope(), 0);
 }
 
 TEST(Jacobi, HyperbolicLimit) {
