@@ -4,38 +4,60 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <vector>
 
 namespace twrench {
 namespace {
 
-/// Levenshtein's distance, one row at a time.
+/// The optimal string alignment distance: Levenshtein's with swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    row[j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before_last, last);
+    std::swap(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({change, last[j] + 1, row[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+      }
     }
   }
-  return row.back();
+  return row[b.size()];
 }
 
 }  // namespace
 
+std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates) {
+  std::optional<std::string> best;
+  std::size_t best_distance = 0;
+  for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    const std::size_t distance = edit_distance(name, candidate);
+    // One letter in three may be wrong; beyond that it is another word.
+    if (distance > std::max<std::size_t>(1, longer / 3) || distance == longer) {
+      continue;
+    }
+    if (!best || distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
 UsageError unknown_name(const std::string& what, std::string_view name,
                         std::span<const std::string> candidates) {
   std::string remedy = fmt::format("one of: {}", fmt::join(candidates, ", "));
-  const auto distance = [&](const std::string& c) { return edit_distance(name, c); };
-  const auto best = std::ranges::min_element(candidates, {}, distance);
-  // Further than half its letters away it is a guess, not a slip of the finger.
-  if (best != candidates.end() && 2 * distance(*best) <= std::max(best->size(), name.size())) {
-    remedy = fmt::format("did you mean '{}'? {}", *best, remedy);
+  if (const auto meant = nearest(name, candidates)) {
+    remedy = fmt::format("did you mean '{}'? {}", *meant, remedy);
   }
   return {what, fmt::format("unknown name '{}'", name), remedy};
 }

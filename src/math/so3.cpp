@@ -16,12 +16,8 @@ Matrix3d hat(const Vector3d& w) {
 Vector3d vee(const Matrix3d& Omega) { return {Omega(2, 1), Omega(0, 2), Omega(1, 0)}; }
 
 Matrix3d exp(const Vector3d& u) {
-  // Eq. (21) in half-angle form: sin(w)/w = sinc(w/2) cos(w/2) and (1 - cos w)/w^2 = sinc(w/2)^2/2
-  // lose no digits for any angle, where 1 - cos w would for small ones.
-  const double half = 0.5 * u.norm();
-  const double sinc = half > 0.0 ? std::sin(half) / half : 1.0;
-  const double a = sinc * std::cos(half);
-  const double b = 0.5 * sinc * sinc;
+  const AngleFunctions f = angle_functions(u);
+  const double a = f.a, b = f.b;
   const double xx = u.x() * u.x(), yy = u.y() * u.y(), zz = u.z() * u.z();
   const double xy = b * u.x() * u.y(), xz = b * u.x() * u.z(), yz = b * u.y() * u.z();
   Matrix3d X;

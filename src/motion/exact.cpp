@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "body/mass_properties.h"
 #include "math/so3.h"
 
 namespace twrench {
@@ -54,21 +53,17 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 }  // namespace
 
 ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
-  const PrincipalAxes principal = principal_axes(body.inertia);
+  const PrincipalAxes& principal = body.principal;
   const Vector3d m = principal.axes.transpose() * body.momentum;
   const double G = m.stableNorm();
-  if (G == 0) {
-    return;
-  }
+  if (G == 0) return;
   const double D2 =
       beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
   const Vector3d mu = body_from_motion_.transpose() * body.momentum / G;
-  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) {
-    return;
-  }
+  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   space_from_turned_ = body_from_motion_ * orbit_->at(0).turn.transpose();
@@ -115,18 +110,14 @@ ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
 }
 
 Sample ExactMotion::at(double t) const {
-  if (!orbit_) {
-    return {t, so3::exp(t * omega0_), omega0_};
-  }
+  if (!orbit_) return {t, so3::exp(t * omega0_), omega0_};
   const auto [mu, turn] = orbit_->at(t);
   return {t, space_from_turned_ * turn * body_from_motion_.transpose(),
           body_from_motion_ * orbit_->velocity.cwiseProduct(mu)};
 }
 
 std::optional<ExactMotion::Flips> ExactMotion::flips() const {
-  if (!orbit_ || orbit_->m == 0) {
-    return std::nullopt;
-  }
+  if (!orbit_ || orbit_->m == 0) return std::nullopt;
   const Orbit& o = *orbit_;
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "body/mass_properties.h"
+
 namespace twrench {
 
 /// A rigid body that turns freely: eq. (19)-(20) with its constants. Body axes are any axes fixed
@@ -13,11 +15,12 @@ struct FreeBody {
   Eigen::Vector3d momentum;  ///< L, space axes, g cm^2/s; constant
   Eigen::Vector3d omega;     ///< at t = 0, where X = Id, body axes, rad/s; as it was given, where
                              ///< L is I omega rounded: close to the separatrix that tells
+  PrincipalAxes principal;   ///< of the inertia
 };
 
 /// The body with X(0) = Id and angular velocity omega (body axes, rad/s): L = I omega, eq. (12).
 inline FreeBody free_body(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
-  return {inertia, inertia.inverse(), inertia * omega, omega};
+  return {inertia, inertia.inverse(), inertia * omega, omega, principal_axes(inertia)};
 }
 
 /// The motion at one instant.

@@ -9,8 +9,7 @@ namespace {
 
 constexpr Tableau one_stage{.stages = 1, .a = {}, .weights = {1.0}};
 
-constexpr Tableau explicit_midpoint{
-    .stages = 2, .a = {{{}, {1.0 / 2}}}, .weights = {0.0, 1.0}};
+constexpr Tableau explicit_midpoint{.stages = 2, .a = {{{}, {1.0 / 2}}}, .weights = {0.0, 1.0}};
 
 constexpr Tableau explicit_trapezoid{
     .stages = 2, .a = {{{}, {1.0}}}, .weights = {1.0 / 2, 1.0 / 2}};
@@ -32,25 +31,67 @@ constexpr Tableau fehlberg{
     .embedded = {16.0 / 135, 0.0, 6656.0 / 12825, 28561.0 / 56430, -9.0 / 50, 2.0 / 55},
     .embedded_pair = true};
 
+/// Celledoni, Marthinsen and Owren: X2 = X e^(k1/2), X3 = X e^(k2/2), X4 = X2 e^(k3 - k1/2).
+constexpr CommutatorFree cf4{
+    .stages = 4,
+    .stage = {{{},
+               {{{1.0 / 2}, {}}},
+               {{{0.0, 1.0 / 2}, {}}},
+               {{{1.0 / 2}, {-1.0 / 2, 0.0, 1.0}}}}},
+    .update = {{{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12},
+                {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
+
+/// Suzuki's fractal: four steps of p and one of 1 - 4p, backwards, cancel the error of h^3.
+constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
+constexpr ImplicitTrapezoid suzuki_trapezoid{
+    .count = 5, .fractions = {suzuki, suzuki, 1.0 - 4.0 * suzuki, suzuki, suzuki}};
+
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
 // order 2 on SO(3), not 4 and 5: one exponential of the averaged stage velocities drops their
 // commutators, first of all (h^3/12) omega x omega'.
 constexpr Method all[] = {
-    {"euler", Update::linear, one_stage, 1, 1, "eq. (24)",
+    {"euler", RungeKutta{Update::linear, one_stage}, 1, 1, false, false, "specification, eq. (24)",
      "Euler's method on the matrix itself; leaves SO(3), for comparison"},
-    {"lie-euler", Update::exponential, one_stage, 1, 1, "eq. (25)",
-     "Euler's method on the group: one exponential a step"},
-    {"midpoint", Update::exponential, explicit_midpoint, 2, 2, "section 4.2",
-     "explicit midpoint rule on the group"},
-    {"trapezoid", Update::exponential, explicit_trapezoid, 2, 2, "section 4.3",
-     "explicit trapezoid rule on the group"},
-    {"rk4", Update::exponential, kutta, 2, 4, "section 4.4",
+    {"lie-euler", RungeKutta{Update::averaged, one_stage}, 1, 1, false, false,
+     "specification, eq. (25)", "Euler's method on the group: one exponential a step"},
+    {"midpoint", RungeKutta{Update::averaged, explicit_midpoint}, 2, 2, false, false,
+     "specification, 4.2", "explicit midpoint rule on the group"},
+    {"trapezoid", RungeKutta{Update::averaged, explicit_trapezoid}, 2, 2, false, false,
+     "specification, 4.3", "explicit trapezoid rule on the group"},
+    {"rk4", RungeKutta{Update::averaged, kutta}, 2, 4, false, false, "specification, 4.4",
      "Runge-Kutta 4 as the specification prints it: no commutators, so order 2 on SO(3)"},
-    {"rkf45", Update::exponential, fehlberg, 2, 4, "section 4.5, eq. (39)",
+    {"rkf45", RungeKutta{Update::averaged, fehlberg}, 2, 4, false, false,
+     "specification, 4.5, eq. (39)",
      "Runge-Kutta-Fehlberg as printed, adaptive: no commutators, so order 2 on SO(3)"},
+    {"implicit-trapezoid", ImplicitTrapezoid{1, {1.0}}, 2, 2, true, true,
+     "Simo, Wong, Int. J. Numer. Methods Eng. 31 (1991)",
+     "symmetric; keeps the energy to round-off"},
+    {"strang", StrangSplitting{}, 2, 2, false, true, "McLachlan, Phys. Rev. Lett. 71 (1993)",
+     "splitting into rotations about the principal axes; Poisson, energy error bounded"},
+    {"rkmk4", RungeKutta{Update::munthe_kaas, kutta}, 4, 4, false, false,
+     "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
+     "the specification's RK4 with the commutator correction"},
+    {"rkmk45", RungeKutta{Update::munthe_kaas, fehlberg}, 4, 4, false, false,
+     "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
+     "the specification's RKF45 with the commutator correction, adaptive; the default"},
+    {"cf4", cf4, 4, 4, false, false,
+     "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003)",
+     "commutator-free: products of two exponentials"},
+    {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
+     "five implicit trapezoids a step; keeps the energy to round-off"},
 };
 
 }  // namespace
+
+bool Method::adaptive() const {
+  const auto* rk = std::get_if<RungeKutta>(&scheme);
+  return rk != nullptr && rk->tableau.embedded_pair;
+}
+
+bool Method::linear() const {
+  const auto* rk = std::get_if<RungeKutta>(&scheme);
+  return rk != nullptr && rk->update == Update::linear;
+}
 
 std::span<const Method> methods() { return all; }
 

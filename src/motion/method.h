@@ -4,14 +4,15 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace twrench {
 
+using Row = std::array<double, 6>;
+
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
-  using Row = std::array<double, 6>;
-
   int stages;
   std::array<Row, 6> a;  ///< row k holds a_k1 .. a_k(k-1)
   Row weights;           ///< of the value that is carried on
@@ -19,26 +20,62 @@ struct Tableau {
   bool embedded_pair = false;
 };
 
-/// How a step is taken from the mean of the stage velocities.
+/// How a Runge-Kutta step goes from the stage velocities to the group.
 enum class Update {
   linear,       ///< W' = W + h W Omega: in the space of matrices, eq. (24); leaves SO(3)
-  exponential,  ///< W' = W exp(h Omega): on the group, eq. (25)
+  averaged,     ///< W' = W exp(h sum b_k S_k): no commutators, sections 4.1 to 4.5
+  munthe_kaas,  ///< the same with dexpinv of the stage velocities: the tableau's own order
 };
+
+struct RungeKutta {
+  Update update;
+  Tableau tableau;
+};
+
+/// Stages that are products of exponentials of combinations of the stage velocities: no
+/// commutators needed. Row 0 of each product acts first.
+struct CommutatorFree {
+  using Product = std::array<Row, 2>;
+  int stages;
+  std::array<Product, 4> stage;
+  Product update;
+};
+
+/// W' = W exp(h w), with w the velocity of the mean of the body momenta at both ends, taken for
+/// each of the fractions of the step in turn.
+struct ImplicitTrapezoid {
+  int count;
+  std::array<double, 5> fractions;
+};
+
+/// The energy is a sum over the principal axes of m_i^2/(2 I_i); the flow of each term is a
+/// rotation about its axis: half of the first two, the third, and back.
+struct StrangSplitting {};
+
+/// No steps: the solution itself.
+struct ClosedForm {};
+
+using Scheme =
+    std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, ClosedForm>;
 
 /// A method of integration: data, with its citation. One stepper runs them all.
 struct Method {
   std::string_view name;
-  Update update;
-  Tableau tableau;
+  Scheme scheme;
   int order;                 ///< observed on SO(3), which may be less than the tableau's own
-  int tableau_order;         ///< of the weights, in a linear space; p in the step control
+  int tableau_order;         ///< in a linear space; p in the step control
+  bool conserves_energy;     ///< to round-off, whatever the step
+  bool reversible;           ///< a step of -h undoes a step of h, to round-off
   std::string_view source;   ///< where the specification or the literature prints it
   std::string_view summary;  ///< one line for people
 
-  bool adaptive() const { return tableau.embedded_pair; }
+  /// It chooses its own steps, by an embedded pair.
+  bool adaptive() const;
+  /// It leaves SO(3).
+  bool linear() const;
 };
 
-/// All methods, in the order of the specification.
+/// All methods: the specification's in its order, then the others by order.
 std::span<const Method> methods();
 
 std::vector<std::string> method_names();

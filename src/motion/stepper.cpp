@@ -1,6 +1,8 @@
 #include "motion/stepper.h"
 
 #include <array>
+#include <cassert>
+#include <limits>
 
 #include "math/so3.h"
 
@@ -9,50 +11,125 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+/// dexpinv is singular at |u| = 2 pi; short of that it is as good as anywhere.
+constexpr double longest_turn = 6.0;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 using Stages = std::array<Vector3d, 6>;
 
 /// sum of row[j] * s[j] over the first `count` stages.
-Vector3d weighted_sum(const Tableau::Row& row, const Stages& s, int count) {
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
+Vector3d weighted_sum(const Row& row, const Stages& s, int count) {
+  Vector3d sum = row[0] * s[0];
+  for (std::size_t j = 1; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
   return sum;
 }
 
-Vector3d body_momentum(const FreeBody& body, Update update, const Matrix3d& X) {
-  if (update == Update::linear) return X.inverse() * body.momentum;
-  return X.transpose() * body.momentum;
+/// exp(-hat(u)) m: the body momentum m after the turn exp(hat(u)) of the body.
+Vector3d turned_back(const Vector3d& u, const Vector3d& m) {
+  return so3::exp_times(so3::angle_functions(u), -u, m);
 }
 
-/// The stage velocities: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L, sections 4.2 to 4.5.
-Stages stage_velocities(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
+Vector3d body_momentum(const FreeBody& body, bool linear, const Matrix3d& X) {
+  return linear ? Vector3d(X.inverse() * body.momentum) : Vector3d(X.transpose() * body.momentum);
+}
+
+/// Sections 4.1 to 4.5: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L and, with the correction, dexpinv
+/// of it.
+Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, double h) {
   const Tableau& tableau = method.tableau;
-  const Vector3d momentum = body_momentum(body, method.update, X);
+  const Vector3d momentum = body_momentum(body, method.update == Update::linear, X);
   Stages s;
   s[0] = body.inverse * momentum;
   for (int k = 1; k < tableau.stages; ++k) {
     const auto row = static_cast<std::size_t>(k);
     const Vector3d u = h * weighted_sum(tableau.a[row], s, k);
-    s[row] = body.inverse * (so3::exp(-u) * momentum);
+    const so3::AngleFunctions f = so3::angle_functions(u);
+    s[row] = body.inverse * so3::exp_times(f, -u, momentum);
+    if (method.update != Update::munthe_kaas) continue;
+    if (!(u.squaredNorm() < longest_turn * longest_turn)) return {X, infinite, k + 1};
+    s[row] = so3::dexpinv(f, u, s[row]);
   }
-  return s;
+  const Vector3d u = h * weighted_sum(tableau.weights, s, tableau.stages);
+  if (method.update == Update::linear) return {X + X * so3::hat(u), 0.0, tableau.stages};
+  const Matrix3d rotation = so3::exp(u);
+  if (!tableau.embedded_pair) return {X * rotation, 0.0, tableau.stages};
+  // |W' - Z'| = |W (exp u - exp v)| = |exp u - exp v|, because W is orthogonal.
+  const Vector3d v = h * weighted_sum(tableau.embedded, s, tableau.stages);
+  return {X * rotation, (rotation - so3::exp(v)).norm(), tableau.stages};
+}
+
+Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X, double h) {
+  const Vector3d momentum = body_momentum(body, false, X);
+  Stages s;
+  s[0] = body.inverse * momentum;
+  for (int k = 1; k < method.stages; ++k) {
+    Vector3d m = momentum;
+    for (const Row& row : method.stage[static_cast<std::size_t>(k)]) {
+      m = turned_back(h * weighted_sum(row, s, k), m);
+    }
+    s[static_cast<std::size_t>(k)] = body.inverse * m;
+  }
+  Matrix3d end = X;
+  for (const Row& row : method.update) end *= so3::exp(h * weighted_sum(row, s, method.stages));
+  return {end, 0.0, method.stages};
+}
+
+/// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2, by fixed point, to round-off.
+/// The energy stays: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the turn is about w.
+Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d& X, double h) {
+  constexpr int most_iterations = 100;
+  Vector3d m0 = body_momentum(body, false, X);
+  Matrix3d end = X;
+  int evaluations = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(method.count); ++i) {
+    const double part = method.fractions[i] * h;
+    Vector3d m1 = m0, u = Vector3d::Zero();
+    double change = infinite, before = infinite;
+    for (int n = 0; n < most_iterations && change > 0.0; ++n) {
+      u = part * (body.inverse * (0.5 * (m0 + m1)));
+      const Vector3d next = turned_back(u, m0);
+      before = change;
+      change = (next - m1).norm();
+      m1 = next;
+      ++evaluations;
+      if (change >= before && change <= 1e-14 * m0.norm()) break;  // only round-off is left
+    }
+    if (!(change <= 1e-14 * m0.norm())) return {X, infinite, evaluations};
+    m0 = m1;
+    end *= so3::exp(u);
+  }
+  return {end, 0.0, evaluations};
+}
+
+Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, double h) {
+  constexpr std::array<std::pair<int, double>, 5> turns{
+      {{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
+  Vector3d m = body_momentum(body, false, X);
+  Matrix3d end = X;
+  for (const auto& [axis, fraction] : turns) {
+    const Vector3d a = body.principal.axes.col(axis);
+    const Vector3d u = (fraction * h * a.dot(m) / body.principal.moments[axis]) * a;
+    m = turned_back(u, m);
+    end *= so3::exp(u);
+  }
+  return {end, 0.0, 5};
+}
+
+Step step(const FreeBody&, const ClosedForm&, const Matrix3d& X, double) {
+  assert(!"the closed form takes no steps");
+  return {X, infinite, 0};
 }
 
 }  // namespace
 
-Vector3d angular_velocity(const FreeBody& body, Update update, const Matrix3d& X) {
-  return body.inverse * body_momentum(body, update, X);
+Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
+  return body.inverse * body_momentum(body, method.linear(), X);
 }
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
-  const Tableau& tableau = method.tableau;
-  const Stages s = stage_velocities(body, method, X, h);
-  const Vector3d u = h * weighted_sum(tableau.weights, s, tableau.stages);
-  if (method.update == Update::linear) return {X + X * so3::hat(u), 0.0};
-  const Matrix3d rotation = so3::exp(u);
-  if (!method.adaptive()) return {X * rotation, 0.0};
-  // |W' - Z'| = |W (exp u - exp v)| = |exp u - exp v|, because W is orthogonal.
-  const Vector3d v = h * weighted_sum(tableau.embedded, s, tableau.stages);
-  return {X * rotation, (rotation - so3::exp(v)).norm()};
+  return std::visit([&](const auto& scheme) { return step(body, scheme, X, h); }, method.scheme);
 }
 
 }  // namespace twrench

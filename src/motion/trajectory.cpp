@@ -30,14 +30,17 @@ class Walk {
   /// The sample at t, which must not lie before the one asked for last.
   Sample sample_at(double t) {
     while (std::abs(t) > std::abs(t_next_)) advance();
-    const Matrix3d X = t == t_next_ ? X_next_ : take_step(body_, method_, X_, t - t_).X;
+    const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
     if (!X.allFinite()) {
       throw UsageError(fmt::format("method {}", method_.name),
                        fmt::format("the motion is no longer finite at t = {} s", t),
                        "take a shorter --step, or a method that stays on SO(3)");
     }
-    return {t, X, angular_velocity(body_, method_.update, X)};
+    return {t, X, angular_velocity(body_, method_, X)};
   }
+
+  std::int64_t steps() const { return steps_; }
+  std::int64_t evaluations() const { return evaluations_; }
 
  private:
   /// Moves to the next of the method's own steps.
@@ -48,9 +51,19 @@ class Walk {
       step_adaptively();
     } else {
       count_step();
-      X_next_ = take_step(body_, method_, X_, next_length_).X;
+      X_next_ = fixed_step(next_length_);
       t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
     }
+  }
+
+  /// The end of a step of that very length from t_k.
+  Matrix3d fixed_step(double length) {
+    const Step step = take_step(body_, method_, X_, length);
+    evaluations_ += step.evaluations;
+    if (std::isfinite(step.error)) return step.X;
+    throw UsageError(fmt::format("method {}", method_.name),
+                     fmt::format("a step of {} s turns the body too far for it", length),
+                     "take a shorter --step");
   }
 
   void step_adaptively() {
@@ -61,6 +74,7 @@ class Walk {
       length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step))) throw underflow();
       const Step step = take_step(body_, method_, X_, length);
+      evaluations_ += step.evaluations;
       const double ratio = control_.tolerance / std::max(step.error, 1e-300);
       const double order = method_.tableau_order;
       const double factor =
@@ -94,14 +108,15 @@ class Walk {
   const StepControl& control_;
   double next_length_;  ///< signed
   std::int64_t steps_ = 0;
+  std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
 };
 
 }  // namespace
 
-std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
-                               const StepControl& control, std::span<const double> times) {
+Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
+                      std::span<const double> times) {
   if (method.adaptive() && !(control.tolerance >= least_tolerance)) {
     throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
                                               control.tolerance, least_tolerance));
@@ -109,13 +124,16 @@ std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
-  std::vector<Sample> samples(times.size());
+  Trajectory result;
+  result.samples.resize(times.size());
   Walk forward(body, method, control, 1.0);
   Walk backward(body, method, control, -1.0);
   for (const std::size_t i : order) {
-    samples[i] = (times[i] < 0.0 ? backward : forward).sample_at(times[i]);
+    result.samples[i] = (times[i] < 0.0 ? backward : forward).sample_at(times[i]);
   }
-  return samples;
+  result.steps = forward.steps() + backward.steps();
+  result.evaluations = forward.evaluations() + backward.evaluations();
+  return result;
 }
 
 }  // namespace twrench

@@ -20,6 +20,13 @@ struct StepControl {
   std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
 };
 
+/// A motion, and what it cost.
+struct Trajectory {
+  std::vector<Sample> samples;   ///< in the order of the times that were asked for
+  std::int64_t steps = 0;        ///< rejected ones too
+  std::int64_t evaluations = 0;  ///< of omega, those for samples between steps included
+};
+
 /// The motion from X(0) = Id, sampled at exactly `times` (s, any order, negative ones too).
 ///
 /// The method's own steps t_k depend on the method and the control alone. A sample between t_k and
@@ -27,8 +34,8 @@ struct StepControl {
 /// the same number whichever other times were asked for.
 ///
 /// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion is no longer finite, or max_steps is passed.
-std::vector<Sample> trajectory(const FreeBody& body, const Method& method,
-                               const StepControl& control, std::span<const double> times);
+/// motion is no longer finite, a step is too long for the method, or max_steps is passed.
+Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
+                      std::span<const double> times);
 
 }  // namespace twrench

@@ -14,7 +14,8 @@ namespace twrench {
 class Renderer {
  public:
   /// Compiles the shaders, makes the meshes and the framebuffer of the scene's film size.
-  /// Throws GlError when the context cannot do what is asked (size, samples).
+  /// Throws UsageError for a size or a number of samples that this OpenGL cannot do, GlError when
+  /// it lacks what is needed.
   Renderer(gl::Context& context, const Scene& scene);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -22,6 +23,9 @@ class Renderer {
 
   /// The frame for the pose X (space_from_body). RGBA when the scene is transparent, else RGB.
   Image draw(const Eigen::Matrix3d& X);
+
+  /// The renderer and version that GL gives: frames are the same bytes where it is the same.
+  std::string description() const;
 
   /// Matrices for column vectors: clip = projection * view * point in space coordinates.
   Eigen::Matrix4d view() const;

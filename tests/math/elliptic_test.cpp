@@ -47,9 +47,7 @@ Reference by_definition(const Real& u, const Real& m, const Real& mc, const Real
       const Real odd = 2 * pow(q, n * (n + 1)), even = 2 * pow(q, n * n);
       t.t1 += sign * odd * sin((2 * n + 1) * at);
       t.t2 += odd * cos((2 * n + 1) * at);
-      if (n == 0) {
-        continue;
-      }
+      if (n == 0) continue;
       t.t3 += even * cos(2 * n * at);
       t.t4 += sign * even * cos(2 * n * at);
     }

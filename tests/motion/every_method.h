@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "motion/method.h"
 
 namespace twrench {
+
+/// How a test that fails names its method.
+inline void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
 
 /// INSTANTIATE_TEST_SUITE_P(All, Suite, every_method(), method_test_name) runs a test for each.
 inline auto every_method() { return testing::ValuesIn(methods().begin(), methods().end()); }

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Holds our C++ sources against .clang-format and .clang-tidy (version 14 of both tools):
+#   lint.sh format   says which lines are laid out differently
+#   lint.sh fix      lays them out
+#   lint.sh tidy     clang-tidy over all of them: installs it, builds, then runs for minutes
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+folders=()
+for folder in src tests bench; do
+  [[ ! -d $folder ]] || folders+=("$folder")
+done
+sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
+
+case "${1-}" in
+  format)
+    if ! sources | xargs -0 clang-format-14 --dry-run -Werror; then
+      echo "twrench: error: some lines are laid out differently; $0 fix lays them out" >&2
+      exit 1
+    fi
+    ;;
+  fix) sources | xargs -0 clang-format-14 -i ;;
+  tidy)
+    scripts/setup.sh tidy
+    scripts/build.sh --tests release # the compile commands and the generated headers
+    # The pattern keeps generated sources out: they lie under build/.
+    run-clang-tidy-14 -quiet -p build/release -j "$(nproc)" "^$(pwd -P)/(src|tests|bench)/"
+    ;;
+  *)
+    echo "usage: $0 format|fix|tidy" >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# The main job, on a bare Debian 12 or Ubuntu 24.04 too: installs what is missing, builds what is
+# out of date, then runs `twrench render` with the arguments given (none: the default film).
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/scripts/setup.sh" render
+"$root/scripts/build.sh" release twrench
+exec "$root/build/release/bin/twrench" render "$@"

@@ -1,0 +1,44 @@
+// Metal, or anything else, in a studio of soft boxes: GGX with Smith's shadowing and Schlick's
+// Fresnel, in the split-sum form (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
+
+in vec3 stage_position;
+in vec3 stage_normal;
+
+uniform vec3 eye;
+uniform vec3 reflectance;
+uniform float roughness;  // the square root of alpha, the width of the GGX distribution
+
+out vec4 color;
+
+// The share of even light that is reflected towards the eye: a fit to the integral of GGX, Smith
+// and Schlick over the half sphere (Karis, "Physically Based Shading on Mobile", 2014).
+vec3 reflected_share(float n_v) {
+  vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+  float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
+  vec2 scale_bias = vec2(-1.04, 1.04) * a + r.zw;
+  return reflectance * scale_bias.x + scale_bias.y;
+}
+
+void main() {
+  vec3 n = normalize(stage_normal);
+  vec3 to_eye = normalize(eye - stage_position);
+  // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
+  // direction runs away, would flicker.
+  n = normalize(n + max(0.15 - dot(n, to_eye), 0.0) * to_eye);
+  float n_v = dot(n, to_eye);
+  vec3 mirrored = 2.0 * n_v * n - to_eye;
+
+  // Normals that turn within a pixel widen the lobe, or thin bevels would sparkle (Tokuyoshi and
+  // Kaplanyan, "Improved Geometric Specular Antialiasing", I3D 2019).
+  vec3 turn_x = dFdx(n);
+  vec3 turn_y = dFdy(n);
+  float alpha = roughness * roughness;
+  float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.18);
+  float width = sqrt(alpha * alpha + variance);
+
+  // Reflection doubles the angle of the half vector, hence 2.
+  vec3 reflected =
+      arriving(stage_position, mirrored, 0.5 / width) * reflected_share(n_v);
+  vec3 light = reflected + scattered(stage_position, n);
+  color = vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
+}

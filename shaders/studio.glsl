@@ -1,0 +1,49 @@
+// The studio, rectangular lights in a dark room, seen through a lobe about a direction.
+//
+// The lobe is (1 + r^2)^-2 / pi at the distance r, in units of its width, from its middle on a
+// plane across it: with the width alpha this is the GGX distribution, and with the width 1 it is
+// the clamped cosine of diffuse light (Heitz et al., "Real-Time Polygonal-Light Shading with
+// Linearly Transformed Cosines", SIGGRAPH 2016). Summed over one axis it is (1 + x^2)^(-3/2) / 2,
+// whose integral is x / sqrt(1 + x^2) / 2. The light of a rectangle is taken as the product of the
+// shares of its two sides, exact for long strips.
+
+const int light_count = 5;
+uniform vec3 light_centre[light_count];
+uniform vec3 light_across[light_count];  // unit; the sides of the rectangle lie along these two
+uniform vec3 light_along[light_count];
+uniform vec2 light_half_size[light_count];
+uniform vec3 light_radiance[light_count];
+uniform vec3 room_above;
+uniform vec3 room_below;
+
+// The share of the lobe of width 1 / sharpness about `direction` that light i fills, from `place`.
+float light_share(int i, vec3 place, vec3 direction, float sharpness) {
+  vec3 across = light_across[i];
+  vec3 along = light_along[i];
+  vec3 outward = cross(across, along);
+  vec3 to_centre = light_centre[i] - place;
+  // 1 / distance, along the direction, to the light's plane; 0 where it points away from it.
+  float closeness = max(dot(direction, outward), 0.0) / max(dot(to_centre, outward), 0.1);
+  vec2 middle = vec2(dot(direction, across), dot(direction, along)) -
+                closeness * vec2(dot(to_centre, across), dot(to_centre, along));
+  vec2 half_size = closeness * light_half_size[i];
+  vec2 low = sharpness * (middle - half_size);
+  vec2 high = sharpness * (middle + half_size);
+  vec2 share = high * inversesqrt(1.0 + high * high) - low * inversesqrt(1.0 + low * low);
+  return 0.25 * share.x * share.y;
+}
+
+// What the room itself sends from a direction: a dark ceiling, a brighter floor.
+vec3 room(vec3 direction) {
+  float height = 0.5 + 0.5 * direction.y;
+  return mix(room_below, room_above, height * (2.0 - height));
+}
+
+// The light that comes to `place` through the lobe of width 1 / sharpness about `direction`.
+vec3 arriving(vec3 place, vec3 direction, float sharpness) {
+  vec3 sum = room(direction);
+  for (int i = 0; i < light_count; ++i) {
+    sum += light_radiance[i] * light_share(i, place, direction, sharpness);
+  }
+  return sum;
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+
+namespace twrench {
+
+// Each adds one command, whose callback does the work and throws an Error when it cannot.
+void add_render(CLI::App& app);
+void add_simulate(CLI::App& app);
+void add_inertia(CLI::App& app);
+void add_encode(CLI::App& app);
+void add_compare(CLI::App& app, ExitCode& code);
+void add_methods(CLI::App& app);
+void add_scenes(CLI::App& app);
+
+/// Adds all of them.
+void add_commands(CLI::App& app, ExitCode& code);
+
+/// Throws UsageError, with the nearest offered, when `word` is neither an option nor a command.
+void require_known_command(const CLI::App& app, const std::string& word);
+
+}  // namespace twrench

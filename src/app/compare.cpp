@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands.h"
+#include "app/output.h"
+#include "base/file.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "scene/limits.h"
+
+namespace twrench {
+namespace {
+
+struct Options {
+  std::string a, b;
+  std::string diff;
+  std::string threshold = "0";
+  std::string share = "0";
+};
+
+ExitCode compare_files(const Options& options) {
+  const int threshold = limits::check_whole({0, 255}, "--threshold",
+                                            parse_number(options.threshold, "--threshold"));
+  const double allowed =
+      limits::check(limits::fraction, "--share", parse_number(options.share, "--share"));
+  const Image a = read_png(options.a), b = read_png(options.b);
+  const std::optional<Difference> difference = compare(a, b, threshold);
+  if (!difference) {
+    write_output("-", fmt::format("different: {}x{} with {} channels against {}x{} with {}\n",
+                                  a.width, a.height, a.channels, b.width, b.height, b.channels));
+    return ExitCode::answer_is_no;
+  }
+  if (!options.diff.empty()) {
+    write_file_atomically(options.diff, encode_png(difference_image(a, b)));
+  }
+  const bool alike = difference->share <= allowed;
+  write_output("-", fmt::format("{}: max {} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
+                                alike ? "alike" : "different", difference->max, difference->mean,
+                                difference->share, threshold));
+  return alike ? ExitCode::done : ExitCode::answer_is_no;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, ExitCode& code) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "Two PNG images: exit 0 when they are alike, 1 when they differ");
+  command->footer("Example: twrench compare golden.png actual.png --threshold 8 --share 0.001");
+  const auto options = std::make_shared<Options>();
+  command->add_option("A", options->a, "a PNG file")->required();
+  command->add_option("B", options->b, "a PNG file")->required();
+  command->add_option("--threshold", options->threshold,
+                      "a pixel differs when a channel is further apart than this, of 255")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--share", options->share, "the share of pixels that may differ, 0 to 1")
+      ->type_name("S")
+      ->capture_default_str();
+  command->add_option("--diff", options->diff, "write the difference, amplified, to this PNG")
+      ->type_name("D.png");
+  command->callback([options, &code] { code = compare_files(*options); });
+}
+
+}  // namespace twrench

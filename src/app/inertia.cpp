@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/scene_options.h"
+
+namespace twrench {
+namespace {
+
+struct Options {
+  explicit Options(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
+
+  SceneOptions scene;
+  std::string format = "text";
+  std::string output = "-";
+};
+
+std::string row(const auto& v) {
+  return fmt::format("{:>25.17g}{:>25.17g}{:>25.17g}\n", v[0], v[1], v[2]);
+}
+
+std::string matrix(const Eigen::Matrix3d& m) {
+  return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
+}
+
+std::string text(const Scene& scene, const MassProperties& body) {
+  const std::string mass =
+      std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
+  return fmt::format(
+      "scene                {}\n"
+      "mass                 {}\n"
+      "centre of mass, cm\n  {}"
+      "inertia about it, body axes, g cm^2\n{}"
+      "principal moments, g cm^2\n  {}"
+      "principal axes, the columns, in body axes\n{}",
+      scene.name, mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
+      matrix(body.axes));
+}
+
+nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
+  return {numbers(m.row(0)), numbers(m.row(1)), numbers(m.row(2))};
+}
+
+std::string json(const Scene& scene, const MassProperties& body) {
+  nlohmann::ordered_json document{{"scene", scene.name}};
+  document["mass"] = body.mass;  // NaN, where only moments are given, becomes null
+  document["centre_of_mass"] = numbers(body.centre_of_mass);
+  document["inertia"] = rows(body.inertia);
+  document["principal_moments"] = numbers(body.moments);
+  document["principal_axes"] = rows(body.axes);
+  return document.dump(1) + "\n";
+}
+
+}  // namespace
+
+void add_inertia(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "inertia", "Mass, centre of mass, inertia matrix, principal moments and axes");
+  command->footer("Example: twrench inertia dzhanibekov --format json");
+  const auto options = std::make_shared<Options>(*command);
+  command->add_option("--format", options->format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "file, or - for standard output")
+      ->capture_default_str();
+  command->callback([options] {
+    const Scene scene = options->scene.scene();
+    const MassProperties body = mass_properties(scene.body);
+    write_output(options->output,
+                 options->format == "text" ? text(scene, body) : json(scene, body));
+  });
+}
+
+}  // namespace twrench

@@ -1,0 +1,35 @@
+// The commands that list what there is.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "motion/method.h"
+#include "scene/scene.h"
+
+namespace twrench {
+
+void add_methods(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("methods", "The methods of integration, a line each");
+  command->footer("Example: twrench methods");
+  command->callback([] {
+    std::string text;
+    for (const Method& m : methods()) {
+      text += fmt::format("{:<12} order {}  {}; {}\n", m.name, m.order, m.summary, m.source);
+    }
+    write_output("-", text);
+  });
+}
+
+void add_scenes(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("scenes", "The built-in scenes, a line each");
+  command->footer("Example: twrench scenes");
+  command->callback([] {
+    std::string text;
+    for (const std::string& name : builtin_scene_names()) {
+      text += fmt::format("{:<12} {}\n", name, load_scene(name).title);
+    }
+    write_output("-", text);
+  });
+}
+
+}  // namespace twrench

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "app/progress.h"
+#include "image/image.h"
+#include "movie/frame_sequence.h"
+#include "movie/encoder.h"
+
+namespace twrench {
+
+/// Busy time of each stage in nanoseconds, over all its threads.
+struct StageTimes {
+  std::atomic<std::int64_t> draw{0};
+  std::atomic<std::int64_t> compress{0};
+  std::atomic<std::int64_t> encode{0};
+};
+
+/// Where the drawn frames go, and how.
+struct Outputs {
+  FrameSequence* sequence = nullptr;  ///< PNG files, or null
+  VideoEncoder* encoder = nullptr;    ///< a video, or null
+  int jobs = 1;                       ///< threads that compress PNG files
+};
+
+/// Draws `frames` one after the other on this thread with `draw`, while other threads compress and
+/// write those before it and feed the encoder. Between the stages stand bounded queues, so that
+/// memory does not depend on the film's length. Does not finish the outputs.
+///
+/// The first error of any stage ends the run after the frames that are on their way, and is thrown.
+void run_pipeline(const std::vector<FrameRecord>& frames,
+                  const std::function<Image(const FrameRecord&)>& draw, const Outputs& outputs,
+                  Progress& progress, StageTimes& times);
+
+}  // namespace twrench

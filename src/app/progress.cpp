@@ -1,0 +1,68 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace twrench {
+namespace {
+
+/// "1:02:03" or "2:03"
+std::string clock_text(double seconds) {
+  const auto s = static_cast<long>(seconds + 0.5);
+  if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+  return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+}  // namespace
+
+void Progress::add_option(CLI::App& command, std::string& style) {
+  command.add_option("--progress", style, "auto, bar, plain, json or none")
+      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+}
+
+Progress::Style Progress::style_called(const std::string& name) {
+  if (name == "bar") return Style::bar;
+  if (name == "json") return Style::json;
+  if (name == "none") return Style::none;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  return name == "auto" && terminal ? Style::bar : Style::plain;
+}
+
+void Progress::update(int done) {
+  using std::chrono::milliseconds;
+  const Clock::time_point now = Clock::now();
+  if (style_ == Style::none || (now < next_ && done < total_)) return;
+  next_ = now + (style_ == Style::plain ? milliseconds(5000) : milliseconds(100));
+  draw(done, std::chrono::duration<double>(now - start_).count());
+  open_ = style_ == Style::bar;
+}
+
+void Progress::draw(int done, double seconds) const {
+  const double rate = seconds > 0.0 ? done / seconds : 0.0;
+  const double left = rate > 0.0 ? (total_ - done) / rate : 0.0;
+  if (style_ == Style::json) {
+    fmt::print(stderr,
+               "{{\"frames_done\": {}, \"frames_total\": {}, \"seconds\": {:.3f}, "
+               "\"frames_per_second\": {:.3f}, \"seconds_left\": {:.3f}}}\n",
+               done, total_, seconds, rate, left);
+  } else if (style_ == Style::plain) {
+    fmt::print(stderr, "{} of {} frames, {:.1f} frames/s, {} left\n", done, total_, rate,
+               clock_text(left));
+  } else {
+    constexpr int width = 30;
+    const auto filled = static_cast<std::size_t>(width * static_cast<double>(done) / total_);
+    fmt::print(stderr, "\r[{:.<{}}] {}/{}  {:.1f} frames/s  {} left \x1b[K",
+               std::string(filled, '#'), width, done, total_, rate, clock_text(left));
+    std::fflush(stderr);
+  }
+}
+
+void Progress::finish() {
+  if (open_) fmt::print(stderr, "\n");
+  open_ = false;
+}
+
+}  // namespace twrench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <string>
+
+namespace twrench {
+
+/// How far a run has come, on standard error: a bar that is redrawn on a terminal, a plain line now
+/// and then elsewhere, a JSON object a line for programs, or nothing.
+class Progress {
+ public:
+  /// Adds --progress to a command.
+  static void add_option(CLI::App& command, std::string& style);
+
+  /// `style` is auto, bar, plain, json or none; auto is a bar on a terminal and plain elsewhere.
+  Progress(const std::string& style, int total) : style_(style_called(style)), total_(total) {}
+
+  /// To be called after each frame with the number done so far, from one thread at a time.
+  void update(int done);
+
+  /// Ends the bar's line. Called by the destructor where it was not.
+  void finish();
+  ~Progress() { finish(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Style { bar, plain, json, none };
+
+  static Style style_called(const std::string& name);
+  void draw(int done, double seconds) const;
+
+  Style style_;
+  int total_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_;
+  bool open_ = false;  ///< a bar's line has not been ended
+};
+
+}  // namespace twrench

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/arguments.h"
+#include "app/commands.h"
+#include "app/pipeline.h"
+#include "app/scene_options.h"
+#include "app/version.h"
+#include "base/file.h"
+#include "gl/context.h"
+#include "movie/frame_range.h"
+#include "render/renderer.h"
+#include "scene/scene_json.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A matrix row by row.
+template <std::size_t count, typename Matrix>
+std::array<double, count> row_major(const Matrix& matrix) {
+  std::array<double, count> values;
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+    values[static_cast<std::size_t>(i)] = matrix(i / matrix.cols(), i % matrix.cols());
+  }
+  return values;
+}
+
+Eigen::Matrix3d pose_of(const FrameRecord& frame) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.X.data());
+}
+
+struct Options {
+  explicit Options(CLI::App& command);
+
+  SceneOptions scene;
+  std::string video;
+  std::string frames_dir;
+  std::string range;
+  bool no_video = false;
+  bool no_frames = false;
+  bool timing = false;
+  std::string backend = "auto";
+  std::string jobs;
+  std::string progress = "auto";
+};
+
+void add_film_options(SceneOptions& scene) {
+  scene.add("--size", "WxH", "size of the frames, pixels", [](Scene& s, const std::string& text) {
+    const Eigen::Vector2d size = parse_size(text, "--size");
+    s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
+    s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
+  });
+  scene.add("--background", "COLOR", "#rrggbb, black, gray, white or transparent",
+            [](Scene& s, const std::string& text) {
+              set_background(s.look, text, "--background");
+            });
+  scene.add("--samples", "N", "samples a pixel, against jagged edges",
+            [](Scene& s, const std::string& text) {
+              s.look.samples = limits::check_whole(limits::samples, "--samples",
+                                                   parse_number(text, "--samples"));
+            });
+  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.look.bare = true; });
+}
+
+Options::Options(CLI::App& command) : scene(command) {
+  scene.add_motion_options();
+  add_film_options(scene);
+  command.add_option("-o,--output", video, "the video; default out/SCENE.mp4")->type_name("VIDEO");
+  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
+      ->type_name("DIR");
+  command.add_option("--frames", range, "draw only these: a-b, a-b:step, commas between")
+      ->type_name("RANGE");
+  command.add_flag("--no-video", no_video, "PNG frames only");
+  command.add_flag("--no-frames", no_frames, "video only");
+  command.add_option("--backend", backend, "how OpenGL is reached: auto or osmesa")
+      ->check(CLI::IsMember({"auto", "osmesa"}))
+      ->capture_default_str();
+  command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
+      ->type_name("N");
+  Progress::add_option(command, progress);
+  command.add_flag("--timing", timing, "say at the end how long each stage was busy");
+}
+
+int job_count(const std::string& text) {
+  if (text.empty()) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
+}
+
+/// The frames to draw, each with its pose at its own time.
+std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>& numbers,
+                                      const Renderer& renderer) {
+  std::vector<double> times;
+  times.reserve(numbers.size());
+  for (const int frame : numbers) times.push_back(scene.film.time_of(frame));
+  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const auto samples =
+      trajectory(body, find_method(scene.motion.method), scene.motion.control, times).samples;
+  std::vector<FrameRecord> frames(numbers.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].frame = numbers[i];
+    frames[i].t = times[i];
+    frames[i].X = row_major<9>(samples[i].X);
+    frames[i].view = row_major<16>(renderer.view());
+    frames[i].projection = row_major<16>(renderer.projection());
+  }
+  return frames;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void print_timing(const StageTimes& times, double posing, double seconds, std::size_t frames) {
+  const auto ms = [&](double stage_seconds) {
+    return 1e3 * stage_seconds / static_cast<double>(frames);
+  };
+  fmt::print(stderr,
+             "busy milliseconds a frame: pose {:.3f}, draw and read {:.1f}, PNG {:.1f}, "
+             "encoder {:.1f}; in all {:.1f}\n",
+             ms(posing), ms(1e-9 * static_cast<double>(times.draw)),
+             ms(1e-9 * static_cast<double>(times.compress)),
+             ms(1e-9 * static_cast<double>(times.encode)), ms(seconds));
+}
+
+fs::path video_path(const Options& options, const Scene& scene) {
+  return options.video.empty() ? fs::path("out") / (scene.name + ".mp4") : fs::path(options.video);
+}
+
+fs::path frames_folder(const Options& options, const Scene& scene) {
+  return options.frames_dir.empty() ? fs::path("out") / scene.name : fs::path(options.frames_dir);
+}
+
+VideoFormat video_format(const Scene& scene) {
+  return {scene.film.width, scene.film.height, scene.film.fps};
+}
+
+/// The encoder, known to work; null with --no-video.
+std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
+  if (options.no_video) return nullptr;
+  require_encoder(video_format(scene));
+  const fs::path path = video_path(options, scene);
+  if (path.has_parent_path()) make_folder(path.parent_path());
+  return std::make_unique<VideoEncoder>(path, video_format(scene));
+}
+
+/// The folder of frames with its manifest begun; null with --no-frames.
+std::unique_ptr<FrameSequence> open_sequence(const Options& options, const Scene& scene,
+                                             const Renderer& renderer, const std::string& range) {
+  if (options.no_frames) return nullptr;
+  Manifest manifest;
+  manifest.version = version;
+  manifest.scene = scene_json(scene);
+  manifest.renderer = renderer.description();
+  manifest.width = scene.film.width;
+  manifest.height = scene.film.height;
+  manifest.fps = scene.film.fps;
+  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
+  manifest.range = range;
+  return std::make_unique<FrameSequence>(frames_folder(options, scene), std::move(manifest));
+}
+
+void print_summary(const Options& options, const Scene& scene, std::size_t frames,
+                   double seconds) {
+  if (options.progress == "none") return;
+  std::string text = fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", frames, seconds,
+                                 static_cast<double>(frames) / seconds);
+  if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
+  if (!options.no_video) text += "; film " + video_path(options, scene).string();
+  fmt::print(stderr, "{}\n", text);
+}
+
+void render(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.no_video && options.no_frames) {
+    throw UsageError("render", "--no-video and --no-frames leave nothing to write");
+  }
+  const Scene scene = options.scene.scene();
+  const int count = scene.frame_count();
+  const std::string all = fmt::format("0-{}", count - 1);
+  const std::vector<int> numbers =
+      parse_frame_range(options.range.empty() ? all : options.range, count);
+  const int jobs = job_count(options.jobs);
+
+  // Whatever can fail for a reason known beforehand fails here, before the first frame.
+  const std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+  Renderer renderer(*context, scene);
+  const auto posing = std::chrono::steady_clock::now();
+  const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
+  const double posing_seconds = seconds_since(posing);
+  const auto encoder = open_encoder(options, scene);
+  const auto sequence = open_sequence(options, scene, renderer, format_frame_range(numbers));
+
+  Progress progress(options.progress, static_cast<int>(frames.size()));
+  StageTimes times;
+  const auto draw = [&](const FrameRecord& frame) { return renderer.draw(pose_of(frame)); };
+  run_pipeline(frames, draw, {sequence.get(), encoder.get(), jobs}, progress, times);
+  if (sequence) sequence->finish();
+  if (encoder) encoder->finish();
+  progress.finish();
+  const double seconds = seconds_since(start);
+  print_summary(options, scene, frames.size(), seconds);
+  if (options.timing) print_timing(times, posing_seconds, seconds, frames.size());
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "render", "The main job: simulate, draw every frame, write PNG frames and the video");
+  command->footer("Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4");
+  const auto options = std::make_shared<Options>(*command);
+  command->callback([options] { render(*options); });
+}
+
+}  // namespace twrench

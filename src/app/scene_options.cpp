@@ -1,0 +1,71 @@
+#include "app/scene_options.h"
+
+#include "app/arguments.h"
+
+namespace twrench {
+
+SceneOptions::SceneOptions(CLI::App& command) : command_(command) {
+  command.add_option("SCENE", name_, "a .toml file, or a built-in scene")->capture_default_str();
+}
+
+void SceneOptions::add(const std::string& name, const std::string& value, const std::string& help,
+                       Override apply) {
+  const auto remember = [this, apply = std::move(apply)](const std::string& text) {
+    overrides_.emplace_back([=](Scene& scene) { apply(scene, text); });
+  };
+  command_.add_option_function<std::string>(name, remember, help)->type_name(value);
+}
+
+void SceneOptions::add_number(const std::string& name, const std::string& value,
+                              const std::string& help, const limits::Limit& limit,
+                              std::function<double&(Scene&)> target) {
+  add(name, value, help, [=, target = std::move(target)](Scene& scene, const std::string& text) {
+    target(scene) = limits::check(limit, name, parse_number(text, name));
+  });
+}
+
+void SceneOptions::add_flag(const std::string& name, const std::string& help,
+                            std::function<void(Scene&)> apply) {
+  command_.add_flag_callback(
+      name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help);
+}
+
+void SceneOptions::add_inertia_option() {
+  add("--inertia", "A,B,C", "principal moments, g cm^2; the body is then only these",
+      [](Scene& scene, const std::string& text) {
+        scene.body.parts.clear();
+        scene.body.moments =
+            limits::check(limits::moment, "--inertia", parse_vector(text, "--inertia"));
+      });
+}
+
+void SceneOptions::add_motion_options() {
+  add("--omega", "X,Y,Z", "angular velocity at t = 0, body axes, rad/s",
+      [](Scene& scene, const std::string& text) {
+        scene.motion.omega =
+            limits::check(limits::coordinate, "--omega", parse_vector(text, "--omega"));
+      });
+  add_inertia_option();
+  add("--method", "NAME", "method of integration; see twrench methods",
+      [](Scene& scene, const std::string& text) {
+        scene.motion.method = find_method(text, "--method").name;
+      });
+  add_number("--step", "H", "step of a fixed-step method, first step of an adaptive one, s",
+             limits::step, [](Scene& s) -> double& { return s.motion.control.step; });
+  add_number("--tolerance", "T", "error an adaptive method allows in a step", limits::tolerance,
+             [](Scene& s) -> double& { return s.motion.control.tolerance; });
+  add_number("--duration", "S", "how long the motion lasts, s", limits::duration,
+             [](Scene& s) -> double& { return s.motion.duration; });
+  add_number("--fps", "N", "frames, and samples, a second", limits::fps,
+             [](Scene& s) -> double& { return s.film.fps; });
+  add_number("--speed", "F", "seconds of motion per second of film", limits::speed,
+             [](Scene& s) -> double& { return s.film.speed; });
+}
+
+Scene SceneOptions::scene() const {
+  Scene scene = load_scene(name_);
+  for (const auto& override_value : overrides_) override_value(scene);
+  return scene;
+}
+
+}  // namespace twrench

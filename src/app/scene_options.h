@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene/limits.h"
+#include "scene/scene.h"
+
+namespace twrench {
+
+/// The SCENE argument and the options that override its values. Lives as long as the command.
+class SceneOptions {
+ public:
+  using Override = std::function<void(Scene&, const std::string& text)>;
+
+  explicit SceneOptions(CLI::App& command);
+
+  /// --omega, --inertia, --method, --step, --tolerance, --duration, --fps, --speed.
+  void add_motion_options();
+
+  /// An option whose text changes the scene. `apply` throws UsageError about the option's name.
+  void add(const std::string& name, const std::string& value, const std::string& help,
+           Override apply);
+  /// An option that is a number within `limit`, to be written to where `target` points.
+  void add_number(const std::string& name, const std::string& value, const std::string& help,
+                  const limits::Limit& limit, std::function<double&(Scene&)> target);
+
+  /// An option without a value that changes the scene.
+  void add_flag(const std::string& name, const std::string& help,
+                std::function<void(Scene&)> apply);
+
+  /// --inertia alone.
+  void add_inertia_option();
+
+  /// The scene with everything overridden. Throws as load_scene, and UsageError.
+  Scene scene() const;
+
+ private:
+  CLI::App& command_;
+  std::string name_ = "dzhanibekov";
+  std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the command line
+};
+
+}  // namespace twrench

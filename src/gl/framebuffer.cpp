@@ -1,0 +1,110 @@
+#include "gl/framebuffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+
+namespace twrench::gl {
+namespace {
+
+GLint limit(const Functions& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+void check_limits(const Functions& gl, int width, int height, int samples) {
+  std::array<GLint, 2> viewport{};
+  gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  const GLint side = limit(gl, GL_MAX_RENDERBUFFER_SIZE);
+  const GLint max_width = std::min(side, viewport[0]);
+  const GLint max_height = std::min(side, viewport[1]);
+  if (width > max_width || height > max_height) {
+    throw UsageError(fmt::format("size {}x{}", width, height),
+                     fmt::format("this OpenGL draws at most {}x{}", max_width, max_height),
+                     fmt::format("choose a size of at most {}x{}", max_width, max_height));
+  }
+  const GLint max_samples = limit(gl, GL_MAX_SAMPLES);
+  if (samples > max_samples) {
+    throw UsageError(fmt::format("samples {}", samples),
+                     fmt::format("this OpenGL takes at most {} a pixel", max_samples),
+                     fmt::format("choose {} samples or fewer", max_samples));
+  }
+}
+
+void allocate(const Functions& gl, const Renderbuffer& buffer, int samples, GLenum format,
+              int width, int height) {
+  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+}
+
+void check_complete(const Functions& gl, int width, int height, int samples) {
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  const GLenum error = gl.GetError();
+  if (status == GL_FRAMEBUFFER_COMPLETE && error == GL_NO_ERROR) return;
+  throw GlError(fmt::format("framebuffer of {}x{} with {} samples", width, height, samples),
+                fmt::format("OpenGL could not make it (status {:#x}, error {:#x})", status, error),
+                "choose a smaller size or fewer samples");
+}
+
+/// GL's rows run upward, an Image's downward.
+void turn_upside_down(Image& image) {
+  const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
+  for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
+       low += row, high -= row) {
+    std::swap_ranges(low, low + row, high);
+  }
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples)
+    : gl_(&gl), width_(width), height_(height), color_(gl), depth_(gl), drawn_(gl) {
+  check_limits(gl, width, height, samples);
+  const bool multisampled = samples > 1;
+  const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling
+  if (multisampled) {
+    allocate(gl, resolved_color_.emplace(gl), 0, GL_RGBA8, width, height);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.emplace(gl).id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               resolved_color_->id());
+    check_complete(gl, width, height, 1);
+  }
+  allocate(gl, color_, stored_samples, GL_RGBA8, width, height);
+  allocate(gl, depth_, stored_samples, GL_DEPTH_COMPONENT24, width, height);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  check_complete(gl, width, height, samples);
+}
+
+void Framebuffer::draw_within(const Rectangle& area) const {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  gl_->Viewport(0, 0, width_, height_);
+  gl_->Enable(GL_SCISSOR_TEST);
+  gl_->Scissor(area.x, area.y, area.width, area.height);
+}
+
+Image Framebuffer::read(const Rectangle& area) const {
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+  if (resolved_) {
+    gl_->Scissor(area.x, area.y, area.width, area.height);  // it bounds a blit too
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->id());
+    const int right = area.x + area.width;
+    const int top = area.y + area.height;
+    gl_->BlitFramebuffer(area.x, area.y, right, top, area.x, area.y, right, top,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_->id());
+  }
+  Image image(area.width, area.height, 4);
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                  image.pixels.data());
+  turn_upside_down(image);
+  return image;
+}
+
+}  // namespace twrench::gl

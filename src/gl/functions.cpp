@@ -1,0 +1,87 @@
+#include "gl/functions.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace twrench::gl {
+namespace {
+
+struct Loader {
+  const Context& context;
+
+  template <typename F>
+  void operator()(F& function, const char* name) const {
+    function = reinterpret_cast<F>(context.function(name));
+    if (function == nullptr) {
+      throw GlError("OpenGL", fmt::format("the {} context has no {}", context.backend(), name));
+    }
+  }
+};
+
+std::string text(const Functions& gl, GLenum name) {
+  const GLubyte* const value = gl.GetString(name);
+  return value == nullptr ? std::string() : reinterpret_cast<const char*>(value);
+}
+
+}  // namespace
+
+Functions::Functions(const Context& context) {
+  const Loader load{context};
+  load(GetError, "glGetError");
+  load(GetIntegerv, "glGetIntegerv");
+  load(GetString, "glGetString");
+  load(GenBuffers, "glGenBuffers");
+  load(DeleteBuffers, "glDeleteBuffers");
+  load(BindBuffer, "glBindBuffer");
+  load(BufferData, "glBufferData");
+  load(GenVertexArrays, "glGenVertexArrays");
+  load(DeleteVertexArrays, "glDeleteVertexArrays");
+  load(BindVertexArray, "glBindVertexArray");
+  load(EnableVertexAttribArray, "glEnableVertexAttribArray");
+  load(VertexAttribPointer, "glVertexAttribPointer");
+  load(CreateShader, "glCreateShader");
+  load(DeleteShader, "glDeleteShader");
+  load(ShaderSource, "glShaderSource");
+  load(CompileShader, "glCompileShader");
+  load(GetShaderiv, "glGetShaderiv");
+  load(GetShaderInfoLog, "glGetShaderInfoLog");
+  load(CreateProgram, "glCreateProgram");
+  load(DeleteProgram, "glDeleteProgram");
+  load(AttachShader, "glAttachShader");
+  load(LinkProgram, "glLinkProgram");
+  load(GetProgramiv, "glGetProgramiv");
+  load(GetProgramInfoLog, "glGetProgramInfoLog");
+  load(UseProgram, "glUseProgram");
+  load(GetAttribLocation, "glGetAttribLocation");
+  load(GetUniformLocation, "glGetUniformLocation");
+  load(Uniform1f, "glUniform1f");
+  load(Uniform2fv, "glUniform2fv");
+  load(Uniform3fv, "glUniform3fv");
+  load(UniformMatrix3fv, "glUniformMatrix3fv");
+  load(UniformMatrix4fv, "glUniformMatrix4fv");
+  load(GenRenderbuffers, "glGenRenderbuffers");
+  load(DeleteRenderbuffers, "glDeleteRenderbuffers");
+  load(BindRenderbuffer, "glBindRenderbuffer");
+  load(RenderbufferStorageMultisample, "glRenderbufferStorageMultisample");
+  load(GenFramebuffers, "glGenFramebuffers");
+  load(DeleteFramebuffers, "glDeleteFramebuffers");
+  load(BindFramebuffer, "glBindFramebuffer");
+  load(FramebufferRenderbuffer, "glFramebufferRenderbuffer");
+  load(CheckFramebufferStatus, "glCheckFramebufferStatus");
+  load(BlitFramebuffer, "glBlitFramebuffer");
+  load(ReadPixels, "glReadPixels");
+  load(PixelStorei, "glPixelStorei");
+  load(Viewport, "glViewport");
+  load(Scissor, "glScissor");
+  load(Enable, "glEnable");
+  load(ClearColor, "glClearColor");
+  load(Clear, "glClear");
+  load(DrawElements, "glDrawElements");
+}
+
+std::string renderer_string(const Functions& gl) {
+  return fmt::format("{}, OpenGL {}", text(gl, GL_RENDERER), text(gl, GL_VERSION));
+}
+
+}  // namespace twrench::gl

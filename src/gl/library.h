@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace twrench::gl {
+
+/// A shared library, opened at run time and never closed: a GL driver leaves threads and
+/// thread-local destructors behind that outlive every context.
+class Library {
+ public:
+  /// The first of `names` that the loader finds. Throws GlError, saying what was looked for and
+  /// giving `remedy`, when there is none.
+  Library(std::span<const char* const> names, const std::string& remedy);
+
+  /// The address of a symbol, or null.
+  void* symbol(const char* name) const;
+
+ private:
+  void* handle_ = nullptr;
+};
+
+}  // namespace twrench::gl

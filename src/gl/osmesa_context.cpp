@@ -1,0 +1,78 @@
+#include <GL/osmesa.h>
+
+#include <array>
+
+#include "base/error.h"
+#include "gl/context.h"
+#include "gl/library.h"
+
+namespace twrench::gl {
+namespace {
+
+constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+constexpr const char* remedy = "install OSMesa: apt-get install libosmesa6";
+
+template <typename F>
+F* entry(const Library& library, const char* name) {
+  void* const address = library.symbol(name);
+  if (address == nullptr) throw GlError("OSMesa", std::string("it has no ") + name, remedy);
+  return reinterpret_cast<F*>(address);
+}
+
+class OsmesaContext final : public Context {
+ public:
+  OsmesaContext() : library_(library_names, remedy) {
+    constexpr std::array attributes{OSMESA_FORMAT,
+                                    OSMESA_RGBA,
+                                    OSMESA_PROFILE,
+                                    OSMESA_CORE_PROFILE,
+                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                    3,
+                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    3,
+                                    0};
+    handle_ = create_(attributes.data(), nullptr);
+    if (handle_ == nullptr) {
+      throw GlError("OSMesa", "it cannot make an OpenGL 3.3 core profile context", remedy);
+    }
+    if (make_current_(handle_, pixels_.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
+      destroy_(handle_);
+      throw GlError("OSMesa", "its context could not be made current");
+    }
+  }
+
+  ~OsmesaContext() override {
+    if (get_current_() == handle_) make_current_(nullptr, nullptr, 0, 0, 0);
+    destroy_(handle_);
+  }
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  void* function(const char* name) const override {
+    return reinterpret_cast<void*>(get_function_(name));
+  }
+  std::string backend() const override { return "osmesa"; }
+
+ private:
+  static constexpr int size = 16;  // OSMesa wants a buffer to draw on; we draw on framebuffers
+
+  Library library_;
+  decltype(&OSMesaCreateContextAttribs) create_ =
+      entry<decltype(OSMesaCreateContextAttribs)>(library_, "OSMesaCreateContextAttribs");
+  decltype(&OSMesaMakeCurrent) make_current_ =
+      entry<decltype(OSMesaMakeCurrent)>(library_, "OSMesaMakeCurrent");
+  decltype(&OSMesaGetCurrentContext) get_current_ =
+      entry<decltype(OSMesaGetCurrentContext)>(library_, "OSMesaGetCurrentContext");
+  decltype(&OSMesaDestroyContext) destroy_ =
+      entry<decltype(OSMesaDestroyContext)>(library_, "OSMesaDestroyContext");
+  decltype(&OSMesaGetProcAddress) get_function_ =
+      entry<decltype(OSMesaGetProcAddress)>(library_, "OSMesaGetProcAddress");
+  OSMesaContext handle_ = nullptr;
+  std::array<unsigned char, std::size_t{4} * size * size> pixels_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Context> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
+
+}  // namespace twrench::gl

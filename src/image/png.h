@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace twrench {
+
+/// The largest width and height that is read or written; llvmpipe's largest framebuffer too.
+constexpr int max_image_side = 16384;
+
+/// The image as a PNG file (8 bits a channel, not interlaced). The same image gives the same bytes.
+/// May be called from several threads at once. Throws UsageError when a side is not 1 to
+/// max_image_side.
+std::vector<std::uint8_t> encode_png(const Image& image);
+
+/// The image in the bytes of a PNG file: RGB or RGBA as stored; gray becomes RGB, 16 bits become 8.
+/// `name` names it in errors. Throws FileError when it is no PNG, is damaged or too large.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// The image in the file. Throws FileError when it cannot be read, and as decode_png.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace twrench

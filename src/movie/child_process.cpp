@@ -1,0 +1,206 @@
+#include "movie/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <system_error>
+
+namespace twrench {
+namespace {
+
+/// Keeps SIGPIPE from this thread, so that EPIPE alone tells of a reader that is gone.
+class SigpipeBlocked {
+ public:
+  SigpipeBlocked() {
+    sigemptyset(&sigpipe_);
+    sigaddset(&sigpipe_, SIGPIPE);
+    sigset_t pending;
+    sigpending(&pending);
+    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
+    pthread_sigmask(SIG_BLOCK, &sigpipe_, &before_);
+  }
+  ~SigpipeBlocked() {
+    const timespec at_once{};
+    if (!was_pending_) {
+      sigtimedwait(&sigpipe_, nullptr, &at_once);
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  SigpipeBlocked(const SigpipeBlocked&) = delete;
+  SigpipeBlocked& operator=(const SigpipeBlocked&) = delete;
+
+ private:
+  sigset_t sigpipe_{};
+  sigset_t before_{};
+  bool was_pending_ = false;
+};
+
+struct Pipe {
+  Descriptor read, write;
+};
+
+[[noreturn]] void throw_system_error(int error_number, const std::string& what) {
+  throw std::system_error(error_number, std::generic_category(), what);
+}
+
+Pipe make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw_system_error(errno, "pipe");
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// What the child has where: input, nothing and errors at 0, 1 and 2.
+class SpawnActions {
+ public:
+  SpawnActions(const Descriptor& input, const Descriptor& errors) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input.get(), STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, errors.get(), STDERR_FILENO);
+  }
+  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// A group of its own, and the signals as a program expects them, whatever this one does with them.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    sigset_t none;
+    sigset_t all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setflags(
+        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
+pid_t spawn(std::vector<std::string> command, const Descriptor& input, const Descriptor& errors) {
+  std::vector<char*> arguments(command.size() + 1);  // the last is null
+  std::transform(command.begin(), command.end(), arguments.begin(),
+                 [](std::string& argument) { return argument.data(); });
+  pid_t pid = -1;
+  const int failed = posix_spawnp(&pid, arguments[0], SpawnActions(input, errors).get(),
+                                  SpawnAttributes().get(), arguments.data(), environ);
+  if (failed != 0) {
+    throw_system_error(failed, command[0]);
+  }
+  return pid;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+  Pipe input = make_pipe();
+  Pipe errors = make_pipe();
+  pid_ = spawn(command, input.read, errors.write);
+  input_ = std::move(input.write);
+  errors_ = std::move(errors.read);
+  ::fcntl(input_.get(), F_SETFL, O_NONBLOCK);
+  // A frame has megabytes: fewer, larger portions. Where the system refuses, it is only slower.
+  ::fcntl(input_.get(), F_SETPIPE_SZ, 1 << 20);
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ > 0) {
+    ::kill(-pid_, SIGKILL);
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
+void ChildProcess::read_errors() {
+  constexpr std::size_t kept = 8192;
+  std::array<char, 4096> portion{};
+  const ssize_t got = ::read(errors_.get(), portion.data(), portion.size());
+  if (got > 0) {
+    error_output_.append(portion.data(), static_cast<std::size_t>(got));
+    error_output_.erase(0, error_output_.size() - std::min(error_output_.size(), kept));
+  } else if (got == 0 || errno != EINTR) {
+    errors_.close();
+  }
+}
+
+bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
+  const SigpipeBlocked blocked;
+  while (!bytes.empty()) {
+    // Its errors are read meanwhile: a child that waits to tell them would not read on.
+    std::array<pollfd, 2> ready{{{input_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
+    if (::poll(ready.data(), ready.size(), -1) < 0) {
+      continue;  // a signal; there is no other cause
+    }
+    if (ready[1].revents != 0) {
+      read_errors();
+    }
+    if (ready[0].revents == 0) {
+      continue;
+    }
+    const ssize_t written = ::write(input_.get(), bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    } else if (errno != EINTR && errno != EAGAIN) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int ChildProcess::wait() {
+  input_.close();
+  while (errors_) {
+    read_errors();
+  }
+  while (pid_ > 0) {
+    if (::waitpid(pid_, &status_, 0) == pid_) {
+      pid_ = -1;
+    }
+  }
+  return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+}
+
+std::string shell_command(std::span<const std::string> command) {
+  constexpr const char* plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
+  std::string line;
+  for (const std::string& argument : command) {
+    line += line.empty() ? "" : " ";
+    if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) {
+      line += argument;
+      continue;
+    }
+    line += '\'';
+    for (const char c : argument) {
+      line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace twrench

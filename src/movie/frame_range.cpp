@@ -1,0 +1,104 @@
+#include "movie/frame_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "base/error.h"
+
+namespace twrench {
+namespace {
+
+/// One part of a RANGE: first, first + step, ... up to last.
+struct Run {
+  int first;
+  int last;
+  int step;
+};
+
+/// A number without sign or space; nothing when it is not one, or does not fit.
+std::optional<int> number(std::string_view digits) {
+  int value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [rest, failed] = std::from_chars(digits.data(), end, value);
+  if (failed != std::errc{} || rest != end || value < 0) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// What stands before the first `separator`, which goes with it from `text`; all, when there is
+/// none.
+std::string_view take_until(std::string_view& text, char separator) {
+  const std::size_t at = text.find(separator);
+  const std::string_view head = text.substr(0, at);
+  text.remove_prefix(at == std::string_view::npos ? text.size() : at + 1);
+  return head;
+}
+
+std::optional<Run> parse_run(std::string_view text) {
+  const bool has_step = text.find(':') != std::string_view::npos;
+  std::string_view frames = take_until(text, ':');
+  const auto step = has_step ? number(text) : 1;
+  const bool has_last = frames.find('-') != std::string_view::npos;
+  const auto first = number(take_until(frames, '-'));
+  const auto last = has_last ? number(frames) : first;
+  if (!first || !last || !step || *step < 1 || *first > *last || (has_step && !has_last)) {
+    return std::nullopt;
+  }
+  return Run{*first, *last, *step};
+}
+
+}  // namespace
+
+std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
+  const std::string what = fmt::format("frames '{}'", range);
+  std::vector<bool> selected;  // as long as the greatest number asks for
+  for (bool more = true; more;) {
+    more = range.find(',') != std::string_view::npos;
+    const std::string_view part = take_until(range, ',');
+    const auto run = parse_run(part);
+    if (!run) {
+      throw UsageError(what, fmt::format("'{}' is not a frame or a range of frames", part),
+                       "write a, a-b or a-b:step with a <= b and step >= 1, commas between: "
+                       "0-99,200-300:10");
+    }
+    if (run->last >= frame_count) {
+      throw UsageError(what, fmt::format("there is no frame {}", run->last),
+                       fmt::format("the film's frames are 0-{}", frame_count - 1));
+    }
+    const auto length = static_cast<std::size_t>(run->last) + 1;
+    selected.resize(std::max(selected.size(), length));
+    for (std::int64_t frame = run->first; frame <= run->last; frame += run->step) {
+      selected[static_cast<std::size_t>(frame)] = true;
+    }
+  }
+  std::vector<int> frames;
+  for (std::size_t frame = 0; frame < selected.size(); ++frame) {
+    if (selected[frame]) {
+      frames.push_back(static_cast<int>(frame));
+    }
+  }
+  return frames;
+}
+
+std::string format_frame_range(std::span<const int> frames) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t end = i + 1;
+    while (end < frames.size() && frames[end] == frames[end - 1] + 1) {
+      ++end;
+    }
+    text += text.empty() ? "" : ",";
+    text += end - i == 1 ? fmt::format("{}", frames[i])
+                         : fmt::format("{}-{}", frames[i], frames[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+}  // namespace twrench

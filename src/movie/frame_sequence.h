@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <span>
+
+#include "movie/manifest.h"
+
+namespace twrench {
+
+/// Writes the frames of a film into a folder, and the manifest that tells what is there.
+class FrameSequence {
+ public:
+  /// Makes the folder where it is missing. `manifest` is all but its frames.
+  /// Throws FileError.
+  FrameSequence(std::filesystem::path folder, Manifest manifest);
+
+  /// Writes the manifest where finish() has not: what a run that fails leaves is told, too. A
+  /// failure to do so is not: it would hide the first.
+  ~FrameSequence();
+  FrameSequence(const FrameSequence&) = delete;
+  FrameSequence& operator=(const FrameSequence&) = delete;
+
+  /// Writes a frame's PNG and records it; the record's file and sha256 are filled in here. Frames
+  /// may come in any order and from several threads at once. Throws FileError.
+  void write(FrameRecord record, std::span<const std::uint8_t> png);
+
+  /// Writes the manifest of the frames so far, ascending. Throws FileError.
+  void finish();
+
+ private:
+  const std::filesystem::path folder_;
+  std::mutex mutex_;  ///< of what follows
+  Manifest manifest_;
+  std::map<int, FrameRecord> records_;
+  bool finished_ = true;  ///< the manifest on disk tells of all records
+};
+
+}  // namespace twrench

@@ -1,0 +1,222 @@
+#include "movie/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "image/png.h"
+#include "movie/frame_range.h"
+
+namespace twrench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A value of the manifest with the path to it, which its errors name: "frames[3].X".
+class Place {
+ public:
+  Place(const Json& value, std::string manifest, std::string path)
+      : value_(value), manifest_(std::move(manifest)), path_(std::move(path)) {}
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw FileError("cannot use " + manifest_,
+                    fmt::format("{} must be {}", path_.empty() ? "it" : path_, expected));
+  }
+
+  Place key(const char* name) const {
+    if (!value_.is_object() || !value_.contains(name)) {
+      fail(fmt::format("an object with \"{}\"", name));
+    }
+    return {value_[name], manifest_, path_.empty() ? name : path_ + "." + name};
+  }
+
+  Place item(std::size_t index) const {
+    return {value_[index], manifest_, fmt::format("{}[{}]", path_, index)};
+  }
+
+  const Json& value() const { return value_; }
+
+  std::size_t size_of_array() const {
+    if (!value_.is_array()) {
+      fail("an array");
+    }
+    return value_.size();
+  }
+
+  std::string text() const {
+    if (!value_.is_string()) {
+      fail("a string");
+    }
+    return value_.get<std::string>();
+  }
+
+  double number() const {
+    if (!value_.is_number() || !std::isfinite(value_.get<double>())) {
+      fail("a number");
+    }
+    return value_.get<double>();
+  }
+
+  int integer(int least, int most) const {
+    const double number = value_.is_number_integer() ? value_.get<double>() : std::nan("");
+    if (!(number >= least && number <= most)) {
+      fail(fmt::format("an integer from {} to {}", least, most));
+    }
+    return static_cast<int>(number);
+  }
+
+  template <std::size_t N>
+  std::array<double, N> numbers() const {
+    const auto is_number = [](const Json& item) { return item.is_number(); };
+    if (!value_.is_array() || value_.size() != N ||
+        !std::all_of(value_.begin(), value_.end(), is_number)) {
+      fail(fmt::format("an array of {} numbers", N));
+    }
+    return value_.get<std::array<double, N>>();
+  }
+
+ private:
+  const Json& value_;
+  std::string manifest_;
+  std::string path_;
+};
+
+/// The text as JSON. Its depth is bounded, because what walks it later walks it recursively.
+Json parse_json(std::string_view text, const std::string& name) {
+  constexpr int deepest = 32;
+  const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > deepest) {
+      throw FileError("cannot use " + name, fmt::format("it nests deeper than {}", deepest));
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, bounded);
+  } catch (const Json::exception& error) {
+    throw FileError("cannot use " + name, error.what());
+  }
+}
+
+std::string file_name(const Place& place) {
+  std::string name = place.text();
+  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+      name.find('\0') != std::string::npos) {
+    place.fail("a file's name without a path");
+  }
+  return name;
+}
+
+std::string sha256(const Place& place) {
+  std::string digest = place.text();
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  if (digest.size() != 64 || !std::all_of(digest.begin(), digest.end(), is_digit)) {
+    place.fail("64 lower-case hexadecimal digits");
+  }
+  return digest;
+}
+
+FrameRecord frame_record(const Place& place) {
+  return {.frame = place.key("frame").integer(0, max_frame_count - 1),
+          .t = place.key("t").number(),
+          .X = place.key("X").numbers<9>(),
+          .view = place.key("view").numbers<16>(),
+          .projection = place.key("projection").numbers<16>(),
+          .file = file_name(place.key("file")),
+          .sha256 = sha256(place.key("sha256"))};
+}
+
+std::vector<FrameRecord> frame_records(const Place& place, const std::vector<int>& range) {
+  std::vector<FrameRecord> records;
+  auto asked = range.begin();
+  const std::size_t count = place.size_of_array();
+  for (std::size_t i = 0; i < count; ++i) {
+    records.push_back(frame_record(place.item(i)));
+    asked = std::find(asked, range.end(), records.back().frame);
+    if (asked == range.end()) {
+      place.item(i).key("frame").fail("in the range, after the frame before it");
+    }
+    ++asked;
+  }
+  return records;
+}
+
+std::vector<int> frame_range(const Place& place) {
+  try {
+    return parse_frame_range(place.text(), max_frame_count);
+  } catch (const UsageError&) {
+    place.fail("a range of frames");
+  }
+}
+
+double positive(const Place& place) {
+  const double number = place.number();
+  if (number <= 0.0) {
+    place.fail("positive");
+  }
+  return number;
+}
+
+std::vector<std::string> texts(const Place& place) {
+  std::vector<std::string> result(place.size_of_array());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = place.item(i).text();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
+
+std::string format_manifest(const Manifest& manifest) {
+  const Json head{{"version", manifest.version},   {"scene", manifest.scene},
+                  {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
+                  {"fps", manifest.fps},           {"encoder", manifest.encoder},
+                  {"range", manifest.range}};
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items()) {
+    text += fmt::format("{}: {},\n", Json(key).dump(), value.dump());
+  }
+  text += "\"frames\": [";
+  for (const FrameRecord& record : manifest.frames) {
+    const Json frame{{"frame", record.frame},
+                     {"t", record.t},
+                     {"X", record.X},
+                     {"view", record.view},
+                     {"projection", record.projection},
+                     {"file", record.file},
+                     {"sha256", record.sha256}};
+    text += (&record == manifest.frames.data() ? "\n" : ",\n") + frame.dump();
+  }
+  return text + "\n]\n}\n";
+}
+
+Manifest parse_manifest(std::string_view text, const std::string& name) {
+  const Json json = parse_json(text, name);
+  const Place root(json, name, "");
+  const Place size = root.key("size");
+  if (size.size_of_array() != 2) {
+    size.fail("[width, height]");
+  }
+  return {.version = root.key("version").text(),
+          .scene = root.key("scene").value(),
+          .renderer = root.key("renderer").text(),
+          .width = size.item(0).integer(1, max_image_side),
+          .height = size.item(1).integer(1, max_image_side),
+          .fps = positive(root.key("fps")),
+          .encoder = texts(root.key("encoder")),
+          .range = root.key("range").text(),
+          .frames = frame_records(root.key("frames"), frame_range(root.key("range")))};
+}
+
+Manifest read_manifest(const std::filesystem::path& path) {
+  constexpr std::size_t longest = 1000UL * max_frame_count;  // a line of a frame is shorter
+  const auto bytes = read_file(path, longest);
+  return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+}
+
+}  // namespace twrench

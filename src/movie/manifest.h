@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twrench {
+
+/// One frame as it was drawn. Matrices are for column vectors, row by row:
+/// clip = projection * view * point, space coordinates to OpenGL clip space.
+struct FrameRecord {
+  int frame = 0;              ///< its number in the film
+  double t = 0.0;             ///< s of motion
+  std::array<double, 9> X{};  ///< the pose, space_from_body
+  std::array<double, 16> view{};
+  std::array<double, 16> projection{};
+  std::string file;    ///< its name, in the manifest's folder
+  std::string sha256;  ///< of the PNG file, 64 lower-case hexadecimal digits
+};
+
+/// What stands beside the frames of a film and says how they came to be.
+struct Manifest {
+  std::string version;           ///< of the program
+  nlohmann::ordered_json scene;  ///< all values resolved
+  std::string renderer;          ///< the GL renderer string
+  int width = 0;                 ///< pixels
+  int height = 0;
+  double fps = 0.0;                  ///< frames per second of film
+  std::vector<std::string> encoder;  ///< ffmpeg's arguments: a record, never run from here
+  std::string range;                 ///< the RANGE that was asked for; a stopped run has fewer
+  std::vector<FrameRecord> frames;   ///< ascending by number
+};
+
+/// The name of a manifest in its folder of frames.
+constexpr const char* manifest_name = "manifest.json";
+
+/// "frame_000012.png"
+std::string frame_file_name(int frame);
+
+/// The manifest as JSON, a frame a line; every double is read back as the same double.
+std::string format_manifest(const Manifest& manifest);
+
+/// The manifest in the text, which may come from anyone. `name` names it in errors.
+/// Throws FileError, with the place, for what is not a manifest: bad JSON, a missing or mistyped
+/// value, a size, frame or fps out of bounds, frames out of order or not in the range, a file name
+/// with a path in it.
+Manifest parse_manifest(std::string_view text, const std::string& name);
+
+/// The manifest in the file. Throws FileError when it cannot be read, and as parse_manifest.
+Manifest read_manifest(const std::filesystem::path& path);
+
+}  // namespace twrench

@@ -1,0 +1,63 @@
+#include "render/background.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace twrench {
+namespace {
+
+using Eigen::Array3d;
+
+/// A fixed pattern in [0, 1) that has little low-frequency content: interleaved gradient noise
+/// (Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014).
+double dither(int x, int y) {
+  const double inner = 0.06711056 * x + 0.00583715 * y;
+  const double outer = 52.9829189 * (inner - std::floor(inner));
+  return outer - std::floor(outer);
+}
+
+double smooth_step(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// The sRGB colour, 0 to 255, at (u, v): u from -1 to 1 across, v from 0 at the top to 1.
+Array3d graded(double u, double v) {
+  const Array3d night(9, 10, 13);
+  const Array3d slate(46, 50, 61);
+  const Array3d pool(46, 45, 41);
+  const double floor = smooth_step(0.15, 0.85, v - 0.10 * u * u);
+  const double distance = std::hypot(u / 0.42, (v - 1.02) / 0.30);
+  const double light = std::exp(-distance * distance);
+  const double vignette = 1 - 0.22 * u * u;
+  return (night + floor * (slate - night)) * vignette + light * pool;
+}
+
+Image flat(const Color& color, int width, int height) {
+  Image image(width, height, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    image.pixels[i] = static_cast<std::uint8_t>(color.red);
+    image.pixels[i + 1] = static_cast<std::uint8_t>(color.green);
+    image.pixels[i + 2] = static_cast<std::uint8_t>(color.blue);
+  }
+  return image;
+}
+
+}  // namespace
+
+Image background(const Look& look, int width, int height) {
+  if (look.background) return flat(*look.background, width, height);
+  Image image(width, height, 3);
+  auto out = image.pixels.begin();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Array3d color = graded((2 * x + 1.0) / width - 1, (y + 0.5) / height);
+      const double offset = dither(x, y);  // rounds up as often as the fraction lost would say
+      for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
+    }
+  }
+  return image;
+}
+
+}  // namespace twrench

@@ -1,0 +1,53 @@
+#include "render/camera.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+constexpr double margin = 1.08;  // the sphere's share of air: 4 % of the picture on each side
+
+Matrix4d look_at_origin(const Vector3d& direction, double distance) {
+  const Vector3d back = direction.normalized();
+  const bool from_the_pole = std::hypot(back.x(), back.z()) < 1e-6;
+  const Vector3d up = from_the_pole ? Vector3d(-std::copysign(1.0, back.y()) * Vector3d::UnitZ())
+                                    : Vector3d::UnitY();
+  const Vector3d right = up.cross(back).normalized();
+  Matrix4d view = Matrix4d::Identity();
+  view.row(0).head<3>() = right;
+  view.row(1).head<3>() = back.cross(right);
+  view.row(2).head<3>() = back;
+  view(2, 3) = -distance;
+  return view;
+}
+
+/// The perspective of OpenGL (clip z from -w to w), with the tangents of half the angles of view.
+Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
+  Matrix4d projection = Matrix4d::Zero();
+  projection(0, 0) = 1 / tan_x;
+  projection(1, 1) = 1 / tan_y;
+  projection(2, 2) = -(far + near) / (far - near);
+  projection(2, 3) = -2 * far * near / (far - near);
+  projection(3, 2) = -1;
+  return projection;
+}
+
+}  // namespace
+
+Camera frame_sphere(const Framing& framing) {
+  const double half = framing.field_of_view / 2;
+  // The cone that touches a sphere of radius r at distance d has the half angle asin(r / d).
+  const double distance = margin * framing.radius / std::sin(half);
+  const double tan_x = std::tan(half) * std::max(framing.aspect, 1.0);
+  const double tan_y = std::tan(half) * std::max(1 / framing.aspect, 1.0);
+  // Wide planes: a method that leaves SO(3) makes the body grow, and that is to be seen.
+  return {look_at_origin(framing.direction, distance),
+          perspective(tan_x, tan_y, 0.05 * distance, 20 * distance), distance};
+}
+
+}  // namespace twrench

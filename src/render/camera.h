@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace twrench {
+
+/// A perspective camera that looks at the origin of space, the centre of mass. Matrices are for
+/// column vectors, in OpenGL's conventions: clip = projection * view * point.
+struct Camera {
+  Eigen::Matrix4d view;        ///< camera_from_space; the camera looks along its own -z
+  Eigen::Matrix4d projection;  ///< clip_from_camera
+  double distance;             ///< from the origin to the eye, cm
+
+  Eigen::Matrix3d camera_from_space() const { return view.topLeftCorner<3, 3>(); }
+};
+
+/// What a camera should see.
+struct Framing {
+  Eigen::Vector3d direction;  ///< from the origin to the eye, any length but zero
+  double field_of_view;       ///< the smaller angle of the view, rad, in (0, pi)
+  double aspect;              ///< width / height
+  double radius;              ///< cm, of the sphere about the origin that is to be in view
+};
+
+/// The camera from which the sphere, with a small margin, touches the nearer pair of edges, so
+/// that it is whole in view at any aspect ratio. Space's y is up in the picture; seen from
+/// straight above or below, -z is.
+Camera frame_sphere(const Framing& framing);
+
+}  // namespace twrench

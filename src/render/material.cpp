@@ -1,0 +1,24 @@
+#include "render/material.h"
+
+#include <cmath>
+
+#include "render/glm_from_eigen.h"
+
+namespace twrench {
+
+double linear_from_srgb(double value) {
+  const double s = value / 255;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+Material material(const Look& look) {
+  const Eigen::Vector3d color(linear_from_srgb(look.color.red), linear_from_srgb(look.color.green),
+                              linear_from_srgb(look.color.blue));
+  constexpr double dielectric = 0.04;  // F0 of a refractive index of 1.5
+  const Eigen::Vector3d reflectance =
+      look.metallic * color + (1 - look.metallic) * Eigen::Vector3d::Constant(dielectric);
+  return {glm_from_eigen(((1 - look.metallic) * color).eval()), glm_from_eigen(reflectance),
+          static_cast<float>(look.roughness)};
+}
+
+}  // namespace twrench

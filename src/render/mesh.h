@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "body/shape.h"
+
+namespace twrench {
+
+/// A corner of a triangle, in the order in which the vertex shader's attributes are bound.
+struct Vertex {
+  glm::vec3 position;  ///< cm, body axes
+  glm::vec3 normal;    ///< unit, outward
+};
+
+/// Triangles, three indices each, counter-clockwise seen from outside.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+};
+
+/// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by
+/// a small bevel (5 % of the smallest half dimension), so that they catch a line of light; all
+/// other vertices lie on the exact shape, and the facets between them depart from it by no more
+/// than `tolerance` cm. Facets finer than that cost much: thin triangles are drawn badly.
+Mesh part_mesh(const Part& part, double tolerance);
+
+/// The meshes of all parts in one.
+Mesh body_mesh(std::span<const Part> parts, double tolerance);
+
+}  // namespace twrench

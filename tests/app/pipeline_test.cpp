@@ -1,0 +1,92 @@
+#include "app/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "image/png.h"
+#include "scratch_folder.h"
+
+namespace twrench {
+namespace {
+
+std::vector<FrameRecord> numbered_frames(int count) {
+  std::vector<FrameRecord> frames(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) frames[static_cast<std::size_t>(i)].frame = i;
+  return frames;
+}
+
+Manifest manifest_of(int count) {
+  Manifest manifest;
+  manifest.width = manifest.height = 16;
+  manifest.fps = 25;
+  manifest.range = "0-" + std::to_string(count - 1);
+  return manifest;
+}
+
+/// A picture that tells its frame.
+Image picture_of(const FrameRecord& frame) {
+  Image image(16, 16, 3);
+  image.pixels[0] = static_cast<std::uint8_t>(frame.frame);
+  return image;
+}
+
+class PipelineOfThreads : public testing::Test {
+ protected:
+  static constexpr int count = 40;
+  const ScratchFolder folder_;
+  const std::vector<FrameRecord> frames_ = numbered_frames(count);
+  Progress progress_{"none", count};
+  StageTimes times_;
+};
+
+TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
+  for (const int jobs : {1, 4}) {
+    const auto frames_folder = folder_ / std::to_string(jobs);
+    FrameSequence sequence(frames_folder, manifest_of(count));
+    run_pipeline(frames_, picture_of, {&sequence, nullptr, jobs}, progress_, times_);
+    sequence.finish();
+    const Manifest manifest = read_manifest(frames_folder / manifest_name);
+    ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
+    for (const FrameRecord& frame : manifest.frames) {
+      EXPECT_EQ(read_png(frames_folder / frame.file).pixels[0], frame.frame);
+    }
+  }
+}
+
+TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
+  VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
+  run_pipeline(frames_, picture_of, {nullptr, &encoder, 1}, progress_, times_);
+  encoder.finish();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
+}
+
+TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
+  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  const auto draw = [](const FrameRecord& frame) {
+    if (frame.frame == 7) throw GlError("drawing", "lost");
+    return picture_of(frame);
+  };
+  EXPECT_THROW(run_pipeline(frames_, draw, {&sequence, nullptr, 2}, progress_, times_), GlError);
+  sequence.finish();
+  // What was on its way is whole and told of.
+  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), 7u);
+}
+
+TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
+  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  int drawn = 0;
+  const auto draw = [&](const FrameRecord& frame) {
+    if (++drawn == 5) std::filesystem::remove_all(folder_ / "frames");
+    return picture_of(frame);
+  };
+  EXPECT_THROW(run_pipeline(frames_, draw, {&sequence, nullptr, 2}, progress_, times_), FileError);
+  EXPECT_LT(drawn, count);
+}
+
+}  // namespace
+}  // namespace twrench

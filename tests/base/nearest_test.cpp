@@ -1,0 +1,36 @@
+#include "base/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace twrench {
+namespace {
+
+std::vector<std::string> methods() { return {"euler", "lie-euler", "rkf45", "heun", "midpoint"}; }
+
+TEST(Nearest, ForgivesOneSlip) {
+  EXPECT_EQ(nearest("eulr", methods()), "euler");
+  EXPECT_EQ(nearest("eulerr", methods()), "euler");
+  EXPECT_EQ(nearest("rkf46", methods()), "rkf45");
+  EXPECT_EQ(nearest("lie_euler", methods()), "lie-euler");
+}
+
+TEST(Nearest, CountsASwapAsOne) { EXPECT_EQ(nearest("rfk45", methods()), "rkf45"); }
+
+TEST(Nearest, TakesTheNearestNotTheFirst) {
+  const std::vector<std::string> candidates{"stable-x", "stable-y", "stable-z"};
+  EXPECT_EQ(nearest("stabel-z", candidates), "stable-z");
+  EXPECT_EQ(nearest("stable", candidates), "stable-x");
+}
+
+TEST(Nearest, OffersNothingForAnotherWord) {
+  EXPECT_EQ(nearest("verlet", methods()), std::nullopt);
+  EXPECT_EQ(nearest("", methods()), std::nullopt);
+  EXPECT_EQ(nearest("x", std::vector<std::string>{"y"}), std::nullopt);
+  EXPECT_EQ(nearest("euler", {}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace twrench

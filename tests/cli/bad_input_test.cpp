@@ -1,0 +1,108 @@
+// What a user can get wrong: one line that names it, the right exit code, and nothing written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/file.h"
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Mistake {
+  const char* arguments;
+  int code;
+  const char* message;  ///< within standard error
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
+
+class BadInput : public testing::TestWithParam<Mistake> {};
+
+TEST_P(BadInput, IsOneClearLine) {
+  const ScratchFolder folder;
+  write_file_atomically(folder / "key.toml", "[body]\nmoments = [1, 2, 3]\n[film]\nfsp = 3\n");
+  write_file_atomically(folder / "syntax.toml", "title = \n");
+  write_file_atomically(folder / "mass.toml",
+                        "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -1\n");
+  write_file_atomically(folder / "file", "");
+  const Outcome run = run_twrench(folder, GetParam().arguments);
+  EXPECT_EQ(run.code, GetParam().code) << run.err;
+  EXPECT_THAT(run.err, StartsWith("twrench: error: "));
+  EXPECT_THAT(run.err, HasSubstr(GetParam().message));
+  EXPECT_LE(std::ranges::count(run.err, '\n'), 2) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "something was written";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadInput,
+    testing::Values(
+        Mistake{"", 2, "subcommand"}, Mistake{"rendr", 2, "did you mean 'render'?"},
+        Mistake{"render --sise 640x360", 2, "--sise"},
+        Mistake{"render dzhanibekow", 2, "did you mean 'dzhanibekov'?"},
+        Mistake{"render missing.toml", 5, "missing.toml"},
+        Mistake{"render syntax.toml", 2, "syntax.toml:1"},
+        Mistake{"render key.toml", 2, "key.toml:4: film: unknown name 'fsp'"},
+        Mistake{"render mass.toml", 2, "mass.toml:4: part[0].density: is -1"},
+        Mistake{"render --method rk5", 2, "did you mean 'rk4'?"},
+        Mistake{"render --size 0x360", 2, "--size: is 0"},
+        Mistake{"render --size -640x360", 2, "--size: is -640"},
+        Mistake{"render --size 640", 2, "--size: '640' is not WIDTHxHEIGHT"},
+        Mistake{"render --size 641x360", 2, "--size 642x360"},
+        Mistake{"render --size 99999x99999", 2, "--size: is 99999"},
+        Mistake{"render --fps 0", 2, "--fps: is 0"}, Mistake{"render --fps -5", 2, "--fps: is -5"},
+        Mistake{"render --step 0", 2, "--step: is 0"},
+        Mistake{"render --step x", 2, "--step: 'x' is not a number"},
+        Mistake{"render --tolerance 0", 2, "--tolerance: is 0"},
+        Mistake{"render --tolerance -1e-9", 2, "--tolerance: is -1e-09"},
+        Mistake{"render --duration 0", 2, "--duration: is 0"},
+        Mistake{"render --duration nan", 2, "--duration: is nan"},
+        Mistake{"render --duration inf", 2, "--duration: is inf"},
+        Mistake{"render --speed 0", 2, "--speed: is 0"},
+        Mistake{"render --omega 1,2", 2, "--omega: '1,2' is not three numbers"},
+        Mistake{"render --omega 1,nan,0", 2, "--omega: is nan"},
+        Mistake{"render --inertia 1,0,2", 2, "--inertia: is 0"},
+        Mistake{"render --inertia 1,-1,2", 2, "--inertia: is -1"},
+        Mistake{"render --duration 1e9 --fps 1000", 2, "frames"},
+        Mistake{"render --duration 1e-6", 2, "0 frames"},
+        Mistake{"render --frames 5-3", 2, "5-3"}, Mistake{"render --frames 0-960", 2, "960"},
+        Mistake{"render --frames x", 2, "'x'"}, Mistake{"render --jobs 0", 2, "--jobs: is 0"},
+        Mistake{"render --samples 0", 2, "--samples: is 0"},
+        Mistake{"render --samples 64", 2, "samples"},
+        Mistake{"render --background pink", 2, "--background: 'pink'"},
+        Mistake{"render --progress loud", 2, "--progress"},
+        Mistake{"render --backend metal", 2, "--backend"},
+        Mistake{"render --no-video --no-frames", 2, "nothing to write"},
+        Mistake{"render --frames-dir file/x --no-video --size 32x32", 5, "file"},
+        Mistake{"render -o file/x.mp4 --size 32x32", 5, "file"},
+        Mistake{"render -o /dev/null/x.mp4 --size 32x32", 5, "/dev/null"},
+        Mistake{"simulate --times 1,,2", 2, "--times: '' is not a number"},
+        Mistake{"simulate --times 1,inf", 2, "--times: is inf"},
+        Mistake{"simulate --format xml", 2, "--format"},
+        Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "more than"},
+        Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
+        Mistake{"encode missing -o a.mp4", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
+
+TEST(BadInput, FfmpegIsMissedBeforeTheFirstFrame) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "render --size 32x32", "PATH=/nowhere ");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("ffmpeg"));
+  EXPECT_THAT(run.err, HasSubstr("apt-get install ffmpeg"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/dzhanibekov/frame_000000.png"));
+}
+
+TEST(BadInput, AFullDiskIsToldByTheStandardOutput) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "simulate --times 1 -o - >/dev/full 2>err.txt; exit $?; :");
+  EXPECT_EQ(run.code, 5);
+  EXPECT_THAT(text_of(folder / "err.txt"), HasSubstr("No space left on device"));
+}
+
+}  // namespace
+}  // namespace twrench

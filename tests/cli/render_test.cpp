@@ -1,0 +1,168 @@
+// The main job from end to end, small, through the real program, ffmpeg and ffprobe.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.h"
+#include "base/file.h"
+#include "cli/twrench.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "run_command.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+// 1.2 s of film, 12 frames.
+const std::string small = "render --size 160x90 --fps 10 --duration 7.2 --speed 6 --progress none ";
+
+json probe(const ScratchFolder& folder, const std::string& video) {
+  run_command("ffprobe -v error -count_frames -show_streams -of json '" +
+              (folder / video).string() + "' >'" + (folder / "probe.json").string() + "'");
+  return json::parse(text_of(folder / "probe.json"))["streams"][0];
+}
+
+TEST(Render, FilmAndFramesAndManifest) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, small);
+  ASSERT_EQ(run.code, 0) << run.err;
+
+  const json stream = probe(folder, "out/dzhanibekov.mp4");
+  EXPECT_EQ(stream["codec_name"], "h264");
+  EXPECT_EQ(stream["pix_fmt"], "yuv420p");
+  EXPECT_EQ(stream["width"], 160);
+  EXPECT_EQ(stream["height"], 90);
+  EXPECT_EQ(stream["nb_read_frames"], "12");
+  EXPECT_EQ(stream["r_frame_rate"], "10/1");
+  for (const char* tag : {"color_space", "color_transfer", "color_primaries"}) {
+    EXPECT_EQ(stream[tag], "bt709") << tag;
+  }
+  EXPECT_EQ(stream["color_range"], "tv");
+
+  const json manifest = json::parse(text_of(folder / "out/dzhanibekov/manifest.json"));
+  EXPECT_EQ(manifest["size"], json({160, 90}));
+  EXPECT_EQ(manifest["fps"], 10);
+  EXPECT_EQ(manifest["scene"]["motion"]["omega"], json({1.0, 0.05, 0.0}));
+  ASSERT_EQ(manifest["frames"].size(), 12u);
+  for (int i = 0; i < 12; ++i) {
+    const json& frame = manifest["frames"][static_cast<std::size_t>(i)];
+    EXPECT_EQ(frame["frame"], i);
+    EXPECT_EQ(frame["t"], i * 6.0 / 10.0);
+    const auto file = folder / ("out/dzhanibekov/" + frame["file"].get<std::string>());
+    EXPECT_EQ(frame["sha256"], sha256_hex(read_file(file, 1 << 24)));
+  }
+}
+
+// The pose in the manifest is that of the system's own integration at the frame's own time.
+TEST(Render, FramesArePosedByTheTrajectory) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--no-video --method rk4 --step 0.05").code, 0);
+  const json manifest = json::parse(text_of(folder / "out/dzhanibekov/manifest.json"));
+  const Outcome motion = run_twrench(
+      folder, "simulate --method rk4 --step 0.05 --times 5.4 --format json");
+  const json sample = json::parse(motion.out)["samples"][0];
+  EXPECT_EQ(manifest["frames"][9]["t"], sample["t"]);
+  EXPECT_EQ(manifest["frames"][9]["X"], sample["X"]);
+}
+
+TEST(Render, DecodedFramesAreThePngFrames) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  run_command("ffmpeg -v error -i '" + (folder / "out/dzhanibekov.mp4").string() +
+              "' -vf scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int "
+              "-pix_fmt rgb24 '" +
+              (folder / "decoded_%06d.png").string() + "'");
+  for (const int i : {0, 5, 11}) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%06d.png", i);
+    const Image png = read_png(folder / ("out/dzhanibekov/frame_" + std::string(name)));
+    std::snprintf(name, sizeof name, "decoded_%06d.png", i + 1);
+    const auto difference = compare(read_png(folder / name), png, 24);
+    ASSERT_TRUE(difference.has_value());
+    // A film keeps a quarter of the colour and rounds the rest; a wrong matrix or range is off by
+    // far more than this everywhere.
+    EXPECT_LE(difference->mean, 1.0) << i;
+    EXPECT_LE(difference->share, 0.02) << i;
+  }
+}
+
+TEST(Render, FramesDoNotDependOnTheRangeNorOnTheJobs) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir a --jobs 1").code, 0);
+  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir b --jobs 3 --frames 11,4-6").code,
+            0);
+  for (const int i : {4, 5, 6, 11}) {
+    const std::string name = "frame_0000" + std::string(i < 10 ? "0" : "") + std::to_string(i);
+    EXPECT_EQ(text_of(folder / ("a/" + name + ".png")), text_of(folder / ("b/" + name + ".png")));
+  }
+  EXPECT_EQ(folder.names().size(), 4u);  // a, b, and the two outputs of the command
+  EXPECT_FALSE(std::filesystem::exists(folder / "b/frame_000000.png"));
+}
+
+TEST(Render, EncodeMakesTheSameFilmFromTheFrames) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  const Outcome run = run_twrench(folder, "encode out/dzhanibekov -o again.mp4 --progress none");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto md5 = [&](const std::string& video) {
+    run_command("ffmpeg -v error -i '" + (folder / video).string() + "' -f md5 '" +
+                (folder / "md5.txt").string() + "' -y");
+    return text_of(folder / "md5.txt");
+  };
+  EXPECT_EQ(md5("again.mp4"), md5("out/dzhanibekov.mp4"));
+}
+
+TEST(Render, TransparentFramesHaveTheBodysCoverageAsAlpha) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--no-video --bare --background transparent --frames 0")
+                .code,
+            0);
+  const Image image = read_png(folder / "out/dzhanibekov/frame_000000.png");
+  ASSERT_EQ(image.channels, 4);
+  EXPECT_EQ(image.pixels[3], 0);                                      // a corner
+  EXPECT_EQ(image.pixels[(45 * 160 + 80) * std::size_t{4} + 3], 255);  // the centre of mass
+}
+
+TEST(Render, NoFramesLeavesTheFilmAlone) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--no-frames -o 'a film.mp4'").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "a film.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(Render, ProgressForPeopleAndForPrograms) {
+  const ScratchFolder folder;
+  const std::string base = "render --size 64x36 --no-video --frames 0-4 --progress ";
+  const Outcome plain = run_twrench(folder, base + "auto");  // no terminal here
+  EXPECT_THAT(plain.err, HasSubstr("5 of 5 frames, "));
+  EXPECT_THAT(plain.err, HasSubstr("5 frames in "));
+  const Outcome lines = run_twrench(folder, base + "json");
+  EXPECT_EQ(json::parse(lines.err.substr(0, lines.err.find('\n')))["frames_total"], 5);
+  EXPECT_THAT(run_twrench(folder, base + "bar").err, HasSubstr("] 5/5 "));
+  EXPECT_EQ(run_twrench(folder, base + "none").err, "");
+}
+
+// A program in ffmpeg's place that dies when it has seen some frames.
+TEST(Render, FramesStayWhenFfmpegDies) {
+  const ScratchFolder folder;
+  write_file_atomically(folder / "ffmpeg",
+                        "#!/bin/sh\ncase \"$*\" in *64x64*) cat >/dev/null; exit 0;; esac\n"
+                        "head -c 100000 >/dev/null\necho 'the encoder is broken' >&2\nexit 7\n");
+  std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+  const Outcome run =
+      run_twrench(folder, small, "PATH='" + folder.path().string() + "':\"$PATH\" ");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("the encoder is broken"));
+  EXPECT_THAT(run.err, HasSubstr("libx264"));  // the exact command
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/dzhanibekov/frame_000000.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/dzhanibekov/manifest.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/dzhanibekov.mp4"));
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+using testing::StartsWith;
+
+constexpr const char* header =
+    "t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,"
+    "momentum_error\n";
+
+/// The numbers of a CSV text below its header.
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv.substr(csv.find('\n') + 1));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    std::vector<double> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(Simulate, CsvAtExactlyTheTimesAskedFor) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "simulate --times 0,0.3,7.25,-2");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith(header));
+  const auto rows = rows_of(run.out);
+  ASSERT_EQ(rows.size(), 4u);
+  const double times[] = {0, 0.3, 7.25, -2};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(rows[i].size(), 17u);
+    EXPECT_EQ(rows[i][0], times[i]);
+  }
+  EXPECT_EQ(rows[0][1], 1);
+  EXPECT_DOUBLE_EQ(rows[0][11], 0.05);
+}
+
+TEST(Simulate, FromZeroToTheDurationBothIncluded) {
+  const ScratchFolder folder;
+  const auto rows = rows_of(run_twrench(folder, "simulate --duration 2 --fps 10").out);
+  ASSERT_EQ(rows.size(), 21u);
+  EXPECT_EQ(rows.front()[0], 0);
+  EXPECT_EQ(rows[7][0], 7 / 10.0);
+  EXPECT_EQ(rows.back()[0], 2);
+  const auto odd = rows_of(run_twrench(folder, "simulate --duration 1.05 --fps 10").out);
+  ASSERT_EQ(odd.size(), 12u);
+  EXPECT_EQ(odd.back()[0], 1.05);
+}
+
+TEST(Simulate, TellsTheTruthOfItsMethod) {
+  const ScratchFolder folder;
+  const auto rows =
+      rows_of(run_twrench(folder, "simulate --method euler --step 0.01 --times 10").out);
+  EXPECT_GT(std::abs(rows[0][14]), 1e-3);  // energy drift
+  EXPECT_GT(rows[0][15], 1e-3);            // it left SO(3)
+}
+
+TEST(Simulate, JsonHasTheSameNumbers) {
+  const ScratchFolder folder;
+  const auto row = rows_of(run_twrench(folder, "simulate stable-y --times 3").out)[0];
+  const json document =
+      json::parse(run_twrench(folder, "simulate stable-y --times 3 --format json").out);
+  const json& sample = document["samples"][0];
+  EXPECT_EQ(sample["t"], row[0]);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(sample["X"][i], row[1 + i]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(sample["omega"][i], row[10 + i]);
+  EXPECT_EQ(sample["energy"], row[13]);
+}
+
+TEST(Simulate, WritesAFileWholeOrNotAtAll) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_twrench(folder, "simulate --times 1 -o a.csv").code, 0);
+  EXPECT_THAT(text_of(folder / "a.csv"), StartsWith(header));
+  EXPECT_EQ(run_twrench(folder, "simulate --times 1 -o no/such/folder.csv").code, 5);
+}
+
+TEST(Simulate, AnswersInPointsWhateverTheLocale) {
+  const ScratchFolder folder;
+  const std::string plain = run_twrench(folder, "simulate --times 1.5").out;
+  EXPECT_EQ(run_twrench(folder, "simulate --times 1.5", "LC_ALL=de_DE.UTF-8 ").out, plain);
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "scratch_folder.h"
+
+namespace twrench {
+
+/// What the program did with a command line.
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Runs the real program in `folder` with `arguments`, as a shell splits them; `before` may set
+/// its environment ("PATH=/nowhere ").
+inline Outcome run_twrench(const ScratchFolder& folder, const std::string& arguments,
+                           const std::string& before = "") {
+  const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
+  const std::string command = "cd '" + folder.path().string() + "' && " + before +
+                              "'" TWRENCH_BINARY "' " + arguments + " </dev/null >'" +
+                              out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): our own words
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
+}  // namespace twrench

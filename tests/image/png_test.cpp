@@ -1,0 +1,146 @@
+#include "image/png.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "run_command.h"
+#include "scratch_folder.h"
+
+namespace twrench {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A gradient and some noise, so that every filter and the compressor have something to do.
+Image sample_image(int width, int height, int channels, unsigned seed) {
+  Image image(width, height, channels);
+  std::mt19937 random(seed);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<std::uint8_t>(i / 50 + random() % 3);
+  }
+  return image;
+}
+
+std::string failure(const std::vector<std::uint8_t>& bytes) {
+  try {
+    decode_png(bytes, "a.png");
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class PngRoundTrip : public ::testing::TestWithParam<std::tuple<int, int, int>> {};
+
+TEST_P(PngRoundTrip, GivesTheSamePixels) {
+  const auto [width, height, channels] = GetParam();
+  const Image image = sample_image(width, height, channels, 1);
+  const Image read = decode_png(encode_png(image), "a.png");
+  EXPECT_EQ(read.width, width);
+  EXPECT_EQ(read.height, height);
+  EXPECT_EQ(read.channels, channels);
+  EXPECT_EQ(read.pixels, image.pixels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PngRoundTrip,
+                         ::testing::Combine(::testing::Values(1, 2, 321), ::testing::Values(1, 180),
+                                            ::testing::Values(3, 4)));
+
+TEST(Png, IsReadAlikeByAnotherDecoder) {
+  for (const int channels : {3, 4}) {
+    const ScratchFolder scratch;
+    const Image image = sample_image(123, 45, channels, 2);
+    write_file_atomically(scratch / "a.png", encode_png(image));
+    run_command("ffmpeg -v error -xerror -i '" + (scratch / "a.png").string() +
+                "' -f rawvideo -pix_fmt " + (channels == 3 ? "rgb24" : "rgba") + " '" +
+                (scratch / "a.raw").string() + "'");
+    EXPECT_EQ(read_file(scratch / "a.raw", image.pixels.size()), image.pixels);
+  }
+}
+
+TEST(Png, BytesDependOnTheImageAloneWhicheverThreadsRun) {
+  std::vector<std::vector<std::uint8_t>> alone;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    alone.push_back(encode_png(sample_image(200, 100, 3, seed)));
+  }
+  std::vector<std::vector<std::uint8_t>> together(alone.size());
+  std::vector<std::thread> threads;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    threads.emplace_back(
+        [&together, seed] { together[seed] = encode_png(sample_image(200, 100, 3, seed)); });
+  }
+  std::for_each(threads.begin(), threads.end(), [](std::thread& thread) { thread.join(); });
+  EXPECT_EQ(together, alone);
+}
+
+TEST(Png, CompressesASmoothFrameWell) {
+  Image image(640, 360, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<std::uint8_t>(20 + i / image.row_bytes() / 30);
+  }
+  EXPECT_LT(encode_png(image).size(), image.pixels.size() / 100);
+}
+
+TEST(Png, GrayIsReadAsRgb) {
+  const ScratchFolder scratch;
+  const std::vector<std::uint8_t> gray{0, 50, 100, 255};
+  write_file_atomically(scratch / "gray.raw", gray);
+  run_command("ffmpeg -v error -f rawvideo -pix_fmt gray -video_size 2x2 -i '" +
+              (scratch / "gray.raw").string() + "' -frames:v 1 '" +
+              (scratch / "gray.png").string() + "'");
+  const Image image = read_png(scratch / "gray.png");
+  EXPECT_EQ(image.channels, 3);
+  EXPECT_THAT(image.pixels,
+              ::testing::ElementsAre(0, 0, 0, 50, 50, 50, 100, 100, 100, 255, 255, 255));
+}
+
+TEST(Png, EncodingRefusesSizesOutOfRange) {
+  Image image;
+  EXPECT_THROW(encode_png(image), UsageError);
+  image.width = max_image_side + 1;
+  image.height = 1;
+  EXPECT_THROW(encode_png(image), UsageError);
+}
+
+TEST(Png, DecodingRefusesWhatIsNoPng) {
+  EXPECT_THAT(failure({}), HasSubstr("cannot read a.png: it is no PNG image"));
+  EXPECT_THAT(failure({'t', 'e', 'x', 't'}), HasSubstr("it is no PNG image"));
+}
+
+TEST(Png, DecodingRefusesTruncatedFiles) {
+  const auto whole = encode_png(sample_image(40, 30, 3, 3));
+  // The last 12 bytes say only that this is the end.
+  for (std::size_t length = 0; length + 12 < whole.size(); length += 7) {
+    EXPECT_NE(failure({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}),
+              "no error")
+        << length;
+  }
+}
+
+TEST(Png, DecodingRefusesASizeThatWouldExhaustTheMemory) {
+  auto bytes = encode_png(sample_image(4, 4, 3, 4));
+  bytes[16] = 0x00;  // the width in the header, big endian: 65536 + 4
+  bytes[17] = 0x01;
+  EXPECT_NE(failure(bytes), "no error");
+}
+
+TEST(Png, NamesTheFileThatCannotBeRead) {
+  try {
+    read_png("/no/such.png");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_STREQ(error.what(), "cannot read /no/such.png: No such file or directory");
+  }
+}
+
+}  // namespace
+}  // namespace twrench

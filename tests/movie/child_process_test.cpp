@@ -1,0 +1,156 @@
+#include "movie/child_process.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/file.h"
+#include "scratch_folder.h"
+
+namespace twrench {
+namespace {
+
+using ::testing::EndsWith;
+
+std::vector<std::uint8_t> bytes(std::size_t count) {
+  std::vector<std::uint8_t> result(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = static_cast<std::uint8_t>(i * 31 >> 4U);
+  }
+  return result;
+}
+
+std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
+
+TEST(ChildProcess, GetsEveryByte) {
+  const ScratchFolder scratch;
+  const auto sent = bytes(5'000'000);
+  ChildProcess child({"dd", "bs=1M", "status=none", "of=" + (scratch / "out").string()});
+  EXPECT_TRUE(child.write(sent));
+  EXPECT_TRUE(child.write(sent));
+  EXPECT_EQ(child.wait(), 0);
+  auto twice = sent;
+  twice.insert(twice.end(), sent.begin(), sent.end());
+  EXPECT_EQ(read_file(scratch / "out", 20'000'000), twice);
+}
+
+TEST(ChildProcess, TakesArgumentsAsTheyAre) {
+  const std::string odd = "a 'b' \"c\" $(d) *;\n";
+  ChildProcess child({"sh", "-c", "printf %s \"$1\" >&2", "sh", odd});
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_EQ(child.error_output(), odd);
+}
+
+TEST(ChildProcess, TellsItsExitStatusOrSignal) {
+  EXPECT_EQ(ChildProcess(shell("exit 3")).wait(), 3);
+  EXPECT_EQ(ChildProcess(shell("kill -TERM $$")).wait(), 128 + SIGTERM);
+}
+
+TEST(ChildProcess, WaitMayBeCalledAgain) {
+  ChildProcess child(shell("exit 4"));
+  EXPECT_EQ(child.wait(), 4);
+  EXPECT_EQ(child.wait(), 4);
+}
+
+TEST(ChildProcess, ADeadOneTakesNothingAndDoesNotKillUs) {
+  ChildProcess child(shell("echo gone >&2; exit 7"));
+  EXPECT_FALSE(child.write(bytes(10'000'000)));
+  EXPECT_EQ(child.wait(), 7);
+  EXPECT_EQ(child.error_output(), "gone\n");
+  sigset_t pending;
+  sigpending(&pending);
+  EXPECT_EQ(sigismember(&pending, SIGPIPE), 0);
+}
+
+TEST(ChildProcess, OneThatDiesMidwayIsNoticed) {
+  ChildProcess child(shell("head -c 3000000 >/dev/null; exit 9"));
+  EXPECT_FALSE(child.write(bytes(10'000'000)));
+  EXPECT_EQ(child.wait(), 9);
+}
+
+TEST(ChildProcess, SpeaksOnWhileItIsFed) {
+  // Far more of errors than a pipe holds, before it reads its input.
+  ChildProcess child(shell("yes complaint | head -c 1000000 >&2; echo last >&2; cat >/dev/null"));
+  EXPECT_TRUE(child.write(bytes(5'000'000)));
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_EQ(child.error_output().size(), 8192U);
+  EXPECT_THAT(child.error_output(), EndsWith("last\n"));
+}
+
+/// How many descriptors a child has.
+std::string descriptors() {
+  ChildProcess child(shell("ls /proc/self/fd | wc -l >&2"));
+  EXPECT_EQ(child.wait(), 0);
+  return child.error_output();
+}
+
+TEST(ChildProcess, InheritsNoDescriptorOfOurs) {
+  const ScratchFolder scratch;
+  const std::string before = descriptors();
+  const PendingFile file(scratch / "file");
+  const ChildProcess other({"cat"});
+  EXPECT_EQ(descriptors(), before);
+}
+
+TEST(ChildProcess, HasTheSignalsAsAProgramExpectsThem) {
+  const auto handler = std::signal(SIGPIPE, SIG_IGN);
+  ChildProcess child(shell("kill -PIPE $$; exit 0"));
+  EXPECT_EQ(child.wait(), 128 + SIGPIPE);
+  (void)std::signal(SIGPIPE, handler);
+}
+
+TEST(ChildProcess, IsNotInTheTerminalsGroup) {
+  ChildProcess child(shell("[ $(cut -d ' ' -f 5 /proc/$$/stat) = $$ ]"));  // its group is its own
+  EXPECT_EQ(child.wait(), 0);
+}
+
+/// Whether the process runs; not when it is gone, or a zombie that init has yet to reap.
+bool runs(const std::string& pid) {
+  try {
+    const auto stat = read_file("/proc/" + pid + "/stat", 1000);
+    return std::string(stat.begin(), stat.end()).find(") Z") == std::string::npos;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
+  const ScratchFolder scratch;
+  std::string sleeper;
+  {
+    const std::string pid = (scratch / "pid").string();
+    const ChildProcess child(
+        shell("sleep 1000 & echo $! >" + pid + ".new; mv " + pid + ".new " + pid + "; wait"));
+    while (!(std::ifstream(pid) >> sleeper)) {
+      ::usleep(1000);
+    }
+    EXPECT_TRUE(runs(sleeper));
+  }
+  while (runs(sleeper)) {
+    ::usleep(1000);
+  }
+}
+
+TEST(ChildProcess, ThatIsNotThereIsToldAtOnce) {
+  try {
+    const ChildProcess child({"no-such-program-of-ours"});
+    FAIL();
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ENOENT);
+  }
+}
+
+TEST(ShellCommand, QuotesWhatAShellWouldTakeApart) {
+  const std::vector<std::string> command{"ffmpeg", "-vf", "a=b:c,d", "it's", "", "x y", "$z"};
+  EXPECT_EQ(shell_command(command), "ffmpeg -vf a=b:c,d 'it'\\''s' '' 'x y' '$z'");
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,133 @@
+#include "movie/encode_frames.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "image/png.h"
+#include "movie/frame_range.h"
+#include "movie/frame_sequence.h"
+#include "run_command.h"
+#include "scratch_folder.h"
+#include "stub_ffmpeg.h"
+
+namespace twrench {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+Image gray(int width, int height, std::size_t level) {
+  Image image(width, height, 3);
+  for (std::uint8_t& value : image.pixels) {
+    value = static_cast<std::uint8_t>(level);
+  }
+  return image;
+}
+
+/// Frames of a range, of which `drawn` are drawn: frame i is of gray level 10 i.
+std::filesystem::path draw(const ScratchFolder& scratch, const std::string& range,
+                           const std::string& drawn) {
+  FrameSequence sequence(scratch / "frames", {.version = "0.1.0",
+                                              .scene = nlohmann::ordered_json::object(),
+                                              .renderer = "none",
+                                              .width = 32,
+                                              .height = 16,
+                                              .fps = 25,
+                                              .encoder = {},
+                                              .range = range,
+                                              .frames = {}});
+  for (const int frame : parse_frame_range(drawn, 100)) {
+    FrameRecord record;
+    record.frame = frame;
+    sequence.write(record, encode_png(gray(32, 16, static_cast<std::size_t>(frame) * 10)));
+  }
+  sequence.finish();
+  return scratch / "frames";
+}
+
+std::vector<int> encode_and_count(const std::filesystem::path& folder,
+                                  const std::filesystem::path& film) {
+  std::vector<int> heard;
+  encode_frames(folder, film, [&heard](int done, int) { heard.push_back(done); });
+  return heard;
+}
+
+FileError failure(const ScratchFolder& scratch) {
+  try {
+    encode_and_count(scratch / "frames", scratch / "film.mp4");
+  } catch (const FileError& error) {
+    EXPECT_FALSE(std::filesystem::exists(scratch / "film.mp4"));
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {"", ""};
+}
+
+TEST(EncodeFrames, MakesTheFilmOfTheFramesInOrder) {
+  const ScratchFolder scratch;
+  draw(scratch, "0-20:5", "0-20:5");
+  EXPECT_THAT(encode_and_count(scratch / "frames", scratch / "film.mp4"),
+              ElementsAre(1, 2, 3, 4, 5));
+  run_command("ffmpeg -v error -i '" + (scratch / "film.mp4").string() +
+              "' -f rawvideo -pix_fmt gray '" + (scratch / "film.gray").string() + "'");
+  const auto film = read_file(scratch / "film.gray", 1'000'000);
+  ASSERT_EQ(film.size(), std::size_t{5} * 32 * 16);
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_NEAR(film[k * 32 * 16], 50 * static_cast<int>(k), 2);
+  }
+}
+
+TEST(EncodeFrames, NamesTheFramesThatWereNeverDrawnOrAreGone) {
+  const ScratchFolder scratch;
+  draw(scratch, "0-19", "0-4,8-12");
+  std::filesystem::remove(scratch / "frames/frame_000010.png");
+  const FileError error = failure(scratch);
+  EXPECT_THAT(error.what(), HasSubstr("frames are missing: 5-7,10,13-19"));
+  EXPECT_THAT(error.remedy(), HasSubstr("--frames 0-19"));
+}
+
+TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
+  const ScratchFolder scratch;
+  draw(scratch, "0-3", "0-3");
+  write_file_atomically(scratch / "frames/frame_000002.png", encode_png(gray(32, 16, 99)));
+  EXPECT_THAT(failure(scratch).what(), HasSubstr("frame_000002.png: it is not the file"));
+  EXPECT_THAT(scratch.names(), ElementsAre("frames"));
+}
+
+TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
+  const ScratchFolder scratch;
+  draw(scratch, "0-1", "0");
+  FrameSequence sequence(scratch / "frames", [&] {
+    Manifest manifest = read_manifest(scratch / "frames/manifest.json");
+    manifest.range = "0";
+    return manifest;
+  }());
+  sequence.write({}, encode_png(gray(16, 32, 0)));
+  sequence.finish();
+  EXPECT_THAT(failure(scratch).what(), HasSubstr("16x32 pixels, the manifest says 32x16"));
+}
+
+TEST(EncodeFrames, NeedsAManifest) {
+  const ScratchFolder scratch;
+  EXPECT_THAT(failure(scratch).what(), HasSubstr("manifest.json: No such file"));
+}
+
+TEST(EncodeFrames, KeepsTheFramesWhenFfmpegFails) {
+  const ScratchFolder scratch;
+  const auto frames = draw(scratch, "0-3", "0-3");
+  const StubFfmpeg stub(scratch, "case \"$*\" in *null*) exit 0;; esac; echo dead >&2; exit 1");
+  EXPECT_THROW(encode_and_count(frames, scratch / "film.mp4"), EncoderError);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("bin", "frames"));
+  EXPECT_TRUE(std::filesystem::exists(frames / "frame_000003.png"));
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/file.h"
+#include "scratch_folder.h"
+
+namespace twrench {
+
+/// Another PATH while it lives.
+class PathSetting {
+ public:
+  explicit PathSetting(const std::string& path) { setenv("PATH", path.c_str(), 1); }
+  ~PathSetting() { setenv("PATH", before_.c_str(), 1); }
+  PathSetting(const PathSetting&) = delete;
+  PathSetting& operator=(const PathSetting&) = delete;
+
+  static std::string current() {
+    const char* path = std::getenv("PATH");
+    return path != nullptr ? path : "";
+  }
+
+ private:
+  const std::string before_ = current();
+};
+
+/// An ffmpeg of the test's own, a shell script, before the real one in PATH; while it lives.
+class StubFfmpeg {
+ public:
+  StubFfmpeg(const ScratchFolder& scratch, const std::string& script)
+      : path_((scratch / "bin").string() + ":" + PathSetting::current()) {
+    std::filesystem::create_directories(scratch / "bin");
+    write_file_atomically(scratch / "bin/ffmpeg", std::string_view("#!/bin/sh\n" + script));
+    std::filesystem::permissions(scratch / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  }
+
+ private:
+  PathSetting path_;
+};
+
+}  // namespace twrench

@@ -1,0 +1,140 @@
+// Frames held against images that were looked at and found right. An image that ought to change is
+// written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be looked at and committed with its reason.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/file.h"
+#include "gl/context.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "math/so3.h"
+#include "render/renderer.h"
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+namespace fs = std::filesystem;
+
+struct Golden {
+  const char* name;
+  Scene scene;
+  Matrix3d X;
+};
+
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
+
+Scene with_parts(std::vector<Part> parts) {
+  Scene scene = t_wrench(320, 180);
+  scene.body.parts = std::move(parts);
+  return scene;
+}
+
+Scene mixed_body() {
+  return with_parts({cylinder(0.6, 6, {0, 0, 0}, Vector3d(1, 0.4, 0)),
+                     {Box{{1, 3, 2}}, 3, {3, 1, 0}, so3::exp(Vector3d(0.3, 0.2, 0.1))},
+                     {Ellipsoid{{1.5, 1, 0.8}}, 5, {-3, -1, 0.5}, Matrix3d::Identity()}});
+}
+
+std::vector<Golden> goldens() {
+  Scene transparent = t_wrench(240, 240);
+  transparent.look.transparent = true;
+  Scene painted = t_wrench(320, 180);
+  painted.look.background = Color{250, 250, 245};
+  painted.look.color = {190, 60, 40};
+  painted.look.metallic = 0;
+  painted.look.roughness = 0.6;
+  Scene moments = t_wrench(320, 180);
+  moments.body = {{}, Vector3d(3, 5, 7)};
+  const Matrix3d Id = Matrix3d::Identity();
+  return {
+      {"wrench", t_wrench(320, 180), Id},
+      {"wrench-tumbling", t_wrench(320, 180), so3::exp(Vector3d(0.7, -0.9, 0.4))},
+      {"wrench-leg-to-camera", t_wrench(320, 180), so3::exp(Vector3d(0.2, -1.45, 0.1))},
+      {"wrench-over", t_wrench(320, 180), so3::exp(Vector3d(2.5, 0.3, 1.2))},
+      {"wrench-portrait", t_wrench(180, 320), so3::exp(Vector3d(-0.5, 0.6, 0.9))},
+      {"wrench-wide", t_wrench(420, 180), so3::exp(Vector3d(0.3, 2.4, -0.6))},
+      {"wrench-transparent", transparent, so3::exp(Vector3d(1.1, 0.5, -0.3))},
+      {"wrench-painted", painted, so3::exp(Vector3d(0.7, -0.9, 0.4))},
+      {"box", with_parts({{Box{{2, 3, 4}}, 1, {0, 0, 0}, Id}}), so3::exp(Vector3d(0.5, 0.8, 0.2))},
+      {"ellipsoid", with_parts({{Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Id}}),
+       so3::exp(Vector3d(0.9, 0.7, 0.3))},
+      {"mixed", mixed_body(), so3::exp(Vector3d(0.4, 0.6, -0.2))},
+      {"moments-alone", moments, so3::exp(Vector3d(-0.6, 0.5, 0.4))},
+  };
+}
+
+Image drawn(const Golden& golden, const Matrix3d& X) {
+  const auto context = gl::make_osmesa_context();
+  return Renderer(*context, golden.scene).draw(X);
+}
+
+/// Releases of Mesa round shading and coverage differently, by a level or two on faces and, for a
+/// pixel in a thousand, by a sample on an edge. Half a degree of pose moves more.
+constexpr int threshold = 4;
+constexpr double allowed_share = 0.001;
+constexpr double allowed_mean = 0.15;
+
+bool alike(const Image& a, const Image& b) {
+  const auto difference = compare(a, b, threshold);
+  return difference && difference->share <= allowed_share && difference->mean <= allowed_mean;
+}
+
+class GoldenImage : public testing::TestWithParam<Golden> {
+ protected:
+  fs::path path() const {
+    return fs::path(TWRENCH_TESTS_DIR) / "golden" / (std::string(GetParam().name) + ".png");
+  }
+};
+
+TEST_P(GoldenImage, IsDrawn) {
+  const Image actual = drawn(GetParam(), GetParam().X);
+  if (std::getenv("TWRENCH_UPDATE_GOLDENS") != nullptr) {
+    write_file_atomically(path(), encode_png(actual));
+    return;
+  }
+  const Image golden = read_png(path());
+  const auto difference = compare(actual, golden, threshold);
+  ASSERT_TRUE(difference.has_value()) << "another size than " << path();
+  if (alike(actual, golden)) return;
+  const fs::path folder(TWRENCH_SCRATCH);
+  const fs::path actual_path = folder / (std::string(GetParam().name) + "-actual.png");
+  const fs::path difference_path = folder / (std::string(GetParam().name) + "-difference.png");
+  make_folder(folder);
+  write_file_atomically(actual_path, encode_png(actual));
+  write_file_atomically(difference_path, encode_png(difference_image(actual, golden)));
+  ADD_FAILURE() << path() << ": max " << difference->max << ", mean " << difference->mean
+                << ", share over " << threshold << " " << difference->share << "; see "
+                << actual_path << " and " << difference_path;
+}
+
+// What the thresholds must not let pass.
+TEST_P(GoldenImage, SeesAWrongPose) {
+  const Image golden = read_png(path());
+  const Matrix3d& X = GetParam().X;
+  constexpr double half_a_degree = 0.0087266;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Matrix3d turned = so3::exp(half_a_degree * Vector3d::Unit(axis)) * X;
+    EXPECT_FALSE(alike(drawn(GetParam(), turned), golden)) << "half a degree about " << axis;
+  }
+  if (!X.isIdentity()) {
+    EXPECT_FALSE(alike(drawn(GetParam(), X.transpose()), golden)) << "the transpose";
+  }
+  Matrix3d swapped = X;
+  swapped.col(0) = X.col(1);
+  swapped.col(1) = X.col(0);
+  EXPECT_FALSE(alike(drawn(GetParam(), swapped), golden)) << "two axes swapped";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(goldens()), [](const auto& param) {
+  std::string name(param.param.name);
+  std::erase(name, '-');
+  return name;
+});
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,180 @@
+#include "render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+
+#include "t_wrench.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d turned(double angle, const Vector3d& axis) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+const std::uint8_t* pixel(const Image& image, int x, int y) {
+  return &image.pixels[static_cast<std::size_t>(y) * image.row_bytes() +
+                       static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels)];
+}
+
+/// The alpha of a transparent frame where `point`, in space, falls.
+int coverage_at(const Renderer& renderer, const Image& image, const Vector3d& point) {
+  const Eigen::Vector4d clip = renderer.projection() * renderer.view() * point.homogeneous();
+  const double x = (0.5 + 0.5 * clip.x() / clip.w()) * image.width;
+  const double y = (0.5 - 0.5 * clip.y() / clip.w()) * image.height;
+  return pixel(image, static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))[3];
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
+  return sum / static_cast<double>(a.pixels.size());
+}
+
+class RendererTest : public testing::Test {
+ protected:
+  std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+
+  static Scene transparent(int width = 320, int height = 180) {
+    Scene scene = t_wrench(width, height);
+    scene.look.transparent = true;
+    return scene;
+  }
+};
+
+TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
+  Scene scene = t_wrench(160, 90);
+  scene.look.background = Color{0, 255, 0};
+  const Image image = Renderer(*context, scene).draw(Matrix3d::Identity());
+  ASSERT_EQ(image.width, 160);
+  ASSERT_EQ(image.height, 90);
+  ASSERT_EQ(image.channels, 3);
+  EXPECT_EQ(pixel(image, 0, 0)[1], 255);
+  EXPECT_EQ(pixel(image, 159, 89)[1], 255);
+  EXPECT_GT(pixel(image, 80, 45)[0], 20) << "metal, not green, in the middle";
+}
+
+TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
+  Renderer renderer(*context, transparent());
+  for (int i = 0; i < 12; ++i) {
+    const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
+    const Image image = renderer.draw(X);
+    for (const double y : {-3.9, 0.0, 3.9}) {
+      EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(-1, y, 0)), 255) << i;  // the handle's
+    }
+    EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(3.9, 0, 0)), 255) << i;  // and leg's axis
+  }
+}
+
+TEST_F(RendererTest, LeavesWhatIsBesideTheBodyClear) {
+  Scene scene = transparent();
+  scene.look.camera = {0, 0, 1};
+  Renderer renderer(*context, scene);
+  const Image image = renderer.draw(Matrix3d::Identity());
+  for (const Vector3d& beside :
+       {Vector3d(-2.2, 0, 0), Vector3d(0.4, 1.4, 0), Vector3d(0.4, -1.4, 0), Vector3d(4.3, 0, 0),
+        Vector3d(-1, 4.3, 0)}) {
+    EXPECT_EQ(coverage_at(renderer, image, beside), 0) << beside.transpose();
+  }
+}
+
+TEST_F(RendererTest, ShowsNoGapWhereTheLegMeetsTheHandle) {
+  Renderer renderer(*context, transparent());
+  const Image image = renderer.draw(Matrix3d::Identity());
+  // Just outside the handle, whose side is here at x = -0.02, and inside the leg's length.
+  for (const double y : {-0.9, -0.5, 0.5, 0.9}) {
+    EXPECT_EQ(coverage_at(renderer, image, Vector3d(-0.02, y, 0)), 255) << y;
+  }
+}
+
+TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
+  Renderer renderer(*context, t_wrench());
+  const Matrix3d X = turned(0.8, {1, 2, 3});
+  EXPECT_GT(mean_difference(renderer.draw(X), renderer.draw(X.transpose())), 3);
+}
+
+TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
+  // A cylinder that turns about its own axis looks the same.
+  Scene scene = t_wrench();
+  scene.body.parts = {cylinder(1, 6, {0, 0, 0}, Vector3d::UnitY())};
+  Renderer renderer(*context, scene);
+  const Image still = renderer.draw(Matrix3d::Identity());
+  EXPECT_LT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitY()))), 0.2);
+  EXPECT_GT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitX()))), 2);
+}
+
+TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
+  const Image image = Renderer(*context, transparent()).draw(turned(0.5, {1, 1, 0}));
+  int partial = 0;
+  int darkest_inside = 255;
+  int darkest_edge = 255;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const int alpha = image.pixels[i + 3];
+    if (alpha == 255) darkest_inside = std::min<int>(darkest_inside, image.pixels[i]);
+    if (alpha == 0 || alpha == 255) continue;
+    ++partial;
+    darkest_edge = std::min<int>(darkest_edge, image.pixels[i]);
+  }
+  EXPECT_GT(partial, 200);
+  EXPECT_GT(darkest_edge, darkest_inside / 2);
+}
+
+TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
+  Scene scene = t_wrench(320, 180);
+  scene.look.background = Color{255, 255, 255};
+  const Matrix3d X = turned(0.5, {1, 1, 0});
+  const Image opaque = Renderer(*context, scene).draw(X);
+  const Image clear = Renderer(*context, transparent()).draw(X);
+  for (std::size_t i = 0, j = 0; i < clear.pixels.size(); i += 4, j += 3) {
+    const double alpha = clear.pixels[i + 3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double expected = alpha * clear.pixels[i + c] + (1 - alpha) * 255;
+      ASSERT_NEAR(opaque.pixels[j + c], expected, 1.5);
+    }
+  }
+}
+
+TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
+  const Matrix3d X = turned(0.8, {1, 2, 3});
+  Renderer first(*context, t_wrench());
+  const Image alone = first.draw(X);
+  for (int i = 0; i < 5; ++i) first.draw(turned(0.9 * i, {3, 1, 2}));
+  EXPECT_EQ(first.draw(X).pixels, alone.pixels);
+  Renderer second(*context, t_wrench());
+  EXPECT_EQ(second.draw(X).pixels, alone.pixels);
+  EXPECT_EQ(first.draw(X).pixels, alone.pixels);
+}
+
+TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
+  // As eq. (24) makes: grown past the frame, past the camera too.
+  Renderer renderer(*context, transparent());
+  const Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
+  EXPECT_EQ(coverage_at(renderer, large, Vector3d::Zero()), 255);
+  EXPECT_NO_THROW(renderer.draw(10 * turned(0.5, {1, 1, 0})));
+}
+
+TEST_F(RendererTest, FollowsTheLook) {
+  const Matrix3d X = turned(0.5, {1, 1, 0});
+  const Image plain = Renderer(*context, t_wrench()).draw(X);
+  const auto difference = [&](auto change) {
+    Scene scene = t_wrench();
+    change(scene.look);
+    return mean_difference(plain, Renderer(*context, scene).draw(X));
+  };
+  EXPECT_EQ(difference([](Look&) {}), 0);
+  EXPECT_GT(difference([](Look& look) { look.color = {255, 120, 40}; }), 1);
+  EXPECT_GT(difference([](Look& look) { look.metallic = 0; }), 1);
+  EXPECT_GT(difference([](Look& look) { look.roughness = 0.1; }), 0.5);
+  EXPECT_GT(difference([](Look& look) { look.camera = {5, 5, 20}; }), 1);
+  EXPECT_GT(difference([](Look& look) { look.field_of_view = 1.2; }), 0.3);
+  EXPECT_GT(difference([](Look& look) { look.samples = 1; }), 0.05);
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace twrench {
+
+/// Runs a tool that a test holds our work against, as a shell does. A failed test when it fails.
+inline void run_command(const std::string& command) {
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(cert-env33-c): our own words
+}
+
+}  // namespace twrench
