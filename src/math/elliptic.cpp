@@ -37,9 +37,7 @@ double complete_first(double mc) { return incomplete_first(1, 0, mc); }
 
 double incomplete_first(double s, double c, double mc) {
   const double delta2 = c * c + mc * s * s;
-  if (delta2 == 0) {
-    return std::copysign(std::numeric_limits<double>::infinity(), s);
-  }
+  if (delta2 == 0) return std::copysign(std::numeric_limits<double>::infinity(), s);
   return s * boost::math::ellint_rf(c * c, delta2, 1.0);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "body/mass_properties.h"
 #include "math/so3.h"
 
 namespace twrench {
@@ -57,18 +56,14 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
   const PrincipalAxes& principal = body.principal;
   const Vector3d m = principal.axes.transpose() * body.momentum;
   const double G = m.stableNorm();
-  if (G == 0) {
-    return;
-  }
+  if (G == 0) return;
   const double D2 =
       beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
   const Vector3d mu = body_from_motion_.transpose() * body.momentum / G;
-  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) {
-    return;
-  }
+  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   space_from_turned_ = body_from_motion_ * orbit_->at(0).turn.transpose();
@@ -85,9 +80,9 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   const double rate =
       std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
 
-  // Eq. (E4): the phase at t = 0. All phases are one where sn u and cn u are left undetermined.
+  // Eq. (E4): the phase at t = 0.
   const double s = mu[1], c = mu[2] * std::sqrt(I[1] * ac / (I[2] * ab)), size = std::hypot(s, c);
-  const double phase = size > 0 ? elliptic::incomplete_first(s / size, c / size, mc) : 0;
+  const double phase = elliptic::incomplete_first(s / size, c / size, mc);
 
   // Eq. (E8).
   const double pole = elliptic::incomplete_first(amplitude[0], amplitude[2], m);
@@ -115,31 +110,28 @@ ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
 }
 
 Sample ExactMotion::at(double t) const {
-  if (!orbit_) {
-    return {t, so3::exp(t * omega0_), omega0_};
-  }
+  if (!orbit_) return {t, so3::exp(t * omega0_), omega0_};
   const auto [mu, turn] = orbit_->at(t);
   return {t, space_from_turned_ * turn * body_from_motion_.transpose(),
           body_from_motion_ * orbit_->velocity.cwiseProduct(mu)};
 }
 
 std::optional<ExactMotion::Flips> ExactMotion::flips() const {
-  if (!orbit_ || orbit_->m == 0) {
-    return std::nullopt;
-  }
+  if (!orbit_ || orbit_->m == 0) return std::nullopt;
   const Orbit& o = *orbit_;
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
-  return Flips{interval, first, std::log(16 / o.mc) / rate,
-               2 * std::asin(std::min(1.0, o.amplitude[1]))};
+  // Where sn u = 1, L has no component along c, and that along a is least.
+  const double swing = 2 * std::atan2(o.amplitude[1], std::sqrt(o.mc) * o.amplitude[0]);
+  return Flips{interval, first, std::log(16 / o.mc) / rate, swing};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {
   std::vector<double> times;
   if (const auto flips = this->flips()) {
     double t = flips->first;
-    for (int n = 1; t <= t_end && std::isfinite(t); ++n) {
+    for (int n = 1; t <= t_end; ++n) {
       times.push_back(t);
       t = flips->first + n * flips->interval;
     }

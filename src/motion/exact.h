@@ -44,7 +44,7 @@ class ExactMotion {
   /// Nothing for steady motion, nor for a symmetric body, which has no intermediate axis.
   std::optional<Flips> flips() const;
 
-  /// The instants, s, of all flips with 0 < t <= t_end, ascending.
+  /// The instants, s, of all flips with 0 < t <= t_end, ascending; t_end is finite.
   std::vector<double> flip_times(double t_end) const;
 
  private:

@@ -47,9 +47,7 @@ Reference by_definition(const Real& u, const Real& m, const Real& mc, const Real
       const Real odd = 2 * pow(q, n * (n + 1)), even = 2 * pow(q, n * n);
       t.t1 += sign * odd * sin((2 * n + 1) * at);
       t.t2 += odd * cos((2 * n + 1) * at);
-      if (n == 0) {
-        continue;
-      }
+      if (n == 0) continue;
       t.t3 += even * cos(2 * n * at);
       t.t4 += sign * even * cos(2 * n * at);
     }
@@ -145,16 +143,18 @@ TEST(Jacobi, SlopeIsTheDerivativeAtZero) {
   }
 }
 
-TEST(Jacobi, TrigonometricLimit) {
-  const Jacobi jacobi(0, 1, 0.7);
-  for (const double u : {-3.0, 0.0, 0.4, 100.0}) {
-    const auto v = jacobi.at(u);
-    EXPECT_NEAR(v.sn, std::sin(u), 4 * eps * (1 + std::abs(u)));
-    EXPECT_NEAR(v.cn, std::cos(u), 4 * eps * (1 + std::abs(u)));
-    EXPECT_EQ(v.dn, 1);
-    EXPECT_EQ(std::arg(v.theta) + v.angle, 0);
+TEST(Jacobi, CircularLimit) {
+  for (const double a_prime : {0.7, std::numeric_limits<double>::infinity()}) {
+    const Jacobi jacobi(0, 1, a_prime);
+    for (const double u : {-3.0, 0.0, 0.4, 100.0}) {
+      const auto v = jacobi.at(u);
+      EXPECT_NEAR(v.sn, std::sin(u), 4 * eps * (1 + std::abs(u)));
+      EXPECT_NEAR(v.cn, std::cos(u), 4 * eps * (1 + std::abs(u)));
+      EXPECT_EQ(v.dn, 1);
+      EXPECT_EQ(std::arg(v.theta) + v.angle, 0);
+    }
+    EXPECT_EQ(jacobi.slope(), 0);
   }
-  EXPECT_EQ(jacobi.slope(), 0);
 }
 
 TEST(Jacobi, HyperbolicLimit) {

@@ -80,7 +80,7 @@ TEST(Flips, TendToTheAsymptoticInterval) {
     const auto flips = exact({1, 2, 3}, {offset, 1, 0}).flips();
     ASSERT_TRUE(flips);
     EXPECT_NEAR(flips->asymptotic_interval / flips->interval, 1, offset * offset + 1e-15);
-    EXPECT_NEAR(flips->swing, std::numbers::pi, 3 * offset + 1e-7);
+    EXPECT_NEAR(flips->swing, std::numbers::pi, 3 * offset + 1e-15);
   }
 }
 

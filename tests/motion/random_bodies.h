@@ -20,7 +20,7 @@ class RandomBodies {
  private:
   double edge() { return between(0.05, 1.05); }
 
-  std::mt19937_64 random_{20250711};  // NOLINT(cert-msc*): the same bodies on every run
+  std::mt19937_64 random_{20250711};
   std::normal_distribution<double> normal_;
   std::uniform_real_distribution<double> uniform_;
 };
