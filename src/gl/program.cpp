@@ -92,7 +92,7 @@ void compile(const Shader& shader, std::span<const ShaderFile> files) {
 
 Program::Program(const Functions& gl, std::span<const ShaderFile> vertex,
                  std::span<const ShaderFile> fragment)
-    : gl_(&gl), id_(0) {
+    : gl_(&gl) {
   const Shader vertex_shader(gl, GL_VERTEX_SHADER);
   const Shader fragment_shader(gl, GL_FRAGMENT_SHADER);
   compile(vertex_shader, vertex);

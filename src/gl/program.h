@@ -46,7 +46,7 @@ class Program {
   GLint location(const char* name) const;
 
   const Functions* gl_;
-  GLuint id_;
+  GLuint id_ = 0;
 };
 
 }  // namespace twrench::gl

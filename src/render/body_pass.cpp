@@ -38,8 +38,10 @@ void upload(const gl::Functions& gl, GLenum target, const gl::Buffer& buffer,
 
 void set_attribute(const gl::Functions& gl, BodyAttribute attribute, std::size_t offset) {
   gl.EnableVertexAttribArray(attribute);
-  gl.VertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                         reinterpret_cast<const void*>(offset));
+  gl.VertexAttribPointer(
+      attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+      // GL takes an offset for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+      reinterpret_cast<const void*>(offset));
 }
 
 /// Takes normals to where the matrix takes the surface: its cofactors, which for a rotation are

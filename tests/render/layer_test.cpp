@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace twrench {
 namespace {
 
@@ -31,7 +33,7 @@ TEST(LayOver, RoundsToTheNearest) {
       Image image(1, 1, 3);
       image.pixels.assign(3, static_cast<std::uint8_t>(below));
       lay_over(image, layer_of({0, 0, 0, static_cast<std::uint8_t>(alpha)}), 0, 0);
-      ASSERT_EQ(image.pixels[0], static_cast<int>(below * (255 - alpha) / 255.0 + 0.5));
+      ASSERT_EQ(image.pixels[0], std::lround(below * (255 - alpha) / 255.0));
     }
   }
 }

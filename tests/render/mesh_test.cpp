@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-Vector3d vector(const glm::vec3& v) { return Vector3d(v.x, v.y, v.z); }
+Vector3d vector(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 struct Case {
   std::string name;
