@@ -20,12 +20,12 @@ struct Run {
   int step;
 };
 
-/// A number without sign or space; nothing when it is not one, or does not fit.
+/// The whole text as a number; nothing when it is not one, or does not fit.
 std::optional<int> number(std::string_view digits) {
   int value = 0;
   const char* end = digits.data() + digits.size();
   const auto [rest, failed] = std::from_chars(digits.data(), end, value);
-  if (failed != std::errc{} || rest != end || value < 0) {
+  if (failed != std::errc{} || rest != end) {
     return std::nullopt;
   }
   return value;

@@ -96,7 +96,7 @@ TEST(BoundedQueue, LosesAndDoublesNothingBetweenManyThreads) {
   BoundedQueue<int> queue(4);
   std::vector<std::atomic<int>> seen(std::size_t{producers} * each);
   std::vector<std::thread> threads;
-  threads.reserve(2 * producers);
+  threads.reserve(std::size_t{2} * producers);
   std::atomic<int> running = producers;
   for (int p = 0; p < producers; ++p) {
     threads.emplace_back([&, p] {

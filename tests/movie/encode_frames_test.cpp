@@ -104,15 +104,14 @@ TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
 
 TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
   const ScratchFolder scratch;
-  draw(scratch, "0-1", "0");
-  FrameSequence sequence(scratch / "frames", [&] {
-    Manifest manifest = read_manifest(scratch / "frames/manifest.json");
-    manifest.range = "0";
-    return manifest;
-  }());
-  sequence.write({}, encode_png(gray(16, 32, 0)));
-  sequence.finish();
-  EXPECT_THAT(failure(scratch).what(), HasSubstr("16x32 pixels, the manifest says 32x16"));
+  draw(scratch, "0", "0");
+  const Manifest manifest = read_manifest(scratch / "frames/manifest.json");
+  for (const auto& [width, height] : {std::pair{32, 8}, {16, 16}}) {
+    FrameSequence sequence(scratch / "frames", manifest);
+    sequence.write({}, encode_png(gray(width, height, 0)));
+    sequence.finish();
+    EXPECT_THAT(failure(scratch).what(), HasSubstr("the manifest says 32x16"));
+  }
 }
 
 TEST(EncodeFrames, NeedsAManifest) {

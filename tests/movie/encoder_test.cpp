@@ -113,6 +113,31 @@ TEST(Encoder, KeepsColours) {
   }
 }
 
+TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
+  // Every 17th level of each channel, in squares of 16 pixels of which the inner 8 are looked at.
+  constexpr int side = 1024;
+  const ScratchFolder scratch;
+  Image image(side, side, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const std::size_t square = i / 3 / side / 16 * 64 + i / 3 % side / 16;
+    image.pixels[i] = static_cast<std::uint8_t>((square >> (i % 3 * 4) & 15U) * 17);
+  }
+  VideoEncoder encoder(scratch / "film.mp4", {side, side, 30});
+  encoder.write(image);
+  encoder.finish();
+  const auto decoded = decode(scratch, "film.mp4");
+  ASSERT_EQ(decoded.size(), image.pixels.size());
+  double sum = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    if ((i / 3 / side + 4) % 16 >= 8 && (i / 3 % side + 4) % 16 >= 8) {
+      sum += decoded[i] - image.pixels[i];
+      ++count;
+    }
+  }
+  EXPECT_NEAR(sum / count, 0.0, 0.05) << "without accurate_rnd it is -0.1";
+}
+
 TEST(Encoder, KeepsFramesUprightAndInOrder) {
   const ScratchFolder scratch;
   std::vector<Image> frames;
@@ -178,7 +203,8 @@ TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
 TEST(Encoder, RefusesAFrameOfAnotherSize) {
   const ScratchFolder scratch;
   VideoEncoder encoder(scratch / "film.mp4", format);
-  EXPECT_THROW(encoder.write(Image(48, 64, 3)), std::invalid_argument);
+  EXPECT_THROW(encoder.write(Image(format.width, 64, 3)), std::invalid_argument);
+  EXPECT_THROW(encoder.write(Image(48, format.height, 3)), std::invalid_argument);
 }
 
 TEST(Encoder, TakesAnyFileName) {

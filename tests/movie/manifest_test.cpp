@@ -139,8 +139,10 @@ TEST(Manifest, SaysWhereItIsWrong) {
   EXPECT_EQ(failure("\"X\":[", "\"X\":[1,"), cannot + "frames[0].X must be an array of 9 numbers");
   EXPECT_EQ(failure("\"view\":[", "\"view\":[[],"),
             cannot + "frames[0].view must be an array of 16 numbers");
-  EXPECT_EQ(failure("aaaa", "AAAA"),
-            cannot + "frames[0].sha256 must be 64 lower-case hexadecimal digits");
+  for (const char* digits : {"AAAA", "aaa", "aaaaa"}) {
+    EXPECT_EQ(failure("aaaa", digits),
+              cannot + "frames[0].sha256 must be 64 lower-case hexadecimal digits");
+  }
 }
 
 TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
