@@ -57,7 +57,10 @@ class BodyPassTest : public testing::TestWithParam<glm::vec3> {
                 dark_studio()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Diffuse, BodyPassTest, testing::Values(glm::vec3(0), glm::vec3(0.5F)));
+INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(glm::vec3(0), glm::vec3(0.5F)),
+                         [](const auto& param) {
+                           return std::string(param.param == glm::vec3(0) ? "Metal" : "Matte");
+                         });
 
 TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
   EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "position"), position_attribute);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+#include <ostream>
 #include <string>
 
 namespace twrench {
@@ -24,6 +25,8 @@ struct Case {
   double volume;  ///< of the shape as it is drawn, bevels included
   double area;
 };
+
+void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 
 constexpr double tolerance = 5e-4;
 constexpr double bevel = 0.05;  // of all cases: their smallest half dimension is 1
