@@ -5,8 +5,8 @@ vec3 filmic_srgb(vec3 light) {
   return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);
 }
 
-// A fixed pattern of half a step of 8 bits up and down, against banding: interleaved gradient
-// noise (Jimenez, SIGGRAPH 2014).
+// Against banding: the background's pattern of two by two, up and down by quarter steps of 8 bits.
 float dither(vec2 pixel) {
-  return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+  vec2 odd = mod(floor(pixel), 2.0);
+  return (0.5 * odd.x + 0.75 * odd.y - odd.x * odd.y - 0.375) / 255.0;
 }
