@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 
 #include "app/commands.h"
 #include "app/progress.h"
@@ -15,11 +14,9 @@ struct Options {
 };
 
 void encode(const Options& options) {
-  std::optional<Progress> progress;
-  encode_frames(options.folder, options.output, [&](int done, int total) {
-    if (!progress) progress.emplace(options.progress, total);
-    progress->update(done);
-  });
+  Progress progress(options.progress);
+  encode_frames(options.folder, options.output,
+                [&](int done, int total) { progress.update(done, total); });
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ void run_pipeline(const std::vector<FrameRecord>& frames,
       image = std::make_shared<const Image>(draw(frame));
     }
     if (!pipeline.pass_on({&frame, std::move(image)})) break;
-    progress.update(++done);
+    progress.update(++done, static_cast<int>(frames.size()));
   }
   pipeline.finish();
 }

@@ -31,31 +31,31 @@ Progress::Style Progress::style_called(const std::string& name) {
   return name == "auto" && terminal ? Style::bar : Style::plain;
 }
 
-void Progress::update(int done) {
+void Progress::update(int done, int total) {
   using std::chrono::milliseconds;
   const Clock::time_point now = Clock::now();
-  if (style_ == Style::none || (now < next_ && done < total_)) return;
+  if (style_ == Style::none || (now < next_ && done < total)) return;
   next_ = now + (style_ == Style::plain ? milliseconds(5000) : milliseconds(100));
-  draw(done, std::chrono::duration<double>(now - start_).count());
+  draw(done, total, std::chrono::duration<double>(now - start_).count());
   open_ = style_ == Style::bar;
 }
 
-void Progress::draw(int done, double seconds) const {
+void Progress::draw(int done, int total, double seconds) const {
   const double rate = seconds > 0.0 ? done / seconds : 0.0;
-  const double left = rate > 0.0 ? (total_ - done) / rate : 0.0;
+  const double left = rate > 0.0 ? (total - done) / rate : 0.0;
   if (style_ == Style::json) {
     fmt::print(stderr,
                "{{\"frames_done\": {}, \"frames_total\": {}, \"seconds\": {:.3f}, "
                "\"frames_per_second\": {:.3f}, \"seconds_left\": {:.3f}}}\n",
-               done, total_, seconds, rate, left);
+               done, total, seconds, rate, left);
   } else if (style_ == Style::plain) {
-    fmt::print(stderr, "{} of {} frames, {:.1f} frames/s, {} left\n", done, total_, rate,
+    fmt::print(stderr, "{} of {} frames, {:.1f} frames/s, {} left\n", done, total, rate,
                clock_text(left));
   } else {
     constexpr int width = 30;
-    const auto filled = static_cast<std::size_t>(width * static_cast<double>(done) / total_);
+    const auto filled = static_cast<std::size_t>(width * static_cast<double>(done) / total);
     fmt::print(stderr, "\r[{:.<{}}] {}/{}  {:.1f} frames/s  {} left \x1b[K",
-               std::string(filled, '#'), width, done, total_, rate, clock_text(left));
+               std::string(filled, '#'), width, done, total, rate, clock_text(left));
     std::fflush(stderr);
   }
 }

@@ -14,10 +14,10 @@ class Progress {
   static void add_option(CLI::App& command, std::string& style);
 
   /// `style` is auto, bar, plain, json or none; auto is a bar on a terminal and plain elsewhere.
-  Progress(const std::string& style, int total) : style_(style_called(style)), total_(total) {}
+  explicit Progress(const std::string& style) : style_(style_called(style)) {}
 
   /// To be called after each frame with the number done so far, from one thread at a time.
-  void update(int done);
+  void update(int done, int total);
 
   /// Ends the bar's line. Called by the destructor where it was not.
   void finish();
@@ -30,10 +30,9 @@ class Progress {
   enum class Style { bar, plain, json, none };
 
   static Style style_called(const std::string& name);
-  void draw(int done, double seconds) const;
+  void draw(int done, int total, double seconds) const;
 
   Style style_;
-  int total_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_;
   bool open_ = false;  ///< a bar's line has not been ended

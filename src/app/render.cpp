@@ -194,7 +194,7 @@ void render(const Options& options) {
   const auto encoder = open_encoder(options, scene);
   const auto sequence = open_sequence(options, scene, renderer, format_frame_range(numbers));
 
-  Progress progress(options.progress, static_cast<int>(frames.size()));
+  Progress progress(options.progress);
   StageTimes times;
   const auto draw = [&](const FrameRecord& frame) { return renderer.draw(pose_of(frame)); };
   run_pipeline(frames, draw, {sequence.get(), encoder.get(), jobs}, progress, times);

@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/nearest.h"
 #include "embedded/scenes.h"
 #include "math/so3.h"
@@ -101,16 +100,6 @@ void read_look(TomlTable& table, Look& look) {
   if (look.camera.isZero(0.0)) throw UsageError(table.place("camera"), "must not be zero");
 }
 
-std::string read_text_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || file.bad()) {
-    throw FileError(path, "cannot be read", "give a scene file that exists, or a built-in scene");
-  }
-  return text.str();
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& source) {
@@ -139,7 +128,9 @@ std::vector<std::string> builtin_scene_names() {
 
 Scene load_scene(const std::string& name_or_path) {
   if (name_or_path.ends_with(".toml")) {
-    return parse_scene(read_text_file(name_or_path), name_or_path);
+    constexpr std::size_t largest = 1 << 20;
+    const std::vector<std::uint8_t> bytes = read_file(name_or_path, largest);
+    return parse_scene(std::string(bytes.begin(), bytes.end()), name_or_path);
   }
   const std::string file = name_or_path + ".toml";
   const auto& builtin = embedded::scenes();

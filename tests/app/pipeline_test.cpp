@@ -40,7 +40,7 @@ class PipelineOfThreads : public testing::Test {
   static constexpr int count = 40;
   const ScratchFolder folder_;
   const std::vector<FrameRecord> frames_ = numbered_frames(count);
-  Progress progress_{"none", count};
+  Progress progress_{"none"};
   StageTimes times_;
 };
 

@@ -30,6 +30,7 @@ TEST_P(BadInput, IsOneClearLine) {
   write_file_atomically(folder / "mass.toml",
                         "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -1\n");
   write_file_atomically(folder / "file", "");
+  std::filesystem::create_directory(folder / "folder.toml");
   const Outcome run = run_twrench(folder, GetParam().arguments);
   EXPECT_EQ(run.code, GetParam().code) << run.err;
   EXPECT_THAT(run.err, StartsWith("twrench: error: "));
@@ -46,6 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --sise 640x360", 2, "--sise"},
         Mistake{"render dzhanibekow", 2, "did you mean 'dzhanibekov'?"},
         Mistake{"render missing.toml", 5, "missing.toml"},
+        Mistake{"render folder.toml", 5, "folder.toml"},
+        Mistake{"render --size 16384x16384 --samples 64", 2, "samples"},
         Mistake{"render syntax.toml", 2, "syntax.toml:1"},
         Mistake{"render key.toml", 2, "key.toml:4: film: unknown name 'fsp'"},
         Mistake{"render mass.toml", 2, "mass.toml:4: part[0].density: is -1"},

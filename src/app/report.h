@@ -1,0 +1,11 @@
+#pragma once
+
+#include "base/error.h"
+
+namespace twrench {
+
+/// Prints what is being thrown on standard error, as "twrench: error: WHAT: WHY" with the remedy on
+/// a second line, and returns its exit code. To be called in a catch clause.
+ExitCode report_current_exception();
+
+}  // namespace twrench
