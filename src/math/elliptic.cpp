@@ -81,7 +81,9 @@ void Jacobi::expand_in_nome(double Kc, double a_prime) {
 
 void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
   scale_ = pi / (2 * Kc);
-  const double root = std::exp(-scale_ * K_), q = root * root;  // of q', and q'
+  turns_per_unit_ = 0.5 / K_;
+  root_ = std::exp(-scale_ * K_);
+  const double q = root_ * root_;  // q'
   const auto [theta2, theta3, theta4] = theta_constants(q);
   sn_scale_ = theta3 / theta4;
   cn_scale_ = theta2 / theta4;
@@ -94,10 +96,10 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
     const auto multiple = static_cast<double>(2 * n + 1);
     even_[n] = power(q, n * n - n);
     odd_[n] = power(q, n * n);
-    cosine_[n] = power(root, n * n) * std::cos(multiple * x);
-    sine_[n] = power(root, n * n) * std::sin(multiple * x);
-    theta += power(root, n) * cosine_[n];
-    slope += power(root, n) * multiple * sine_[n];
+    cosine_[n] = power(root_, n * n) * std::cos(multiple * x);
+    sine_[n] = power(root_, n * n) * std::sin(multiple * x);
+    theta += power(root_, n) * cosine_[n];
+    slope += power(root_, n) * multiple * sine_[n];
   }
   slope_ = drift_ + 0.5 * scale_ * slope / theta;
 }
@@ -129,12 +131,12 @@ Jacobi::Values Jacobi::circular(double u) const {  // eq. (E10)
 }
 
 Jacobi::Values Jacobi::hyperbolic(double u) const {  // eq. (E11)
-  // u = 2K turns + r; an infinite K makes turns 0, and must not be multiplied by it.
-  const double turns = std::nearbyint(0.5 * u / K_);
-  const double r = turns == 0 ? u : std::fma(-2 * turns, K_, u);
+  // u = 2K turns + r, where turns = 0 if K is infinite.
+  const double turns = std::nearbyint(turns_per_unit_ * u);
+  const double r = turns == 0 ? u : u - turns * (2 * K_);
   // Hyperbolic functions of w = scale r without their growing half e^|w|, which cancels.
   const double x = std::exp(-scale_ * std::abs(r));
-  const double y = std::exp(-scale_ * (K_ - std::abs(r)));
+  const double y = x > 0 ? root_ / x : 0;  // exp(-scale (K - |r|))
   const double x2 = x * x, x4 = x2 * x2, y2 = y * y;
   double theta1 = 1 - x2, theta2 = 1 + x2, theta3 = 1, theta4 = 1;
   double re = cosine_[0] * (1 + x), im = sine_[0] * (1 - x);
@@ -153,7 +155,7 @@ Jacobi::Values Jacobi::hyperbolic(double u) const {  // eq. (E11)
     re += cosine_[n] * yn * (1 + xn);
     im += sine_[n] * yn * (1 - xn);
   }
-  const double half_turn = std::fmod(turns, 2.0) == 0 ? 1 : -1, side = std::copysign(1.0, r);
+  const double half_turn = 2 * std::nearbyint(0.5 * turns) == turns ? 1 : -1, side = std::copysign(1.0, r);
   const double inverse = 1 / theta2;
   return {half_turn * side * sn_scale_ * theta1 * inverse,
           half_turn * cn_scale_ * x * theta4 * inverse,

@@ -50,9 +50,10 @@ class Jacobi {
   Values hyperbolic(double u) const;
 
   double K_;
-  bool hyperbolic_;   ///< the series are in q' = exp(-pi K/K'), else in q = exp(-pi K'/K)
-  double scale_ = 0;  ///< of u in the series: pi/2K' or pi/2K
-  double drift_ = 0;  ///< d angle / du
+  bool hyperbolic_;  ///< the series are in q' = exp(-pi K/K'), else in q = exp(-pi K'/K)
+  double turns_per_unit_ = 0, root_ = 0;  ///< 1/2K and sqrt q', where hyperbolic
+  double scale_ = 0;                      ///< of u in the series: pi/2K' or pi/2K
+  double drift_ = 0;                      ///< d angle / du
   double slope_ = 0;
   double sn_scale_ = 0, cn_scale_ = 0, dn_scale_ = 0;
   Series even_{};    ///< of theta_3 and theta_4

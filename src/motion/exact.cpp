@@ -1,9 +1,7 @@
 #include "motion/exact.h"
 
-#include <Eigen/Geometry>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "math/so3.h"
 
@@ -12,6 +10,7 @@ namespace twrench {
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 /// D2 / G^2 of eq. (E1), for ascending moments: negative where L circles the axis of least moment,
@@ -37,14 +36,6 @@ Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
   return axes;
 }
 
-/// The rotation P of least angle that takes the unit vector mu to e_a, eq. (E5); mu[0] >= 0.
-Matrix3d least_rotation(const Vector3d& mu) {
-  const double a = mu[0], b = mu[1], c = mu[2], h = 1 / (1 + a);
-  Matrix3d P;
-  P << a, b, c, -b, 1 - b * b * h, -b * c * h, -c, -b * c * h, 1 - c * c * h;
-  return P;
-}
-
 /// D_i / G^2 of eq. (E1), where i has the least or the greatest moment: the terms have one sign.
 double excess(const Vector3d& I, const Vector3d& mu, int i) {
   return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
@@ -66,7 +57,8 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
   if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
-  space_from_turned_ = body_from_motion_ * orbit_->at(0).turn.transpose();
+  motion_from_body_ = Quaterniond(body_from_motion_).conjugate();
+  space_from_turned_ = (orbit_->at(0).turn * motion_from_body_).conjugate().normalized();
 }
 
 ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector3d& I, double D2) {
@@ -97,22 +89,19 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
 
 ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
   const elliptic::Jacobi::Values v = jacobi.at(rate * t + phase);
-  const Vector3d mu = amplitude.cwiseProduct(Vector3d(v.dn, v.sn, v.cn)).normalized();
-
-  const double angle = spin * t + 2 * v.angle;
-  const std::complex<double> rotor =
-      std::polar(1 / std::norm(v.theta), angle) * (v.theta * v.theta);  // exp(i psi), eq. (E7)
-  Matrix3d turn = least_rotation(mu);
-  const Eigen::RowVector3d row = turn.row(1);
-  turn.row(1) = rotor.real() * row - rotor.imag() * turn.row(2);
-  turn.row(2) = rotor.imag() * row + rotor.real() * turn.row(2);
-  return {mu, turn};
+  const Vector3d mu = amplitude.cwiseProduct(Vector3d(v.dn, v.sn, v.cn));
+  // A multiple of exp(i psi/2), eq. (E7), times P, eq. (E5).
+  const double angle = 0.5 * spin * t + v.angle, c = std::cos(angle), s = std::sin(angle);
+  const double w = c * v.theta.real() - s * v.theta.imag();
+  const double x = s * v.theta.real() + c * v.theta.imag();
+  return {mu, {w * (1 + mu[0]), x * (1 + mu[0]), w * mu[2] + x * mu[1], x * mu[2] - w * mu[1]}};
 }
 
 Sample ExactMotion::at(double t) const {
   if (!orbit_) return {t, so3::exp(t * omega0_), omega0_};
   const auto [mu, turn] = orbit_->at(t);
-  return {t, space_from_turned_ * turn * body_from_motion_.transpose(),
+  const Quaterniond X = space_from_turned_ * turn * motion_from_body_;
+  return {t, X.normalized().toRotationMatrix(),
           body_from_motion_ * orbit_->velocity.cwiseProduct(mu)};
 }
 
@@ -124,7 +113,7 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
   // Where sn u = 1, L has no component along c, and that along a is least.
   const double swing = 2 * std::atan2(o.amplitude[1], std::sqrt(o.mc) * o.amplitude[0]);
-  return Flips{interval, first, std::log(16 / o.mc) / rate, swing};
+  return Flips{interval, first, (std::log(16) - std::log(o.mc)) / rate, swing};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {

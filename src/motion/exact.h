@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace twrench {
 /// Every positive definite inertia and every momentum: both sides of the separatrix and the
 /// separatrix itself, symmetric bodies, the sphere, spin about a principal axis, rest.
 /// The error of X grows as eps |omega| t, and beyond that only as the motion itself spreads an eps
-/// of its initial velocity. A component of the momentum below 1e-154 |L| counts as zero.
+/// of its initial velocity. Components of the momentum below 1e-150 |L| may count as zero.
 class ExactMotion {
  public:
   /// What the momentum does, seen from the body.
@@ -52,8 +53,8 @@ class ExactMotion {
   /// is the intermediate axis.
   struct Orbit {
     struct State {
-      Eigen::Vector3d mu;    ///< m/G
-      Eigen::Matrix3d turn;  ///< Rot(e_a, psi) P, eq. (E5): the motion up to constant rotations
+      Eigen::Vector3d mu;       ///< m/G
+      Eigen::Quaterniond turn;  ///< Rot(e_a, psi) P, eq. (E5), up to a factor and constant turns
     };
     State at(double t) const;
 
@@ -72,7 +73,8 @@ class ExactMotion {
   Eigen::Vector3d omega0_;  ///< body axes, rad/s
   std::optional<Orbit> orbit_;
   Eigen::Matrix3d body_from_motion_;
-  Eigen::Matrix3d space_from_turned_;  ///< body_from_motion turn(0)^T
+  Eigen::Quaterniond motion_from_body_;
+  Eigen::Quaterniond space_from_turned_;  ///< body_from_motion turn(0)^-1
 };
 
 }  // namespace twrench

@@ -50,7 +50,7 @@ TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
   RandomBodies random;
   for (int n = 0; n < 200; ++n) {
     Vector3d moments = random.moments();
-    std::ranges::sort(moments);
+    std::sort(moments.data(), moments.data() + 3);
     const Vector3d omega = random.omega();
     const ExactMotion motion = exact(moments, omega);
     const double end = 60 / omega.norm();
