@@ -14,7 +14,7 @@ namespace {
 
 struct DrawnFrame {
   const FrameRecord* record;
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Picture> picture;
 };
 
 /// Adds the time of its own life to a stage.
@@ -45,7 +45,8 @@ class Pipeline {
 
   /// False when a stage has failed: then there is no use in drawing on.
   bool pass_on(const DrawnFrame& frame) {
-    return (outputs_.sequence == nullptr || to_compress_.push(frame)) &&
+    const bool compress = outputs_.sequence != nullptr && frame.picture->is_new;
+    return (!compress || to_compress_.push(frame)) &&
            (outputs_.encoder == nullptr || to_encode_.push(frame));
   }
 
@@ -83,14 +84,14 @@ class Pipeline {
   void compress() {
     while (const auto frame = to_compress_.pop()) {
       const Timed timed(times_.compress);
-      outputs_.sequence->write(*frame->record, encode_png(*frame->image));
+      outputs_.sequence->write(*frame->record, encode_png(frame->picture->image));
     }
   }
 
   void encode() {
     while (const auto frame = to_encode_.pop()) {
       const Timed timed(times_.encode);
-      outputs_.encoder->write(*frame->image);
+      outputs_.encoder->write(frame->picture->image);
     }
   }
 
@@ -105,21 +106,24 @@ class Pipeline {
 
 }  // namespace
 
-void run_pipeline(const std::vector<FrameRecord>& frames,
-                  const std::function<Image(const FrameRecord&)>& draw, const Outputs& outputs,
-                  Progress& progress, StageTimes& times) {
+std::size_t run_pipeline(const std::vector<FrameRecord>& frames,
+                         const std::function<Picture(const FrameRecord&)>& draw,
+                         const std::function<bool()>& stop, const Outputs& outputs,
+                         Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
-  int done = 0;
-  for (const FrameRecord& frame : frames) {
-    std::shared_ptr<const Image> image;
+  std::size_t done = 0;
+  while (done < frames.size() && !stop()) {
+    const FrameRecord& frame = frames[done];
+    std::shared_ptr<const Picture> picture;
     {
       const Timed timed(times.draw);
-      image = std::make_shared<const Image>(draw(frame));
+      picture = std::make_shared<const Picture>(draw(frame));
     }
-    if (!pipeline.pass_on({&frame, std::move(image)})) break;
-    progress.update(++done, static_cast<int>(frames.size()));
+    if (!pipeline.pass_on({&frame, std::move(picture)})) break;
+    progress.update(static_cast<int>(++done), static_cast<int>(frames.size()));
   }
   pipeline.finish();
+  return done;
 }
 
 }  // namespace twrench

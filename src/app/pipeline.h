@@ -26,13 +26,21 @@ struct Outputs {
   int jobs = 1;                       ///< threads that compress PNG files
 };
 
+/// A frame's picture, and whether it is new: one that was kept from an earlier run has its file.
+struct Picture {
+  Image image;
+  bool is_new = true;
+};
+
 /// Draws `frames` one after the other on this thread with `draw`, while other threads compress and
 /// write those before it and feed the encoder. Between the stages stand bounded queues, so that
 /// memory does not depend on the film's length. Does not finish the outputs.
 ///
-/// The first error of any stage ends the run after the frames that are on their way, and is thrown.
-void run_pipeline(const std::vector<FrameRecord>& frames,
-                  const std::function<Image(const FrameRecord&)>& draw, const Outputs& outputs,
-                  Progress& progress, StageTimes& times);
+/// Before each frame `stop` is asked whether to go on. The first error of any stage ends the run
+/// after the frames that are on their way, and is thrown. Returns how many frames were drawn.
+std::size_t run_pipeline(const std::vector<FrameRecord>& frames,
+                         const std::function<Picture(const FrameRecord&)>& draw,
+                         const std::function<bool()>& stop, const Outputs& outputs,
+                         Progress& progress, StageTimes& times);
 
 }  // namespace twrench

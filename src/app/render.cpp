@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -7,11 +8,14 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/interruption.h"
 #include "app/pipeline.h"
 #include "app/scene_options.h"
 #include "app/version.h"
 #include "base/file.h"
 #include "gl/context.h"
+#include "image/png.h"
+#include "movie/earlier_run.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
 #include "scene/scene_json.h"
@@ -44,6 +48,8 @@ struct Options {
   std::string range;
   bool no_video = false;
   bool no_frames = false;
+  bool resume = false;
+  bool overwrite = false;
   bool timing = false;
   std::string backend = "auto";
   std::string jobs;
@@ -83,6 +89,8 @@ Options::Options(CLI::App& command) : scene(command) {
   command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
       ->type_name("N");
   Progress::add_option(command, progress);
+  command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
+  command.add_flag("--overwrite", overwrite, "draw anew, over the frames of another film");
   command.add_flag("--timing", timing, "say at the end how long each stage was busy");
 }
 
@@ -148,10 +156,7 @@ std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& 
   return std::make_unique<VideoEncoder>(path, video_format(scene));
 }
 
-/// The folder of frames with its manifest begun; null with --no-frames.
-std::unique_ptr<FrameSequence> open_sequence(const Options& options, const Scene& scene,
-                                             const Renderer& renderer, const std::string& range) {
-  if (options.no_frames) return nullptr;
+Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer) {
   Manifest manifest;
   manifest.version = version;
   manifest.scene = scene_json(scene);
@@ -160,8 +165,46 @@ std::unique_ptr<FrameSequence> open_sequence(const Options& options, const Scene
   manifest.height = scene.film.height;
   manifest.fps = scene.film.fps;
   if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
-  manifest.range = range;
-  return std::make_unique<FrameSequence>(frames_folder(options, scene), std::move(manifest));
+  return manifest;
+}
+
+/// Throws where a run would write over frames that it does not know to be of the same film.
+void refuse_to_destroy(const Options& options, const fs::path& folder, const EarlierRun& earlier,
+                       const Manifest& film) {
+  if (options.resume || options.overwrite || !earlier.exists()) return;
+  if (earlier.manifest() != nullptr && same_film(*earlier.manifest(), film)) return;
+  const char* why = earlier.manifest() == nullptr
+                        ? "has frames without a manifest that could be read"
+                        : "has frames of another scene, size, renderer or version";
+  throw UsageError(
+      folder.string(), why,
+      "--overwrite draws over them, --resume keeps what fits, --frames-dir goes elsewhere");
+}
+
+/// The folder of frames, its manifest begun with what earlier runs of the same film left.
+std::unique_ptr<FrameSequence> open_sequence(const fs::path& folder, Manifest film,
+                                             const EarlierRun& earlier,
+                                             const std::vector<int>& numbers) {
+  std::vector<int> range = numbers;
+  std::vector<FrameRecord> others;
+  if (earlier.manifest() != nullptr && same_film(*earlier.manifest(), film)) {
+    for (const FrameRecord& record : earlier.manifest()->frames) {
+      if (!std::ranges::binary_search(numbers, record.frame)) others.push_back(record);
+    }
+    for (const FrameRecord& record : others) range.push_back(record.frame);
+    std::ranges::sort(range);
+  }
+  film.range = format_frame_range(range);
+  auto sequence = std::make_unique<FrameSequence>(folder, std::move(film));
+  for (const FrameRecord& record : others) sequence->keep(record);
+  return sequence;
+}
+
+[[noreturn]] void throw_interrupted(int signal, std::size_t done, std::size_t total) {
+  throw Error(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated, "render",
+              fmt::format("interrupted by {} after {} of {} frames, which are whole",
+                          signal == SIGINT ? "SIGINT" : "SIGTERM", done, total),
+              "the same command with --resume goes on");
 }
 
 void print_summary(const Options& options, const Scene& scene, std::size_t frames, double seconds) {
@@ -173,7 +216,20 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
   fmt::print(stderr, "{}\n", text);
 }
 
+/// The frame from the folder, where it is whole and --resume asks for it, or else drawn.
+Picture picture_of(const FrameRecord& frame, const Outputs& outputs, const EarlierRun* earlier,
+                   const fs::path& folder, Renderer& renderer) {
+  if (earlier != nullptr) {
+    if (const auto record = earlier->intact(frame)) {
+      outputs.sequence->keep(*record);
+      return {outputs.encoder != nullptr ? read_png(folder / record->file) : Image(), false};
+    }
+  }
+  return {renderer.draw(pose_of(frame)), true};
+}
+
 void render(const Options& options) {
+  Interruption interruption;
   const auto start = std::chrono::steady_clock::now();
   if (options.no_video && options.no_frames) {
     throw UsageError("render", "--no-video and --no-frames leave nothing to write");
@@ -191,16 +247,27 @@ void render(const Options& options) {
   const auto posing = std::chrono::steady_clock::now();
   const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
   const double posing_seconds = seconds_since(posing);
+  const Manifest film = manifest_of(options, scene, renderer);
+  const fs::path folder = frames_folder(options, scene);
+  const EarlierRun earlier(folder);
+  if (!options.no_frames) refuse_to_destroy(options, folder, earlier, film);
   const auto encoder = open_encoder(options, scene);
-  const auto sequence = open_sequence(options, scene, renderer, format_frame_range(numbers));
+  const auto sequence = options.no_frames ? nullptr : open_sequence(folder, film, earlier, numbers);
+  const bool reuse = options.resume && sequence && earlier.manifest() != nullptr &&
+                     same_film(*earlier.manifest(), film);
 
   Progress progress(options.progress);
   StageTimes times;
-  const auto draw = [&](const FrameRecord& frame) { return renderer.draw(pose_of(frame)); };
-  run_pipeline(frames, draw, {sequence.get(), encoder.get(), jobs}, progress, times);
+  const Outputs outputs{sequence.get(), encoder.get(), jobs};
+  const auto draw = [&](const FrameRecord& frame) {
+    return picture_of(frame, outputs, reuse ? &earlier : nullptr, folder, renderer);
+  };
+  const auto stop = [&] { return interruption.arrived().has_value(); };
+  const std::size_t done = run_pipeline(frames, draw, stop, outputs, progress, times);
   if (sequence) sequence->finish();
-  if (encoder) encoder->finish();
   progress.finish();
+  if (done < frames.size()) throw_interrupted(*interruption.arrived(), done, frames.size());
+  if (encoder) encoder->finish();
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);
   if (options.timing) print_timing(times, posing_seconds, seconds, frames.size());

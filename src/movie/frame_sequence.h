@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -27,14 +28,22 @@ class FrameSequence {
   /// may come in any order and from several threads at once. Throws FileError.
   void write(FrameRecord record, std::span<const std::uint8_t> png);
 
+  /// Takes a frame that stands in the folder already into the manifest, as `record` tells of it.
+  void keep(const FrameRecord& record);
+
   /// Writes the manifest of the frames so far, ascending. Throws FileError.
   void finish();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void write_manifest();
+
   const std::filesystem::path folder_;
   std::mutex mutex_;  ///< of what follows
   Manifest manifest_;
   std::map<int, FrameRecord> records_;
+  Clock::time_point next_manifest_ = Clock::now();
   bool finished_ = true;  ///< the manifest on disk tells of all records
 };
 

@@ -29,11 +29,13 @@ Manifest manifest_of(int count) {
 }
 
 /// A picture that tells its frame.
-Image picture_of(const FrameRecord& frame) {
-  Image image(16, 16, 3);
-  image.pixels[0] = static_cast<std::uint8_t>(frame.frame);
-  return image;
+Picture picture_of(const FrameRecord& frame) {
+  Picture picture{Image(16, 16, 3)};
+  picture.image.pixels[0] = static_cast<std::uint8_t>(frame.frame);
+  return picture;
 }
+
+bool go_on() { return false; }
 
 class PipelineOfThreads : public testing::Test {
  protected:
@@ -48,7 +50,7 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
   for (const int jobs : {1, 4}) {
     const auto frames_folder = folder_ / std::to_string(jobs);
     FrameSequence sequence(frames_folder, manifest_of(count));
-    run_pipeline(frames_, picture_of, {&sequence, nullptr, jobs}, progress_, times_);
+    run_pipeline(frames_, picture_of, go_on, {&sequence, nullptr, jobs}, progress_, times_);
     sequence.finish();
     const Manifest manifest = read_manifest(frames_folder / manifest_name);
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
@@ -60,9 +62,31 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
 
 TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
   VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
-  run_pipeline(frames_, picture_of, {nullptr, &encoder, 1}, progress_, times_);
+  run_pipeline(frames_, picture_of, go_on, {nullptr, &encoder, 1}, progress_, times_);
   encoder.finish();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
+}
+
+TEST_F(PipelineOfThreads, StopsWhenAskedTo) {
+  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  int asked = 0;
+  const auto stop = [&] { return ++asked > 9; };
+  EXPECT_EQ(run_pipeline(frames_, picture_of, stop, {&sequence, nullptr, 2}, progress_, times_),
+            9u);
+  sequence.finish();
+  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), 9u);
+}
+
+TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
+  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  const auto draw = [](const FrameRecord& frame) {
+    Picture picture = picture_of(frame);
+    picture.is_new = frame.frame % 2 == 0;
+    return picture;
+  };
+  run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_);
+  sequence.finish();
+  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
@@ -71,7 +95,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
     if (frame.frame == 7) throw GlError("drawing", "lost");
     return picture_of(frame);
   };
-  EXPECT_THROW(run_pipeline(frames_, draw, {&sequence, nullptr, 2}, progress_, times_), GlError);
+  EXPECT_THROW(run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_),
+               GlError);
   sequence.finish();
   // What was on its way is whole and told of.
   EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), 7u);
@@ -84,7 +109,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
     if (++drawn == 5) std::filesystem::remove_all(folder_ / "frames");
     return picture_of(frame);
   };
-  EXPECT_THROW(run_pipeline(frames_, draw, {&sequence, nullptr, 2}, progress_, times_), FileError);
+  EXPECT_THROW(run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_),
+               FileError);
   EXPECT_LT(drawn, count);
 }
 

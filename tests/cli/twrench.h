@@ -24,16 +24,21 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// Runs `command` as a shell does, in `folder`, where `$TWRENCH` is the real program.
+inline Outcome run_shell(const ScratchFolder& folder, const std::string& command) {
+  const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
+  const std::string whole = "cd '" + folder.path().string() +
+                            "' && TWRENCH='" TWRENCH_BINARY "'; { " + command +
+                            "; } </dev/null >'" + out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(whole.c_str());  // NOLINT(cert-env33-c): our own words
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
 /// Runs the real program in `folder` with `arguments`, as a shell splits them; `before` may set
 /// its environment ("PATH=/nowhere ").
 inline Outcome run_twrench(const ScratchFolder& folder, const std::string& arguments,
                            const std::string& before = "") {
-  const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
-  const std::string command = "cd '" + folder.path().string() + "' && " + before +
-                              "'" TWRENCH_BINARY "' " + arguments + " </dev/null >'" +
-                              out.string() + "' 2>'" + err.string() + "'";
-  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): our own words
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+  return run_shell(folder, before + "\"$TWRENCH\" " + arguments);
 }
 
 }  // namespace twrench

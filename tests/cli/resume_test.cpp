@@ -1,0 +1,167 @@
+// A run that is interrupted or killed leaves only what is whole, and can be gone on with.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "base/sha256.h"
+#include "cli/twrench.h"
+#include "run_command.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+// 240 frames, which take about a second.
+const std::string film =
+    "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
+    "v.mp4 ";
+
+/// The digest of each frame file, by name.
+std::map<std::string, std::string> digests(const fs::path& folder) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), 1 << 24));
+  }
+  return found;
+}
+
+/// What the manifest says of the same.
+std::map<std::string, std::string> told_digests(const fs::path& folder) {
+  std::map<std::string, std::string> told;
+  const json manifest = json::parse(text_of(folder / "manifest.json"));
+  for (const json& frame : manifest["frames"]) {
+    told[frame["file"]] = frame["sha256"];
+  }
+  return told;
+}
+
+std::string decoded(const fs::path& video) {
+  const fs::path sums = video.string() + ".md5";
+  run_command("ffmpeg -v error -y -i '" + video.string() + "' -f framemd5 '" + sums.string() + "'");
+  return text_of(sums);
+}
+
+/// A run of `film` that nobody disturbs.
+struct Undisturbed {
+  Undisturbed() {
+    EXPECT_EQ(run_twrench(folder, film).code, 0);
+    frames = digests(folder / "f");
+    video = decoded(folder / "v.mp4");
+  }
+  ScratchFolder folder;
+  std::map<std::string, std::string> frames;
+  std::string video;
+};
+
+TEST(Resume, AfterSignalsThatEndTheRunWhole) {
+  const Undisturbed whole;
+  ASSERT_EQ(whole.frames.size(), 240u);
+  const std::pair<const char*, int> signals[] = {{"INT", 130}, {"TERM", 143}};
+  for (const auto& [signal, code] : signals) {
+    ScratchFolder folder;
+    const Outcome stopped = run_shell(
+        folder, "\"$TWRENCH\" " + film +
+                    "& pid=$!; until [ -e f/frame_000003.png ]; do sleep 0.01; done; kill -" +
+                    signal + " $pid; kill -" + signal + " $pid; wait $pid");
+    ASSERT_EQ(stopped.code, code) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr(std::string("interrupted by SIG") + signal));
+    EXPECT_THAT(stopped.err, HasSubstr("--resume"));
+    EXPECT_EQ(digests(folder / "f"), told_digests(folder / "f"));
+    EXPECT_LT(digests(folder / "f").size(), 240u);
+    EXPECT_FALSE(fs::exists(folder / "v.mp4"));
+
+    const Outcome resumed = run_twrench(folder, film + "--resume");
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_EQ(digests(folder / "f"), whole.frames);
+    EXPECT_EQ(told_digests(folder / "f"), whole.frames);
+    EXPECT_EQ(decoded(folder / "v.mp4"), whole.video);
+  }
+}
+
+// At instants all over the run, its very start and end among them.
+TEST(Resume, AfterBeingKilledAtAnyInstant) {
+  const Undisturbed whole;
+  ScratchFolder folder;
+  for (int i = 0; i < 12; ++i) {
+    const std::string seconds = "0." + std::to_string(100 + 73 * i);
+    run_twrench(folder, film + "--resume", "timeout -s KILL " + seconds + " ");
+    if (!fs::exists(folder / "f")) continue;
+    for (const auto& [name, digest] : digests(folder / "f")) {
+      EXPECT_EQ(whole.frames.at(name), digest) << name << " after " << seconds << " s";
+    }
+  }
+  ASSERT_EQ(run_twrench(folder, film + "--resume").code, 0);
+  EXPECT_EQ(digests(folder / "f"), whole.frames);
+  EXPECT_EQ(told_digests(folder / "f"), whole.frames);
+  EXPECT_EQ(decoded(folder / "v.mp4"), whole.video);
+}
+
+const std::string small =
+    "render --size 64x36 --frames 0-9 --no-video --progress none --frames-dir f ";
+
+TEST(Resume, TrustsNoFileBecauseItExists) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  const auto before = digests(folder / "f");
+  const auto untouched = fs::last_write_time(folder / "f/frame_000003.png");
+  write_file_atomically(folder / "f/frame_000004.png", "damaged");
+  fs::remove(folder / "f/frame_000007.png");
+  fs::copy_file(folder / "f/frame_000001.png", folder / "f/frame_000008.png",
+                fs::copy_options::overwrite_existing);
+  ASSERT_EQ(run_twrench(folder, small + "--resume").code, 0);
+  EXPECT_EQ(digests(folder / "f"), before);
+  EXPECT_EQ(fs::last_write_time(folder / "f/frame_000003.png"), untouched) << "drawn again";
+}
+
+TEST(Resume, RedrawsWhatIsOfAnotherScene) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--omega 1,0.2,0").code, 0);
+  const auto other = digests(folder / "f");
+  ASSERT_EQ(run_twrench(folder, small + "--resume").code, 0);
+  const auto redrawn = digests(folder / "f");
+  EXPECT_NE(redrawn.at("frame_000009.png"), other.at("frame_000009.png"));
+  EXPECT_EQ(redrawn, told_digests(folder / "f"));
+}
+
+TEST(Overwrite, IsAskedForBeforeAnotherFilmIsDestroyed) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  EXPECT_EQ(run_twrench(folder, small).code, 0) << "the same film again loses nothing";
+  const auto before = digests(folder / "f");
+  const Outcome other = run_twrench(folder, small + "--background white");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("another scene"));
+  EXPECT_THAT(other.err, HasSubstr("--overwrite"));
+  EXPECT_EQ(digests(folder / "f"), before);
+  EXPECT_EQ(run_twrench(folder, small + "--background white --overwrite").code, 0);
+  EXPECT_NE(digests(folder / "f"), before);
+}
+
+TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
+  ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  fs::remove(folder / "f/manifest.json");
+  EXPECT_EQ(run_twrench(folder, small).code, 2);
+  EXPECT_EQ(run_twrench(folder, small + "--resume").code, 0);
+}
+
+TEST(Manifest, TellsOfAllRangesOfAFilm) {
+  ScratchFolder folder;
+  const std::string range =
+      "render --size 64x36 --no-video --progress none --frames-dir f --frames ";
+  ASSERT_EQ(run_twrench(folder, range + "0-4").code, 0);
+  ASSERT_EQ(run_twrench(folder, range + "10-12").code, 0);
+  EXPECT_EQ(told_digests(folder / "f").size(), 8u);
+  EXPECT_EQ(told_digests(folder / "f"), digests(folder / "f"));
+}
+
+}  // namespace
+}  // namespace twrench
