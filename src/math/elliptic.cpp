@@ -155,7 +155,8 @@ Jacobi::Values Jacobi::hyperbolic(double u) const {  // eq. (E11)
     re += cosine_[n] * yn * (1 + xn);
     im += sine_[n] * yn * (1 - xn);
   }
-  const double half_turn = 2 * std::nearbyint(0.5 * turns) == turns ? 1 : -1, side = std::copysign(1.0, r);
+  const double half_turn = 2 * std::nearbyint(0.5 * turns) == turns ? 1 : -1,
+               side = std::copysign(1.0, r);
   const double inverse = 1 / theta2;
   return {half_turn * side * sn_scale_ * theta1 * inverse,
           half_turn * cn_scale_ * x * theta4 * inverse,
