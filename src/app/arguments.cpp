@@ -9,17 +9,26 @@
 namespace twrench {
 namespace {
 
-std::vector<double> split(const std::string& text, char separator, const std::string& what) {
-  std::vector<double> values;
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> words;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(separator, begin), text.size());
-    values.push_back(parse_number(text.substr(begin, end - begin), what));
+    words.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+  return words;
+}
+
+std::vector<double> split_numbers(const std::string& text, char separator,
+                                  const std::string& what) {
+  std::vector<double> values;
+  for (const std::string& word : split(text, separator)) values.push_back(parse_number(word, what));
   return values;
 }
 
 }  // namespace
+
+std::vector<std::string> parse_words(const std::string& text) { return split(text, ','); }
 
 double parse_number(const std::string& text, const std::string& what) {
   const char* const end = text.data() + text.size();
@@ -34,17 +43,17 @@ double parse_number(const std::string& text, const std::string& what) {
 }
 
 std::vector<double> parse_numbers(const std::string& text, const std::string& what) {
-  return split(text, ',', what);
+  return split_numbers(text, ',', what);
 }
 
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
-  const std::vector<double> v = split(text, ',', what);
+  const std::vector<double> v = split_numbers(text, ',', what);
   if (v.size() == 3) return {v[0], v[1], v[2]};
   throw UsageError(what, fmt::format("'{}' is not three numbers with commas between", text));
 }
 
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
-  const std::vector<double> v = split(text, 'x', what);
+  const std::vector<double> v = split_numbers(text, 'x', what);
   if (v.size() == 2) return {v[0], v[1]};
   throw UsageError(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
 }

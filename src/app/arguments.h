@@ -9,6 +9,8 @@ namespace twrench {
 // Words of the command line as values. Each throws UsageError about `what`, the option. Numbers
 // have a '.' whatever the locale; ranges are for the caller to check.
 
+/// "A,B,...": the words as they are
+std::vector<std::string> parse_words(const std::string& text);
 double parse_number(const std::string& text, const std::string& what);
 /// "T1,T2,..."
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);

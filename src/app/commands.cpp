@@ -9,7 +9,9 @@ namespace twrench {
 void add_commands(CLI::App& app, ExitCode& code) {
   add_render(app);
   add_simulate(app);
+  add_plot(app);
   add_inertia(app);
+  add_study(app, code);
   add_encode(app);
   add_compare(app, code);
   add_methods(app);

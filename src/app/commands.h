@@ -9,7 +9,9 @@ namespace twrench {
 // Each adds one command, whose callback does the work and throws an Error when it cannot.
 void add_render(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_plot(CLI::App& app);
 void add_inertia(CLI::App& app);
+void add_study(CLI::App& app, ExitCode& code);
 void add_encode(CLI::App& app);
 void add_compare(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);

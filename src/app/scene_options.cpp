@@ -1,11 +1,32 @@
 #include "app/scene_options.h"
 
+#include <fmt/format.h>
+
 #include "app/arguments.h"
 
 namespace twrench {
+namespace {
 
-SceneOptions::SceneOptions(CLI::App& command) : command_(command) {
-  command.add_option("SCENE", name_, "a .toml file, or a built-in scene")->capture_default_str();
+constexpr int most_scenes = 16;
+
+/// A moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
+void warn_of_unreal_moments(const Scene& scene) {
+  if (!scene.body.moments) return;
+  const Eigen::Vector3d& moments = *scene.body.moments;
+  constexpr double round_off = 1e-12;
+  if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
+  fmt::print(stderr,
+             "twrench: warning: {}: moments {}, {} and {}: no real body has them; one is more than "
+             "the other two together\n",
+             scene.name, moments[0], moments[1], moments[2]);
+}
+
+}  // namespace
+
+SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
+  command.add_option("SCENE", names_, "a .toml file, or a built-in scene")
+      ->expected(1, count == Count::one ? 1 : most_scenes)
+      ->capture_default_str();
 }
 
 void SceneOptions::add(const std::string& name, const std::string& value, const std::string& help,
@@ -62,10 +83,15 @@ void SceneOptions::add_motion_options() {
              [](Scene& s) -> double& { return s.film.speed; });
 }
 
-Scene SceneOptions::scene() const {
-  Scene scene = load_scene(name_);
-  for (const auto& override_value : overrides_) override_value(scene);
-  return scene;
+std::vector<Scene> SceneOptions::scenes() const {
+  std::vector<Scene> scenes;
+  for (const std::string& name : names_) {
+    Scene scene = load_scene(name);
+    for (const auto& override_value : overrides_) override_value(scene);
+    warn_of_unreal_moments(scene);
+    scenes.push_back(std::move(scene));
+  }
+  return scenes;
 }
 
 }  // namespace twrench

@@ -10,12 +10,16 @@
 
 namespace twrench {
 
-/// The SCENE argument and the options that override its values. Lives as long as the command.
+/// The SCENE argument, or several, and the options that override its values. Lives as long as the
+/// command.
 class SceneOptions {
  public:
   using Override = std::function<void(Scene&, const std::string& text)>;
 
-  explicit SceneOptions(CLI::App& command);
+  /// How many scenes the command takes.
+  enum class Count { one, several };
+
+  explicit SceneOptions(CLI::App& command, Count count = Count::one);
 
   /// --omega, --inertia, --method, --step, --tolerance, --duration, --fps, --speed.
   void add_motion_options();
@@ -34,12 +38,16 @@ class SceneOptions {
   /// --inertia alone.
   void add_inertia_option();
 
-  /// The scene with everything overridden. Throws as load_scene, and UsageError.
-  Scene scene() const;
+  /// The scene with everything overridden. Throws as load_scene, and UsageError. Warns on standard
+  /// error of moments that no real body has.
+  Scene scene() const { return scenes().front(); }
+
+  /// All of them, each as scene() is.
+  std::vector<Scene> scenes() const;
 
  private:
   CLI::App& command_;
-  std::string name_ = "dzhanibekov";
+  std::vector<std::string> names_{"dzhanibekov"};
   std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the command line
 };
 

@@ -12,7 +12,7 @@ enum class ExitCode : int {
   answer_is_no = 1,   ///< it ran, and the answer is no (compare: the images differ)
   usage = 2,          ///< a bad option or scene
   no_gl = 3,          ///< no usable OpenGL context
-  encoder = 4,        ///< ffmpeg is missing, or it failed
+  encoder = 4,        ///< ffmpeg, or gnuplot for a figure, is missing, or it failed
   file = 5,           ///< a file could not be read or written
   internal = 70,      ///< a bug
   interrupted = 130,  ///< by SIGINT; what was written is whole
@@ -49,6 +49,12 @@ struct GlError : Error {
 /// ffmpeg is missing, lacks the encoder, or failed (exit code 4).
 struct EncoderError : Error {
   EncoderError(const std::string& what, const std::string& why, std::string remedy = {})
+      : Error(ExitCode::encoder, what, why, std::move(remedy)) {}
+};
+
+/// gnuplot is missing, lacks the format, or failed (exit code 4).
+struct FigureError : Error {
+  FigureError(const std::string& what, const std::string& why, std::string remedy = {})
       : Error(ExitCode::encoder, what, why, std::move(remedy)) {}
 };
 

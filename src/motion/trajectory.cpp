@@ -32,12 +32,15 @@ class Walk {
   Sample sample_at(double t) {
     while (std::abs(t) > std::abs(t_next_)) advance();
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
-    if (!X.allFinite()) {
-      throw UsageError(fmt::format("method {}", method_.name),
-                       fmt::format("the motion is no longer finite at t = {} s", t),
-                       "take a shorter --step, or a method that stays on SO(3)");
-    }
+    require_finite(X, t);
     return {t, X, angular_velocity(body_, method_, X)};
+  }
+
+  /// The next of the method's own steps.
+  OwnStep next_step() {
+    advance();
+    require_finite(X_next_, t_next_);
+    return {t_, t_next_ - t_, X_, X_next_, error_};
   }
 
   std::int64_t steps() const { return steps_; }
@@ -84,10 +87,18 @@ class Walk {
       if (step.error < control_.tolerance) {
         X_next_ = step.X;
         t_next_ = t_end;
+        error_ = step.error;
         return;
       }
       length = attempt == 0 ? std::min(factor, 1.0) * length : 0.5 * length;
     }
+  }
+
+  void require_finite(const Matrix3d& X, double t) const {
+    if (X.allFinite()) return;
+    throw UsageError(fmt::format("method {}", method_.name),
+                     fmt::format("the motion is no longer finite at t = {} s", t),
+                     "take a shorter --step, or a method that stays on SO(3)");
   }
 
   void count_step() {
@@ -111,6 +122,7 @@ class Walk {
   std::int64_t steps_ = 0;
   std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
+  double error_ = 0.0;  ///< E of the step from t_ to t_next_
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
 };
 
@@ -124,15 +136,30 @@ Trajectory exact_trajectory(const FreeBody& body, std::span<const double> times)
   return result;
 }
 
+void visit_exact_steps(const FreeBody& body, double step, double t_end,
+                       const std::function<void(const OwnStep&)>& visit) {
+  const ExactMotion motion(body);
+  Matrix3d before = Matrix3d::Identity();
+  for (std::int64_t n = 0; static_cast<double>(n) * step < t_end; ++n) {
+    const double t = static_cast<double>(n) * step;
+    const Matrix3d after = motion.at(t + step).X;
+    visit({t, step, before, after, 0.0});
+    before = after;
+  }
+}
+
+void require_tolerance(const Method& method, double tolerance) {
+  if (!method.adaptive() || tolerance >= least_tolerance) return;
+  throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
+                                            tolerance, least_tolerance));
+}
+
 }  // namespace
 
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times) {
   if (std::holds_alternative<ClosedForm>(method.scheme)) return exact_trajectory(body, times);
-  if (method.adaptive() && !(control.tolerance >= least_tolerance)) {
-    throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
-                                              control.tolerance, least_tolerance));
-  }
+  require_tolerance(method, control.tolerance);
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
@@ -146,6 +173,20 @@ Trajectory trajectory(const FreeBody& body, const Method& method, const StepCont
   result.steps = forward.steps() + backward.steps();
   result.evaluations = forward.evaluations() + backward.evaluations();
   return result;
+}
+
+void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
+                 double t_end, const std::function<void(const OwnStep&)>& visit) {
+  if (std::holds_alternative<ClosedForm>(method.scheme)) {
+    return visit_exact_steps(body, control.step, t_end, visit);
+  }
+  require_tolerance(method, control.tolerance);
+  Walk walk(body, method, control, 1.0);
+  for (double t = 0.0; t < t_end;) {
+    const OwnStep step = walk.next_step();
+    visit(step);
+    t = step.t + step.length;
+  }
 }
 
 }  // namespace twrench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,5 +38,19 @@ struct Trajectory {
 /// motion is no longer finite, a step is too long for the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
+
+/// A step that a method takes by itself.
+struct OwnStep {
+  double t;       ///< s, where it begins
+  double length;  ///< s
+  Eigen::Matrix3d before, after;  ///< X at both ends
+  double error;                   ///< E of an embedded pair; else 0
+};
+
+/// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that
+/// ends at t_end (s, > 0) or beyond. The closed form, which has none, goes in steps of
+/// `control.step`. Throws UsageError as trajectory.
+void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
+                 double t_end, const std::function<void(const OwnStep&)>& visit);
 
 }  // namespace twrench

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -53,19 +52,6 @@ ChildProcess start(const std::vector<std::string>& command) {
         error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
     throw EncoderError("cannot start ffmpeg", why, "install it: apt-get install ffmpeg");
   }
-}
-
-/// The last lines of what ffmpeg said, as one.
-std::string last_words(std::string_view output) {
-  constexpr std::size_t longest = 600;
-  std::string tail(output.substr(output.size() - std::min(output.size(), longest)));
-  while (!tail.empty() && tail.back() == '\n') {
-    tail.pop_back();
-  }
-  for (std::size_t at = 0; (at = tail.find('\n', at)) != std::string::npos;) {
-    tail.replace(at, 1, "; ");
-  }
-  return tail.empty() ? "it said nothing" : tail;
 }
 
 std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/child_process.h"
 #include "base/file.h"
 #include "image/image.h"
-#include "movie/child_process.h"
 
 namespace twrench {
 

@@ -1,4 +1,4 @@
-#include "movie/child_process.h"
+#include "base/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -182,6 +182,18 @@ int ChildProcess::wait() {
     }
   }
   return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+}
+
+std::string last_words(std::string_view output) {
+  constexpr std::size_t longest = 600;
+  std::string tail(output.substr(output.size() - std::min(output.size(), longest)));
+  while (!tail.empty() && tail.back() == '\n') {
+    tail.pop_back();
+  }
+  for (std::size_t at = 0; (at = tail.find('\n', at)) != std::string::npos;) {
+    tail.replace(at, 1, "; ");
+  }
+  return tail.empty() ? "it said nothing" : tail;
 }
 
 std::string shell_command(std::span<const std::string> command) {

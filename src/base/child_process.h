@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/descriptor.h"
@@ -46,6 +47,9 @@ class ChildProcess {
   int status_ = 0;
   std::string error_output_;
 };
+
+/// The last lines of what a program said, as one line for an error message.
+std::string last_words(std::string_view output);
 
 /// The command as it can be pasted into a POSIX shell.
 std::string shell_command(std::span<const std::string> command);

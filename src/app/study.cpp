@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "app/arguments.h"
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/scene_options.h"
+#include "figure/gnuplot.h"
+#include "figure/study_figure.h"
+#include "study/ladder.h"
+#include "study/report.h"
+
+namespace twrench {
+namespace {
+
+struct Options {
+  explicit Options(CLI::App& command) : app(command), scene(command) {}
+
+  CLI::App& app;
+  SceneOptions scene;
+  std::string methods, steps, tolerances;
+  std::string max_error, max_energy_drift, max_flip_error;
+  std::string format = "text";
+  std::string output = "-";
+  std::string plot;
+};
+
+std::vector<const Method*> chosen_methods(const Options& options, const Scene& scene) {
+  std::vector<const Method*> chosen;
+  if (!options.methods.empty()) {
+    for (const std::string& name : parse_words(options.methods)) {
+      chosen.push_back(&find_method(name, "--methods"));
+    }
+  } else if (options.app.count("--method") > 0) {
+    chosen.push_back(&find_method(scene.motion.method));
+  } else {
+    for (const Method& method : methods()) chosen.push_back(&method);
+  }
+  return chosen;
+}
+
+/// The list that was given, or the one value that was given by `single`, or `ladder`.
+std::vector<double> rungs(const Options& options, const std::string& name, const std::string& list,
+                          const limits::Limit& limit, const std::string& single, double value,
+                          std::vector<double> ladder) {
+  if (list.empty()) return options.app.count(single) > 0 ? std::vector{value} : std::move(ladder);
+  std::vector<double> values = parse_numbers(list, name);
+  for (const double v : values) limits::check(limit, name, v);
+  std::ranges::sort(values, std::greater<>());
+  return values;
+}
+
+StudyPlan plan_of(const Options& options, const Scene& scene) {
+  const Motion& motion = scene.motion;
+  StudyPlan plan;
+  plan.methods = chosen_methods(options, scene);
+  plan.steps = rungs(options, "--steps", options.steps, limits::step, "--step", motion.control.step,
+                     step_ladder(motion.duration, motion.omega.norm()));
+  plan.tolerances = rungs(options, "--tolerances", options.tolerances, limits::tolerance,
+                          "--tolerance", motion.control.tolerance, tolerance_ladder());
+  plan.first_step = plan.steps.front();
+  plan.duration = motion.duration;
+  return plan;
+}
+
+/// An option that bounds a number of every run.
+struct Bound {
+  std::string name;
+  double most;
+  std::function<double(const Study&, const StudyRun&)> value;
+};
+
+/// A flip too many or too few is off by more than any number.
+double flip_error(const Study& study, const StudyRun& run) {
+  if (run.flips.size() != study.flip_times.size()) return std::numeric_limits<double>::infinity();
+  return study.flip_times.empty() ? 0.0 : run.flip_error;
+}
+
+std::vector<Bound> bounds_of(const Options& options) {
+  std::vector<Bound> bounds;
+  const auto add = [&](const std::string& name, const std::string& text, const auto& value) {
+    if (text.empty()) return;
+    bounds.push_back(
+        {name, limits::check({0.0, limits::huge}, name, parse_number(text, name)), value});
+  };
+  add("--max-error", options.max_error, [](const Study&, const StudyRun& r) { return r.error; });
+  add("--max-energy-drift", options.max_energy_drift,
+      [](const Study&, const StudyRun& r) { return r.energy_drift; });
+  add("--max-flip-error", options.max_flip_error, flip_error);
+  return bounds;
+}
+
+/// A run that was refused is over every bound.
+ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
+  ExitCode code = ExitCode::done;
+  for (const Bound& bound : bounds) {
+    int over = 0;
+    for (const MethodStudy& method : study.methods) {
+      for (const StudyRun& run : method.runs) {
+        if (!run.failure.empty() || !(bound.value(study, run) <= bound.most)) ++over;
+      }
+    }
+    if (over == 0) continue;
+    code = ExitCode::answer_is_no;
+    fmt::print(stderr, "twrench: study: a bound was exceeded: {} {} by {} of the runs\n",
+               bound.name, bound.most, over);
+  }
+  return code;
+}
+
+std::string report(const Options& options, const Study& study, const Scene& scene) {
+  if (options.format == "csv") return study_csv(study);
+  return options.format == "json" ? study_json(study, scene.name) : study_text(study, scene.name);
+}
+
+ExitCode run_study(const Options& options) {
+  if (!options.plot.empty()) require_gnuplot(options.plot);
+  const std::vector<Bound> bounds = bounds_of(options);
+  const Scene scene = options.scene.scene();
+  const StudyPlan plan = plan_of(options, scene);
+  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const Study result = study(body, plan);
+  write_output(options.output, report(options, result, scene));
+  if (!options.plot.empty()) draw_figure(options.plot, study_figure(result));
+  return verdict(result, bounds);
+}
+
+void add_options(CLI::App& command, Options& options) {
+  options.scene.add_motion_options();
+  command.add_option("--methods", options.methods, "only these; default: all, or that of --method")
+      ->type_name("A,B,...");
+  command.add_option("--steps", options.steps, "steps to try, s; default: a ladder by halves")
+      ->type_name("H1,H2,...");
+  command
+      .add_option("--tolerances", options.tolerances,
+                  "tolerances to try of the adaptive methods; default: 1e-4 to 1e-12")
+      ->type_name("T1,T2,...");
+  command
+      .add_option("--max-error", options.max_error,
+                  "exit 1 when the error of X at the end of a run is over this")
+      ->type_name("E");
+  command
+      .add_option("--max-energy-drift", options.max_energy_drift,
+                  "exit 1 when the relative energy drift of a run is ever over this")
+      ->type_name("E");
+  command
+      .add_option("--max-flip-error", options.max_flip_error,
+                  "exit 1 when a flip of a run is missed, or off by more than this, s")
+      ->type_name("S");
+  command.add_option("--format", options.format, "text, csv or json")
+      ->check(CLI::IsMember({"text", "csv", "json"}))
+      ->capture_default_str();
+  command.add_option("-o,--output", options.output, "file, or - for standard output")
+      ->capture_default_str();
+  command
+      .add_option("--plot", options.plot, "order, work and energy drift as a figure: svg, pdf, png")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, ExitCode& code) {
+  CLI::App* command = app.add_subcommand(
+      "study", "Methods held against the exact motion: order, error, drifts, flip times, cost");
+  command->footer("Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20");
+  const auto options = std::make_shared<Options>(*command);
+  add_options(*command, *options);
+  command->callback([options, &code] { code = run_study(*options); });
+}
+
+}  // namespace twrench

@@ -1,0 +1,115 @@
+#include "figure/gnuplot.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <vector>
+
+#include "base/child_process.h"
+#include "base/file.h"
+
+namespace twrench {
+namespace {
+
+constexpr std::size_t longest_figure = 1U << 30U;  // bytes
+
+/// A format that gnuplot writes.
+struct Format {
+  std::string_view ending;
+  std::string_view terminal;
+  std::string_view last_bytes;  ///< with which a complete file ends, white space aside
+};
+
+constexpr std::array<Format, 3> formats{{{".svg", "svg", "</svg>"},
+                                         {".pdf", "pdfcairo", "%%EOF"},
+                                         {".png", "pngcairo", "IEND\xae\x42\x60\x82"}}};
+
+const Format& format_of(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const Format& format : formats) {
+    if (ending == format.ending) return format;
+  }
+  throw UsageError(fmt::format("figure {}", path), "its name must end in .svg, .pdf or .png");
+}
+
+ChildProcess start(const std::vector<std::string>& command) {
+  try {
+    return ChildProcess(command);
+  } catch (const std::system_error& error) {
+    const std::string why =
+        error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
+    throw FigureError("cannot start gnuplot", why, "install it: apt-get install gnuplot-nox");
+  }
+}
+
+/// The same size in all formats, though each has its own units: PNG twice as fine.
+std::string terminal(const Format& format, const Figure& figure) {
+  const std::string start = fmt::format("set terminal {} enhanced size ", format.terminal);
+  if (format.ending == ".svg") {
+    return start + fmt::format("{},{} font 'DejaVu Sans,13' background '#ffffff'\n", figure.width,
+                               figure.height);
+  }
+  if (format.ending == ".pdf") {
+    return start + fmt::format("{:.4f}in,{:.4f}in font 'DejaVu Sans,9.75' fontscale 1\n",
+                               figure.width / 96.0, figure.height / 96.0);
+  }
+  return start + fmt::format(
+                     "{},{} font 'DejaVu Sans,9.75' fontscale 2 linewidth 2 pointscale 2 "
+                     "background '#ffffff'\n",
+                     2 * figure.width, 2 * figure.height);
+}
+
+/// gnuplot does not look whether what it writes arrives.
+bool is_complete(const std::filesystem::path& path, const Format& format) {
+  const std::vector<std::uint8_t> bytes = read_file(path, longest_figure);
+  std::size_t size = bytes.size();
+  while (size > 0 && bytes[size - 1] == '\n') --size;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), size);
+  return text.ends_with(format.last_bytes);
+}
+
+}  // namespace
+
+std::string gnuplot_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte >= 0x20 && byte != '"' && byte != '\\' && byte != '`';
+    result += plain ? std::string(1, c) : fmt::format("\\{:03o}", byte);
+  }
+  return result + '"';
+}
+
+void require_gnuplot(const std::string& path) {
+  const Format& format = format_of(path);
+  ChildProcess gnuplot = start({"gnuplot", "-e", fmt::format("set terminal {}", format.terminal)});
+  if (gnuplot.wait() == 0) return;
+  throw FigureError(fmt::format("gnuplot cannot make {}", path), last_words(gnuplot.error_output()),
+                    "install one that can: apt-get install gnuplot-nox");
+}
+
+void draw_figure(const std::string& path, const Figure& figure) {
+  const Format& format = format_of(path);
+  PendingFile file(path);
+  const std::string script = terminal(format, figure) +
+                             fmt::format("set output {}\n", gnuplot_string(file.path().string())) +
+                             figure.script + "\nunset output\n";
+  ChildProcess gnuplot = start({"gnuplot"});
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
+  gnuplot.write({bytes, script.size()});
+  if (const int status = gnuplot.wait(); status != 0) {
+    throw FigureError("cannot draw " + path,
+                      fmt::format("gnuplot ended with exit status {}: {}", status,
+                                  last_words(gnuplot.error_output())));
+  }
+  if (!is_complete(file.path(), format)) {
+    throw FileError("cannot write " + path, "gnuplot did not complete it", "is the disk full?");
+  }
+  file.commit();
+}
+
+}  // namespace twrench

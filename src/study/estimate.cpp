@@ -1,0 +1,31 @@
+#include "study/estimate.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "motion/stepper.h"
+#include "study/ladder.h"
+
+namespace twrench {
+
+double local_error(const FreeBody& body, const OwnStep& step) {
+  static const Method& exact = find_method("exact");
+  return (step.after - take_step(body, exact, step.before, step.length).X).norm();
+}
+
+void EstimateCheck::visit(const OwnStep& step) {
+  constexpr double round_off = 1e-14;
+  const double error = local_error(body_, step);
+  largest_error_ = std::max(largest_error_, error);
+  if (error > round_off) ratios_.push_back(error / step.error);
+}
+
+EstimateQuality EstimateCheck::quality() const {
+  if (ratios_.empty()) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, largest_error_};
+  }
+  return {median(ratios_), std::ranges::max(ratios_), largest_error_};
+}
+
+}  // namespace twrench

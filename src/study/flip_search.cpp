@@ -1,0 +1,36 @@
+#include "study/flip_search.h"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "motion/stepper.h"
+
+namespace twrench {
+
+double FlipSearch::component(const Eigen::Matrix3d& X) const {
+  return body_.principal.axes.col(1).dot(angular_velocity(body_, method_, X));
+}
+
+void FlipSearch::visit(const OwnStep& step) {
+  const double before = component(step.before), after = component(step.after);
+  if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
+  if (sign_ * after < 0.0) {
+    times_.push_back(before == 0.0 ? step.t : step.t + root(step, before, after));
+    sign_ = -sign_;
+  }
+}
+
+double FlipSearch::root(const OwnStep& step, double at_start, double at_end) const {
+  const auto f = [&](double length) {
+    return component(take_step(body_, method_, step.before, length).X);
+  };
+  const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 3);
+  std::uintmax_t iterations = 100;
+  const auto [low, high] =
+      boost::math::tools::toms748_solve(f, 0.0, step.length, at_start, at_end, tight, iterations);
+  return low + 0.5 * (high - low);
+}
+
+}  // namespace twrench

@@ -1,0 +1,154 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "base/error.h"
+#include "motion/diagnostics.h"
+#include "motion/stepper.h"
+#include "study/flip_search.h"
+#include "study/ladder.h"
+
+namespace twrench {
+namespace {
+
+constexpr std::size_t time_parts = 200;
+
+/// CPU seconds of one call: the mean over as many as take 2 ms, the clock being coarse.
+template <typename Call>
+double cpu_seconds(const Call& call) {
+  constexpr double enough = 2e-3;
+  const std::clock_t start = std::clock();
+  for (int calls = 1;; ++calls) {
+    call();
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (seconds > enough) return seconds / calls;
+  }
+}
+
+/// Of those that both have. The method may see the last ones only after the end, or not at all.
+double flip_error(const std::vector<double>& predicted, const std::vector<double>& seen) {
+  const std::size_t common = std::min(predicted.size(), seen.size());
+  if (common == 0) return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < common; ++i) {
+    largest = std::max(largest, std::abs(seen[i] - predicted[i]));
+  }
+  return largest;
+}
+
+/// Walks along the method's steps for what is seen on the way.
+void look_on_the_way(const FreeBody& body, const Method& method, const StepControl& control,
+                     const Study& exact, StudyRun& run) {
+  const double initial_energy = energy(body.inertia, body.omega);
+  FlipSearch flips(body, method);
+  EstimateCheck estimate(body);
+  std::int64_t steps = 0;
+  run.drift_in_time.assign(time_parts, 0.0);
+  const auto visit = [&](const OwnStep& step) {
+    ++steps;
+    const double t = step.t + step.length;
+    const Diagnostics d =
+        diagnose(body, initial_energy, {t, step.after, angular_velocity(body, method, step.after)});
+    run.energy_drift = std::max(run.energy_drift, std::abs(d.energy_drift));
+    run.orthogonality_error = std::max(run.orthogonality_error, d.orthogonality_error);
+    run.momentum_error = std::max(run.momentum_error, d.momentum_error);
+    const double part = std::ceil(t / exact.duration * time_parts) - 1.0;
+    double& drift = run.drift_in_time[std::min(static_cast<std::size_t>(part), time_parts - 1)];
+    drift = std::max(drift, std::abs(d.energy_drift));
+    if (exact.flips) flips.visit(step);
+    if (method.adaptive()) estimate.visit(step);
+  };
+  visit_steps(body, method, control, exact.duration, visit);
+  run.flips = flips.times();
+  std::erase_if(run.flips, [&](double t) { return t > exact.duration; });
+  run.flip_error = flip_error(exact.flip_times, run.flips);
+  if (!method.adaptive()) return;
+  run.step = exact.duration / static_cast<double>(steps);
+  run.estimate = estimate.quality();
+}
+
+StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& control,
+                 const Study& exact, const ExactMotion& motion) {
+  StudyRun run;
+  run.step = control.step;
+  if (method.adaptive()) run.tolerance = control.tolerance;
+  try {
+    const std::array<double, 1> early{exact.early}, end{exact.duration};
+    const auto error = [&](const Sample& s) { return (s.X - motion.at(s.t).X).norm(); };
+    Trajectory result;
+    run.cpu_seconds = cpu_seconds([&] { result = trajectory(body, method, control, end); });
+    run.early_error = error(trajectory(body, method, control, early).samples[0]);
+    run.error = error(result.samples[0]);
+    run.steps = result.steps;
+    run.evaluations = result.evaluations;
+    look_on_the_way(body, method, control, exact, run);
+  } catch (const UsageError& error) {
+    run.failure = error.what();
+  }
+  return run;
+}
+
+/// The order, from the errors between round-off and where the error has no order any more.
+std::optional<double> order_of(const std::vector<StudyRun>& runs) {
+  constexpr double round_off = 1e-12, asymptotic = 0.1;
+  std::vector<Point> points;
+  for (const StudyRun& run : runs) {
+    if (run.failure.empty() && run.early_error > round_off && run.early_error < asymptotic) {
+      points.push_back({run.step, run.early_error});
+    }
+  }
+  return fitted_exponent(points);
+}
+
+std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
+  std::vector<Point> points;
+  for (const StudyRun& run : runs) {
+    if (run.failure.empty() && run.estimate && std::isfinite(run.estimate->median_ratio)) {
+      points.push_back({run.step, run.estimate->median_ratio});
+    }
+  }
+  return fitted_exponent(points);
+}
+
+/// The ladder that suits the method. The closed form has none: only its flips are looked for, in
+/// the finest steps.
+std::vector<StepControl> controls_for(const Method& method, const StudyPlan& plan) {
+  std::vector<StepControl> controls;
+  if (method.adaptive()) {
+    for (const double t : plan.tolerances) controls.push_back({plan.first_step, t});
+  } else if (method.order == 0) {
+    controls.push_back({std::ranges::min(plan.steps)});
+  } else {
+    for (const double h : plan.steps) controls.push_back({h});
+  }
+  return controls;
+}
+
+}  // namespace
+
+Study study(const FreeBody& body, const StudyPlan& plan) {
+  const ExactMotion motion(body);
+  Study result{plan.duration,
+               early_time(plan.duration, body.omega.norm()),
+               motion.flips(),
+               motion.flip_times(plan.duration),
+               {}};
+  for (const Method* method : plan.methods) {
+    MethodStudy of_method{method, {}, {}, {}};
+    for (const StepControl& control : controls_for(*method, plan)) {
+      of_method.runs.push_back(run_one(body, *method, control, result, motion));
+    }
+    if (method->order > 0) {
+      of_method.order = order_of(of_method.runs);
+    }
+    of_method.estimate_exponent = estimate_exponent_of(of_method.runs);
+    result.methods.push_back(std::move(of_method));
+  }
+  return result;
+}
+
+}  // namespace twrench
