@@ -41,8 +41,8 @@ Trajectory trajectory(const FreeBody& body, const Method& method, const StepCont
 
 /// A step that a method takes by itself.
 struct OwnStep {
-  double t;       ///< s, where it begins
-  double length;  ///< s
+  double t;                       ///< s, where it begins
+  double length;                  ///< s
   Eigen::Matrix3d before, after;  ///< X at both ends
   double error;                   ///< E of an embedded pair; else 0
 };
