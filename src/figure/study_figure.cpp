@@ -85,7 +85,7 @@ std::string slopes(const Study& study) {
     const double height = highest * std::pow(finest / coarsest, order);
     text += fmt::format(
         "set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3} nohead back lw 5 lc rgb '#e4e4e4'\n"
-        "set label '{{/:Italic h}}{4}' at {0:.6g}, {1:.6g} left offset 0.3, 0.8 front "
+        "set label 'h{4}' at {0:.6g}, {1:.6g} left offset 0.3, 0.8 front "
         "textcolor rgb '#707070'\n",
         finest, height, coarsest, highest, order == 1 ? "" : fmt::format("^{}", order));
   }
@@ -119,16 +119,16 @@ Figure study_figure(const Study& study) {
           "set format '10^{%T}'\n"
           "set logscale xy\n"
           "set yrange [1e-15:10]\n"
-          "set xlabel 'step {/:Italic h} (s)'\n")
+          "set xlabel 'step h (s)'\n")
       .append(slopes(study))
       .append(fmt::format("set title 'Order'\n"
-                          "set ylabel 'error of {{/:Italic X}} at {:.4g} s' offset 1.5, 0\n",
+                          "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
                           study.early))
       .append(plot(study, "run", "1:2", true))
       .append("unset arrow\nunset label\nset autoscale x\n" + grid.place(0, 1))
       .append(fmt::format("set title 'Work and precision'\n"
                           "set xlabel 'CPU time (ms)'\n"
-                          "set ylabel 'error of {{/:Italic X}} at {:.4g} s'\n",
+                          "set ylabel 'error of X at {:.4g} s'\n",
                           study.duration))
       .append(plot(study, "run", "3:4", true))
       .append(grid.place(0, 2))
@@ -137,7 +137,7 @@ Figure study_figure(const Study& study) {
                           "set autoscale y\n"
                           "set xrange [0:{:.7g}]\n"
                           "set title {}\n"
-                          "set xlabel '{{/:Italic t}} (s)'\n"
+                          "set xlabel 't (s)'\n"
                           "set ylabel 'energy drift (relative)' offset 0.8, 0\n",
                           study.duration, gnuplot_string("Energy: " + drift_title(study))))
       .append(plot(study, "drift", "1:2", false))
