@@ -135,7 +135,8 @@ Figure column_panels(std::span<const AttitudeCurve> curves) {
     for (int column = 0; column < 3; ++column) {
       script += grid(figure, rows).place(row, column) + outer_axes(column, row == rows - 1);
       script += fmt::format(
-          "set title '{{/:Bold {0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "
+          "set title '{{/:Bold "
+          "{0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "
           "offset 0, -0.7\n",
           "ijk"[column], column + 1);  // no-break spaces: SVG drops others beside a subscript
       script += plot_column(c, column) + "unset ylabel\n";

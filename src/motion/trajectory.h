@@ -16,8 +16,8 @@ inline constexpr double least_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
-  double step = 0.01;         ///< s: the step of a fixed-step method, the first of an adaptive one
-  double tolerance = 1e-10;   ///< of an adaptive method: bound on the estimate E of each step
+  double step = 0.01;        ///< s: the step of a fixed-step method, the first of an adaptive one
+  double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
   std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
 };
 
@@ -35,14 +35,15 @@ struct Trajectory {
 /// the same number whichever other times were asked for.
 ///
 /// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion is no longer finite, a step is too long for the method, or max_steps is passed.
+/// motion is no longer finite, a step is longer than a turn of the body or otherwise too long for
+/// the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
 
 /// A step that a method takes by itself.
 struct OwnStep {
-  double t;       ///< s, where it begins
-  double length;  ///< s
+  double t;                       ///< s, where it begins
+  double length;                  ///< s
   Eigen::Matrix3d before, after;  ///< X at both ends
   double error;                   ///< E of an embedded pair; else 0
 };

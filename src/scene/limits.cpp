@@ -13,7 +13,9 @@ bool Limit::allows(double value) const {
 }
 
 std::string Limit::describe() const {
-  return fmt::format("{} {} and at most {}", low_is_open ? "greater than" : "at least", low, high);
+  const std::string why = why_low.empty() ? "" : fmt::format(" ({})", why_low);
+  return fmt::format("{} {}{} and at most {}", low_is_open ? "greater than" : "at least", low, why,
+                     high);
 }
 
 double check(const Limit& limit, const std::string& what, double value) {
@@ -28,8 +30,8 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
-  throw UsageError(what, fmt::format("is {}, but must be a whole number, {}", value,
-                                     limit.describe()));
+  throw UsageError(what,
+                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()));
 }
 
 }  // namespace twrench::limits

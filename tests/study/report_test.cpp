@@ -25,7 +25,7 @@ TEST(StudyReport, TextHasEverythingForPeople) {
   EXPECT_THAT(text, HasSubstr("wrench: 60 s of motion"));
   EXPECT_THAT(text, HasSubstr("every 23.630725246383 s"));
   EXPECT_THAT(text, HasSubstr("23.618730497761 s"));
-  EXPECT_THAT(text, HasSubstr("turns the body too far"));
+  EXPECT_THAT(text, HasSubstr("longer than a turn of the body"));
   EXPECT_THAT(text, HasSubstr("true/E, median"));
   EXPECT_THAT(text, HasSubstr("59.07681"));
 }
@@ -60,7 +60,7 @@ TEST(StudyReport, JsonHasTheNumbersAndNullWhereThereIsNone) {
   EXPECT_EQ(run["estimate"]["median_ratio"], study.methods[0].runs[0].estimate->median_ratio);
   EXPECT_TRUE(document["methods"][1]["order_seen"].is_null());
   EXPECT_THAT(document["methods"][1]["runs"][0]["failure"].get<std::string>(),
-              HasSubstr("too far"));
+              HasSubstr("longer than a turn"));
 }
 
 }  // namespace
