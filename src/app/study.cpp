@@ -64,6 +64,9 @@ StudyPlan plan_of(const Options& options, const Scene& scene) {
                           "--tolerance", motion.control.tolerance, tolerance_ladder());
   plan.first_step = plan.steps.front();
   plan.duration = motion.duration;
+  // A long or fast motion need not be studied to the end of the ladder, unless that was asked for.
+  constexpr std::int64_t most_steps = 1'000'000;
+  if (options.steps.empty() && options.tolerances.empty()) plan.max_steps = most_steps;
   return plan;
 }
 
@@ -112,6 +115,8 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
+bool is_exact(const Method* method) { return method->order == 0; }
+
 std::string report(const Options& options, const Study& study, const Scene& scene) {
   if (options.format == "csv") return study_csv(study);
   return options.format == "json" ? study_json(study, scene.name) : study_text(study, scene.name);
@@ -122,6 +127,9 @@ ExitCode run_study(const Options& options) {
   const std::vector<Bound> bounds = bounds_of(options);
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
+  if (!options.plot.empty() && std::ranges::all_of(plan.methods, is_exact)) {
+    throw UsageError("--plot", "there is nothing to draw of exact alone: it has no steps");
+  }
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
   write_output(options.output, report(options, result, scene));

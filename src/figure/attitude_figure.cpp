@@ -70,7 +70,7 @@ std::string ranges(std::span<const AttitudeCurve> curves) {
 std::string outer_axes(int column, bool last_row) {
   return fmt::format("set format y '{}'\nset format x '{}'\n{} xlabel {}\n",
                      column == 0 ? "%g" : "", last_row ? "%g" : "", last_row ? "set" : "unset",
-                     last_row ? "'{/:Italic t} (s)' offset 0, 0.3" : "");
+                     last_row ? "'t (s)' offset 0, 0.3" : "");
 }
 
 /// The curves of one component of X, `column` of the data.
@@ -113,8 +113,7 @@ Figure nine_panels(std::span<const AttitudeCurve> curves) {
   for (int i = 0; i < 9; ++i) {
     const int row = i / 3, column = i % 3;
     script += grid(figure, 3).place(row, column) + outer_axes(column, row == 2);
-    script +=
-        fmt::format("set title '{{/:Italic x}}_{{{}{}}}' offset 0, -0.7\n", row + 1, column + 1);
+    script += fmt::format("set title 'x_{{{}{}}}' offset 0, -0.7\n", row + 1, column + 1);
     script += plot_component(curves.size(), 2 + i);
   }
   script += key_of(figure, keys) + "unset multiplot\n";
@@ -136,9 +135,10 @@ Figure column_panels(std::span<const AttitudeCurve> curves) {
     for (int column = 0; column < 3; ++column) {
       script += grid(figure, rows).place(row, column) + outer_axes(column, row == rows - 1);
       script += fmt::format(
-          "set title '{{/:Bold {0}}}_b = ({{/:Italic x}}_{{1{1}}}, {{/:Italic x}}_{{2{1}}}, "
-          "{{/:Italic x}}_{{3{1}}})' offset 0, -0.7\n",
-          "ijk"[column], column + 1);
+          "set title '{{/:Bold "
+          "{0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "
+          "offset 0, -0.7\n",
+          "ijk"[column], column + 1);  // no-break spaces: SVG drops others beside a subscript
       script += plot_column(c, column) + "unset ylabel\n";
     }
   }

@@ -48,17 +48,18 @@ ChildProcess start(const std::vector<std::string>& command) {
 
 /// The same size in all formats, though each has its own units: PNG twice as fine.
 std::string terminal(const Format& format, const Figure& figure) {
-  const std::string start = fmt::format("set terminal {} enhanced size ", format.terminal);
+  const std::string start =
+      fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
   if (format.ending == ".svg") {
     return start + fmt::format("{},{} font 'DejaVu Sans,13' background '#ffffff'\n", figure.width,
                                figure.height);
   }
   if (format.ending == ".pdf") {
-    return start + fmt::format("{:.4f}in,{:.4f}in font 'DejaVu Sans,9.75' fontscale 1\n",
+    return start + fmt::format("{:.4f}in,{:.4f}in font 'DejaVu Sans,8' fontscale 1\n",
                                figure.width / 96.0, figure.height / 96.0);
   }
   return start + fmt::format(
-                     "{},{} font 'DejaVu Sans,9.75' fontscale 2 linewidth 2 pointscale 2 "
+                     "{},{} font 'DejaVu Sans,10.5' fontscale 2 linewidth 2 pointscale 2 "
                      "background '#ffffff'\n",
                      2 * figure.width, 2 * figure.height);
 }

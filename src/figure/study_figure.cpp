@@ -85,7 +85,7 @@ std::string slopes(const Study& study) {
     const double height = highest * std::pow(finest / coarsest, order);
     text += fmt::format(
         "set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3} nohead back lw 5 lc rgb '#e4e4e4'\n"
-        "set label '{{/:Italic h}}{4}' at {0:.6g}, {1:.6g} left offset 0.3, 0.8 front "
+        "set label 'h{4}' at {0:.6g}, {1:.6g} left offset 0.3, 0.8 front "
         "textcolor rgb '#707070'\n",
         finest, height, coarsest, highest, order == 1 ? "" : fmt::format("^{}", order));
   }
@@ -107,6 +107,38 @@ std::string drift_title(const Study& study) {
   return step + (step.empty() || tolerance.empty() ? "" : ", ") + tolerance;
 }
 
+/// The decades that hold the positive ones of the values, as a range of gnuplot's.
+std::string decades(const std::vector<double>& values) {
+  double low = 1.0, high = 0.0;
+  for (const double v : values) {
+    if (!(v > 0.0 && std::isfinite(v))) continue;
+    low = high > 0.0 ? std::min(low, v) : v;
+    high = std::max(high, v);
+  }
+  if (!(high > 0.0)) return "[1e-16:1]";
+  return fmt::format("[1e{}:1e{}]", std::floor(std::log10(low)),
+                     std::floor(std::log10(high)) + 1.0);
+}
+
+std::string drift_range(const Study& study) {
+  std::vector<double> drifts;
+  for (const MethodStudy& m : study.methods) {
+    if (!has_ladder(m)) continue;
+    const std::vector<double>& drift = middle(m).drift_in_time;
+    drifts.insert(drifts.end(), drift.begin(), drift.end());
+  }
+  return decades(drifts);
+}
+
+std::string time_range(const Study& study) {
+  std::vector<double> times;
+  for (const MethodStudy& m : study.methods) {
+    if (!has_ladder(m)) continue;
+    for (const StudyRun& run : m.runs) times.push_back(1e3 * run.cpu_seconds);
+  }
+  return decades(times);
+}
+
 }  // namespace
 
 Figure study_figure(const Study& study) {
@@ -119,27 +151,28 @@ Figure study_figure(const Study& study) {
           "set format '10^{%T}'\n"
           "set logscale xy\n"
           "set yrange [1e-15:10]\n"
-          "set xlabel 'step {/:Italic h} (s)'\n")
+          "set xlabel 'step h (s)'\n")
       .append(slopes(study))
       .append(fmt::format("set title 'Order'\n"
-                          "set ylabel 'error of {{/:Italic X}} at {:.4g} s' offset 1.5, 0\n",
+                          "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
                           study.early))
       .append(plot(study, "run", "1:2", true))
-      .append("unset arrow\nunset label\nset autoscale x\n" + grid.place(0, 1))
+      .append("unset arrow\nunset label\nset xrange " + time_range(study) + "\n" + grid.place(0, 1))
       .append(fmt::format("set title 'Work and precision'\n"
                           "set xlabel 'CPU time (ms)'\n"
-                          "set ylabel 'error of {{/:Italic X}} at {:.4g} s'\n",
+                          "set ylabel 'error of X at {:.4g} s'\n",
                           study.duration))
       .append(plot(study, "run", "3:4", true))
       .append(grid.place(0, 2))
       .append(fmt::format("unset logscale x\n"
                           "set format x '%g'\n"
-                          "set autoscale y\n"
+                          "set yrange {}\n"
                           "set xrange [0:{:.7g}]\n"
                           "set title {}\n"
-                          "set xlabel '{{/:Italic t}} (s)'\n"
+                          "set xlabel 't (s)'\n"
                           "set ylabel 'energy drift (relative)' offset 0.8, 0\n",
-                          study.duration, gnuplot_string("Energy: " + drift_title(study))))
+                          drift_range(study), study.duration,
+                          gnuplot_string("Energy: " + drift_title(study))))
       .append(plot(study, "drift", "1:2", false))
       .append(key_plot(key_entries(study), 6, 42.0 / figure.height) + "unset multiplot\n");
   return figure;

@@ -35,7 +35,8 @@ struct Trajectory {
 /// the same number whichever other times were asked for.
 ///
 /// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion is no longer finite, a step is too long for the method, or max_steps is passed.
+/// motion is no longer finite, a step is longer than a turn of the body or otherwise too long for
+/// the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
 

@@ -13,7 +13,9 @@ bool Limit::allows(double value) const {
 }
 
 std::string Limit::describe() const {
-  return fmt::format("{} {} and at most {}", low_is_open ? "greater than" : "at least", low, high);
+  const std::string why = why_low.empty() ? "" : fmt::format(" ({})", why_low);
+  return fmt::format("{} {}{} and at most {}", low_is_open ? "greater than" : "at least", low, why,
+                     high);
 }
 
 double check(const Limit& limit, const std::string& what, double value) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 
 #include "motion/trajectory.h"
 
@@ -10,7 +11,8 @@ namespace twrench::limits {
 
 struct Limit {
   double low, high;
-  bool low_is_open = false;  ///< low itself is not allowed
+  bool low_is_open = false;       ///< low itself is not allowed
+  std::string_view why_low = {};  ///< where that needs a word
 
   /// False for NaN and the infinities too.
   bool allows(double value) const;
@@ -20,17 +22,18 @@ struct Limit {
 
 inline constexpr double huge = 1e12;
 
-inline constexpr Limit length{0, 1e6, true};           // cm
-inline constexpr Limit density{0, 1e6, true};          // g/cm^3
-inline constexpr Limit moment{0, 1e30, true};          // g cm^2
-inline constexpr Limit coordinate{-huge, huge};        // cm, rad/s, and directions
-inline constexpr Limit step{0, 1e6, true};             // s
-inline constexpr Limit tolerance{least_tolerance, 1};  // of the estimate E
-inline constexpr Limit duration{0, 1e9, true};         // s
-inline constexpr Limit fps{0, 1000, true};             // 1/s
-inline constexpr Limit speed{0, 1e6, true};            // s of motion per s of film
-inline constexpr Limit pixels{16, 16384};              // whole
-inline constexpr Limit samples{1, 64};                 // whole
+inline constexpr Limit length{0, 1e6, true};     // cm
+inline constexpr Limit density{0, 1e6, true};    // g/cm^3
+inline constexpr Limit moment{0, 1e30, true};    // g cm^2
+inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and directions
+inline constexpr Limit step{0, 1e6, true};       // s
+inline constexpr Limit tolerance{least_tolerance, 1, false,
+                                 "double precision keeps no less"};  // of the estimate E
+inline constexpr Limit duration{0, 1e9, true};                       // s
+inline constexpr Limit fps{0, 1000, true};                           // 1/s
+inline constexpr Limit speed{0, 1e6, true};                          // s of motion per s of film
+inline constexpr Limit pixels{16, 16384};                            // whole
+inline constexpr Limit samples{1, 64};                               // whole
 inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
 inline constexpr Limit angle_of_view{0.05, 2.5};  // rad

@@ -119,11 +119,13 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
 std::vector<StepControl> controls_for(const Method& method, const StudyPlan& plan) {
   std::vector<StepControl> controls;
   if (method.adaptive()) {
-    for (const double t : plan.tolerances) controls.push_back({plan.first_step, t});
+    for (const double t : plan.tolerances) controls.push_back({plan.first_step, t, plan.max_steps});
   } else if (method.order == 0) {
-    controls.push_back({std::ranges::min(plan.steps)});
+    controls.push_back({.step = std::ranges::min(plan.steps)});
   } else {
-    for (const double h : plan.steps) controls.push_back({h});
+    for (const double h : plan.steps) {
+      controls.push_back({.step = h, .max_steps = plan.max_steps});
+    }
   }
   return controls;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,10 +14,11 @@ namespace twrench {
 /// What is to be tried.
 struct StudyPlan {
   std::vector<const Method*> methods;
-  std::vector<double> steps;       ///< s, of the methods with a fixed step
-  std::vector<double> tolerances;  ///< of the adaptive methods
-  double first_step = 0.01;        ///< s, of the adaptive methods
-  double duration = 0.0;           ///< s
+  std::vector<double> steps;                         ///< s, of the methods with a fixed step
+  std::vector<double> tolerances;                    ///< of the adaptive methods
+  double first_step = 0.01;                          ///< s, of the adaptive methods
+  double duration = 0.0;                             ///< s
+  std::int64_t max_steps = StepControl{}.max_steps;  ///< of one run
 };
 
 /// One motion by one method, held against the exact one.

@@ -127,7 +127,7 @@ TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
   {
     const std::string pid = (scratch / "pid").string();
     const ChildProcess child(
-        shell("sleep 1000 & echo $! >" + pid + ".new; mv " + pid + ".new " + pid + "; wait"));
+        shell("sleep 1000 & echo $! >'" + pid + ".new'; mv '" + pid + ".new' '" + pid + "'; wait"));
     while (!(std::ifstream(pid) >> sleeper)) {
       ::usleep(1000);
     }

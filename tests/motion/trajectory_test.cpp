@@ -189,5 +189,47 @@ TEST(Trajectory, SaysWhenAMethodHasDiverged) {
   EXPECT_THROW(trajectory(fast, find_method("euler"), control, times), UsageError);
 }
 
+TEST(Trajectory, RefusesAStepLongerThanATurn) {
+  const ReferenceCase c = reference_case("wrench-a");  // a turn takes 2 pi s
+  const std::vector<double> times{10};
+  for (const char* name : {"euler", "rk4", "rkf45", "strang", "cf4", "exact"}) {
+    const Method& method = find_method(name);
+    const bool chooses = method.adaptive() || method.order == 0;
+    EXPECT_NO_THROW(trajectory(c.body, method, {.step = 6.2}, times)) << name;
+    if (chooses) {
+      EXPECT_NO_THROW(trajectory(c.body, method, {.step = 7}, times)) << name;
+    } else {
+      EXPECT_THROW(trajectory(c.body, method, {.step = 7}, times), UsageError) << name;
+    }
+  }
+}
+
+class VisitSteps : public testing::TestWithParam<Method> {};
+
+TEST_P(VisitSteps, AreThoseOfTheTrajectory) {
+  const ReferenceCase c = reference_case("wrench-a");
+  const StepControl control{.step = 0.1, .tolerance = 1e-9};
+  std::vector<OwnStep> steps;
+  visit_steps(c.body, GetParam(), control, 5.05, [&](const OwnStep& s) { steps.push_back(s); });
+  ASSERT_FALSE(steps.empty());
+  EXPECT_EQ(steps.front().t, 0);
+  EXPECT_EQ(steps.front().before, Matrix3d::Identity());
+  EXPECT_LT(steps.back().t, 5.05);
+  EXPECT_GE(steps.back().t + steps.back().length, 5.05);
+  std::vector<double> ends;
+  for (const OwnStep& s : steps) ends.push_back(s.t + s.length);
+  const auto samples = trajectory(c.body, GetParam(), control, ends).samples;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_LE((steps[i].after - samples[i].X).norm(), 1e-14) << i;
+    EXPECT_LT(steps[i].error, GetParam().adaptive() ? control.tolerance : 1e-300);
+    if (i > 0) {
+      EXPECT_EQ(steps[i].before, steps[i - 1].after);
+      EXPECT_NEAR(steps[i].t, ends[i - 1], 1e-14);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, VisitSteps, every_method(), method_test_name);
+
 }  // namespace
 }  // namespace twrench

@@ -1,0 +1,98 @@
+// Whether the estimate E of an embedded pair tells the truth: the true local error of the steps it
+// accepts, against the exact motion started anew where the step does.
+#include "study/estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "motion/random_bodies.h"
+#include "motion/reference.h"
+#include "motion/stepper.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+EstimateQuality quality(const FreeBody& body, std::string_view method, double tolerance) {
+  const double speed = body.omega.norm();
+  EstimateCheck check(body);
+  visit_steps(body, find_method(method), {.step = 0.1 / speed, .tolerance = tolerance}, 20 / speed,
+              [&](const OwnStep& step) { check.visit(step); });
+  return check.quality();
+}
+
+// What is promised of a tolerance T: no accepted step is further off than 1.5 T, or than 8 T where
+// T is above 1e-9, for there the steps are long and E is a coarse estimate. Of 4000 random bodies
+// the worst were at 1.4 T and 6.2 T.
+double stated_factor(double tolerance) { return tolerance > 1e-9 ? 8.0 : 1.5; }
+
+TEST(Estimate, RkmkKeepsItsToleranceOnEveryReferenceCase) {
+  for (const ReferenceCase& c : reference_cases()) {
+    for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
+      const double worst = quality(c.body, "rkmk45", tolerance).largest_error;
+      EXPECT_LT(worst, stated_factor(tolerance) * tolerance) << c.name << " " << tolerance;
+    }
+  }
+}
+
+TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
+  RandomBodies random;
+  for (int n = 0; n < 300; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
+      const double worst = quality(body, "rkmk45", tolerance).largest_error;
+      EXPECT_LT(worst, stated_factor(tolerance) * tolerance) << tolerance << "\n"
+                                                             << moments << "\n"
+                                                             << omega;
+    }
+  }
+}
+
+// Both rows of the printed pair lack the same term, (h^3/12) omega x omega', which their difference
+// therefore cannot see: the true error is a thousand times what was asked for, and more the less is
+// asked for.
+TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
+  const FreeBody wrench = reference_case("wrench-a").body;
+  double before = 0;
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    const double times = quality(wrench, "rkf45", tolerance).largest_error / tolerance;
+    EXPECT_GT(times, 300);
+    EXPECT_GT(times, 5 * before);  // 100^(2/5) = 6.3
+    before = times;
+  }
+  EXPECT_GT(before, 1e5);
+}
+
+/// true/E of one step from X = Id.
+double ratio(const FreeBody& body, std::string_view method, double h) {
+  const Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
+  const Step step = take_step(body, find_method(method), start, h);
+  return local_error(body, {0, h, start, step.X, step.error}) / step.error;
+}
+
+TEST(Estimate, RatioToTheTruthIsBoundedWithTheCorrectionAndGrowsAsOneOverStepSquaredWithout) {
+  const Vector3d moments(0.6, 0.8, 1), momentum(1.8, 0.4, -0.9);
+  const FreeBody body = free_body(moments.asDiagonal(), momentum.cwiseQuotient(moments));
+  for (const double h : {0.2, 0.1, 0.05, 0.025, 0.0125}) {
+    EXPECT_GT(ratio(body, "rkmk45", h), 0.5) << h;
+    EXPECT_LT(ratio(body, "rkmk45", h), 1.5) << h;
+  }
+  for (const double h : {0.1, 0.05, 0.025}) {
+    EXPECT_NEAR(ratio(body, "rkf45", h / 2) / ratio(body, "rkf45", h), 4, 0.4) << h;
+  }
+  EXPECT_NEAR(ratio(body, "rkf45", 0.1), 1058, 5);
+  EXPECT_NEAR(ratio(body, "rkf45", 0.0125), 64765, 200);
+}
+
+TEST(Estimate, SaysNothingWhereThereIsNoError) {
+  const FreeBody sphere = reference_case("sphere").body;
+  EXPECT_TRUE(std::isnan(quality(sphere, "rkf45", 1e-9).median_ratio));
+  EXPECT_LT(quality(sphere, "rkf45", 1e-9).largest_error, 1e-14);
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,84 @@
+#include "study/flip_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "motion/exact.h"
+#include "motion/random_bodies.h"
+#include "motion/reference.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<double> flips_seen(const FreeBody& body, std::string_view method, double step,
+                               double t_end) {
+  const Method& m = find_method(method);
+  FlipSearch search(body, m);
+  visit_steps(body, m, {.step = step, .tolerance = 1e-13}, t_end,
+              [&](const OwnStep& s) { search.visit(s); });
+  return search.times();
+}
+
+TEST(FlipSearch, FindsTheExactInstantsOnTheExactMotion) {
+  RandomBodies random;
+  for (int n = 0; n < 100; ++n) {
+    const Vector3d moments = random.moments(), omega = random.omega();
+    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const ExactMotion motion(body);
+    const double end = 20 / omega.norm();
+    const std::vector<double> predicted = motion.flip_times(end);
+    const std::vector<double> seen = flips_seen(body, "exact", 0.05 / omega.norm(), end);
+    ASSERT_GE(seen.size(), predicted.size());  // the last step may pass the end
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+      EXPECT_NEAR(seen[i], predicted[i], 1e-11 * end) << moments << "\n" << omega;
+    }
+  }
+}
+
+TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
+  const FreeBody wrench = reference_case("wrench-a").body;
+  const std::vector<double> predicted = ExactMotion(wrench).flip_times(90);
+  for (const auto& [method, step] : {std::pair{"suzuki4", 0.01}, std::pair{"rkmk45", 0.1}}) {
+    const std::vector<double> seen = flips_seen(wrench, method, step, 90);
+    ASSERT_EQ(seen.size(), predicted.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], predicted[i], 1e-8);
+  }
+}
+
+TEST(FlipSearch, DoesNotCountTheStart) {
+  // omega along the intermediate axis is zero at t = 0 and positive after it.
+  const FreeBody body = free_body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
+  const std::vector<double> predicted = ExactMotion(body).flip_times(30);
+  const std::vector<double> seen = flips_seen(body, "exact", 0.01, 30);
+  ASSERT_EQ(seen.size(), predicted.size());
+  EXPECT_NEAR(seen[0], predicted[0], 1e-12);
+}
+
+// I = (3, 5, 9), L = (0, 2, 0.01), steps of 0.1 s: flips are 59.0554 s apart. Known from elsewhere
+// to the digits that stand here.
+TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
+  const FreeBody body = free_body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
+  EXPECT_NEAR(ExactMotion(body).flips()->interval, 59.055443523193, 1e-9);
+  const auto intervals = [&](std::string_view method) {
+    const std::vector<double> times = flips_seen(body, method, 0.1, 360);
+    std::vector<double> between;
+    for (std::size_t i = 1; i < times.size(); ++i) between.push_back(times[i] - times[i - 1]);
+    return between;
+  };
+  const std::vector<double> printed = intervals("rk4"), corrected = intervals("rkmk4");
+  const double known[] = {60.6, 63.0, 68.1, 67.9, 62.9};
+  ASSERT_EQ(printed.size(), 5U);
+  ASSERT_GE(corrected.size(), 5U);
+  for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_NEAR(printed[i], known[i], 0.06) << i;
+  for (const double interval : corrected) {
+    EXPECT_GT(interval, 59.0540);
+    EXPECT_LT(interval, 59.0553);
+  }
+}
+
+}  // namespace
+}  // namespace twrench

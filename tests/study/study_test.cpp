@@ -1,0 +1,118 @@
+#include "study/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/reference.h"
+#include "study/ladder.h"
+
+namespace twrench {
+namespace {
+
+FreeBody wrench() { return reference_case("wrench-a").body; }
+
+StudyPlan plan_for(std::initializer_list<const char*> names, double duration) {
+  StudyPlan plan{{}, step_ladder(duration, 1), {1e-6, 1e-8, 1e-10}, 0.1, duration};
+  for (const char* name : names) plan.methods.push_back(&find_method(name));
+  return plan;
+}
+
+TEST(Study, SeesTheOrderOfEveryMethod) {
+  StudyPlan plan = plan_for({}, 96);
+  plan.tolerances = tolerance_ladder();
+  for (const Method& method : methods()) plan.methods.push_back(&method);
+  for (const MethodStudy& m : study(wrench(), plan).methods) {
+    if (m.method->order == 0) {
+      EXPECT_FALSE(m.order);
+      continue;
+    }
+    ASSERT_TRUE(m.order) << m.method->name;
+    EXPECT_NEAR(*m.order, m.method->order, 0.25) << m.method->name;
+  }
+}
+
+TEST(Study, ErrorIsThatAgainstTheReference) {
+  const ReferenceCase c = reference_case("wrench-a");
+  const Sample& end = c.samples[4];  // t = 50
+  StudyPlan plan = plan_for({"midpoint"}, end.t);
+  plan.steps = {0.05};
+  const Study result = study(c.body, plan);
+  const StudyRun& run = result.methods[0].runs[0];
+  const std::vector<double> times{end.t, 10};
+  const auto samples = trajectory(c.body, find_method("midpoint"), {.step = 0.05}, times).samples;
+  EXPECT_NEAR(run.error, (samples[0].X - end.X).norm(), 1e-12);
+  EXPECT_EQ(result.early, 10);
+  EXPECT_NEAR(run.early_error, (samples[1].X - c.samples[2].X).norm(), 1e-12);
+  EXPECT_EQ(run.steps, 1000);
+  EXPECT_EQ(run.evaluations, 2000);
+  EXPECT_EQ(run.step, 0.05);
+  EXPECT_GT(run.cpu_seconds, 0);
+}
+
+TEST(Study, TellsWhatAMethodConserves) {
+  StudyPlan plan = plan_for({"euler", "lie-euler", "implicit-trapezoid"}, 20);
+  plan.steps = {0.05};
+  const Study result = study(wrench(), plan);
+  const StudyRun &euler = result.methods[0].runs[0], &group = result.methods[1].runs[0],
+                 &trapezoid = result.methods[2].runs[0];
+  EXPECT_GT(euler.orthogonality_error, 1e-2);
+  EXPECT_LT(group.orthogonality_error, 1e-13);
+  EXPECT_LT(group.momentum_error, 1e-13);
+  EXPECT_GT(group.energy_drift, 1e-2);
+  EXPECT_LT(trapezoid.energy_drift, 1e-13);
+  double largest = 0;
+  for (const double drift : group.drift_in_time) largest = std::max(largest, drift);
+  EXPECT_EQ(largest, group.energy_drift);
+}
+
+TEST(Study, HoldsFlipsAgainstThePrediction) {
+  StudyPlan plan = plan_for({"rk4", "exact"}, 96);
+  plan.steps = {0.1};
+  const Study result = study(wrench(), plan);
+  ASSERT_EQ(result.flip_times.size(), 4U);
+  const StudyRun &rk4 = result.methods[0].runs[0], &exact = result.methods[1].runs[0];
+  ASSERT_EQ(rk4.flips.size(), 4U);
+  EXPECT_NEAR(rk4.flip_error, std::abs(rk4.flips[3] - result.flip_times[3]), 1e-12);
+  EXPECT_GT(rk4.flip_error, 1);
+  EXPECT_LT(exact.flip_error, 1e-12);
+}
+
+TEST(Study, EstimateOfTheEmbeddedPairs) {
+  const Study result = study(wrench(), plan_for({"rkf45", "rkmk45", "rk4"}, 20));
+  EXPECT_NEAR(result.methods[0].estimate_exponent.value(), -2, 0.1);
+  EXPECT_NEAR(result.methods[1].estimate_exponent.value(), 0, 0.1);
+  EXPECT_FALSE(result.methods[2].estimate_exponent);
+  const StudyRun& run = result.methods[1].runs[2];
+  EXPECT_EQ(run.tolerance, 1e-10);
+  EXPECT_NEAR(run.estimate->median_ratio, 1, 0.1);
+  EXPECT_NEAR(run.step, 20.0 / static_cast<double>(run.steps), 0.1 * run.step);
+}
+
+TEST(Study, ARefusedStepIsARunWithItsReason) {
+  StudyPlan plan = plan_for({"rkmk4", "lie-euler"}, 1000);
+  plan.steps = {50, 0.1};
+  const Study result = study(wrench(), plan);
+  const MethodStudy& m = result.methods[0];
+  EXPECT_NE(m.runs[0].failure.find("longer than a turn of the body"), std::string::npos);
+  EXPECT_EQ(m.runs[1].failure, "");
+  EXPECT_NE(result.methods[1].runs[0].failure, "");
+  EXPECT_EQ(result.methods[1].runs[1].failure, "");
+}
+
+TEST(Study, ABodyAtRestHasNoErrorAndNoFlips) {
+  const FreeBody rest = free_body(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
+  StudyPlan plan = plan_for({"rk4", "rkmk45", "euler"}, 10);
+  const Study result = study(rest, plan);
+  EXPECT_FALSE(result.flips);
+  for (const MethodStudy& m : result.methods) {
+    EXPECT_FALSE(m.order);
+    for (const StudyRun& run : m.runs) {
+      EXPECT_EQ(run.error, 0);
+      EXPECT_TRUE(std::isnan(run.flip_error));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace twrench
