@@ -64,10 +64,10 @@ class Walk {
   /// The end of a step of that very length from t_k.
   Matrix3d fixed_step(double length) {
     if (std::abs(length) > a_turn_) {
-      throw UsageError(
-          fmt::format("method {}", method_.name),
-          fmt::format("a step of {} s is longer than a turn of the body ({:.3g} s)", length, a_turn_),
-          "take a shorter --step");
+      throw UsageError(fmt::format("method {}", method_.name),
+                       fmt::format("a step of {} s is longer than a turn of the body ({:.3g} s)",
+                                   length, a_turn_),
+                       "take a shorter --step");
     }
     const Step step = take_step(body_, method_, X_, length);
     evaluations_ += step.evaluations;
@@ -126,7 +126,7 @@ class Walk {
   const Method& method_;
   const StepControl& control_;
   const double a_turn_ = 2.0 * std::numbers::pi / body_.omega.norm();  ///< s; infinite at rest
-  double next_length_;  ///< signed
+  double next_length_;                                                 ///< signed
   std::int64_t steps_ = 0;
   std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
