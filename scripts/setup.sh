@@ -13,7 +13,8 @@ packages=(
   ffmpeg
 )
 # The formatter by its version: another one would lay the same sources out differently.
-test_packages=(libgtest-dev libgmock-dev clang-format-14)
+# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it.
+test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox)
 
 case "${1-}" in
   render) ;;

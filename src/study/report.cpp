@@ -22,6 +22,11 @@ std::string brief(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : "-";
 }
 
+/// Without a minus before 0.00.
+std::string hundredths(double value) {
+  return fmt::format("{:.2f}", std::round(100.0 * value) / 100.0 + 0.0);
+}
+
 std::string flips_heading(const Study& study) {
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
   const ExactMotion::Flips& flips = *study.flips;
@@ -64,7 +69,7 @@ std::string estimates_text(const Study& study) {
   for (const MethodStudy& m : study.methods) {
     if (!m.method->adaptive()) continue;
     text += fmt::format("{}: true/E goes as step^{}\n", m.method->name,
-                        m.estimate_exponent ? fmt::format("{:.2f}", *m.estimate_exponent) : "?");
+                        m.estimate_exponent ? hundredths(*m.estimate_exponent) : "?");
     for (const StudyRun& run : m.runs) {
       if (!run.estimate) continue;
       text += fmt::format("{:>12.6g}{:>10}{:>16}{:>17}{:>24}\n", run.step, brief(run.tolerance),
