@@ -44,10 +44,10 @@ std::string data(const Study& study) {
 
 /// How method `i` is drawn: colour, symbol and, in a second lap of colours, dashes.
 std::string style(std::size_t i, bool points) {
-  const std::size_t lap = i / palette.size();
-  return fmt::format("with {} lw 1.5 dt {} lc rgb '{}' pt {} ps 0.8",
-                     points ? "linespoints" : "lines", lap == 0 ? "1" : "(6,3)",
-                     palette[i % palette.size()], symbols[i % symbols.size()]);
+  const std::string line = fmt::format(
+      "lw 1.5 dt {} lc rgb '{}'", i < palette.size() ? "1" : "(6,3)", palette[i % palette.size()]);
+  if (!points) return "with lines " + line;
+  return fmt::format("with linespoints {} pt {} ps 0.8", line, symbols[i % symbols.size()]);
 }
 
 std::string plot(const Study& study, std::string_view block, std::string_view columns,

@@ -70,7 +70,7 @@ TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
     return between;
   };
   const std::vector<double> printed = intervals("rk4"), corrected = intervals("rkmk4");
-  const double known[] = {60.6, 63.0, 68.1, 67.9, 62.9};
+  const std::vector<double> known{60.6, 63.0, 68.1, 67.9, 62.9};
   ASSERT_EQ(printed.size(), 5U);
   ASSERT_GE(corrected.size(), 5U);
   for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_NEAR(printed[i], known[i], 0.06) << i;
