@@ -18,7 +18,9 @@
 #include "movie/earlier_run.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
+#include "scene/names.h"
 #include "scene/scene_json.h"
+#include "timeline/timeline.h"
 
 namespace twrench {
 namespace {
@@ -33,10 +35,6 @@ std::array<double, count> row_major(const Matrix& matrix) {
     values[static_cast<std::size_t>(i)] = matrix(i / matrix.cols(), i % matrix.cols());
   }
   return values;
-}
-
-Eigen::Matrix3d pose_of(const FrameRecord& frame) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.X.data());
 }
 
 struct Options {
@@ -57,6 +55,8 @@ struct Options {
 };
 
 void add_film_options(SceneOptions& scene) {
+  scene.add("--theme", "NAME", "studio, paper or space",
+            [](Scene& s, const std::string& text) { s.look.theme = theme_of(text, "--theme"); });
   scene.add("--size", "WxH", "size of the frames, pixels", [](Scene& s, const std::string& text) {
     const Eigen::Vector2d size = parse_size(text, "--size");
     s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
@@ -70,12 +70,67 @@ void add_film_options(SceneOptions& scene) {
               s.look.samples = limits::check_whole(limits::samples, "--samples",
                                                    parse_number(text, "--samples"));
             });
-  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.look.bare = true; });
+  scene.add("--motion-blur", "N", "poses that a frame is the mean of",
+            [](Scene& s, const std::string& text) {
+              s.look.motion_blur = limits::check_whole(limits::motion_blur, "--motion-blur",
+                                                       parse_number(text, "--motion-blur"));
+            });
+}
+
+void add_overlay_options(SceneOptions& scene) {
+  scene.add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
+            [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); });
+  scene.add("--compare", "M1,M2,...", "methods side by side, four at most",
+            [](Scene& s, const std::string& text) {
+              s.overlay.compare = compared_methods(parse_words(text), "--compare");
+            });
+  scene.add("--show", "LIST",
+            "add: floor, axes, momentum, omega, trail, plane, labels, hud, components, sphere, "
+            "poinsot",
+            [](Scene& s, const std::string& text) {
+              for (const std::string& word : parse_words(text)) {
+                s.overlay.show.insert(feature_of(word, "--show"));
+              }
+            });
+  scene.add("--hide", "LIST", "the same, to leave out", [](Scene& s, const std::string& text) {
+    for (const std::string& word : parse_words(text)) {
+      s.overlay.show.erase(feature_of(word, "--hide"));
+    }
+  });
+  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
+  scene.add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
+            [](Scene& s, const std::string& text) {
+              s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",
+                                                    parse_vector(text, "--trail-point"));
+            });
+  scene.add("--trail-length", "S", "seconds of motion that a trail covers",
+            [](Scene& s, const std::string& text) {
+              s.overlay.trail_length = limits::check(limits::trail_length, "--trail-length",
+                                                     parse_number(text, "--trail-length"));
+            });
+  scene.add("--font", "NAME", "sans, mono, or a font file",
+            [](Scene& s, const std::string& text) { s.overlay.font = text; });
+}
+
+void add_camera_options(SceneOptions& scene) {
+  scene.add_number("--azimuth", "A", "of the camera, from z towards x, rad", limits::angle,
+                   [](Scene& s) -> double& { return s.camera.azimuth; });
+  scene.add_number("--elevation", "E", "of the camera, rad", limits::elevation,
+                   [](Scene& s) -> double& { return s.camera.elevation; });
+  scene.add_number("--distance", "F", "of the camera; at 1 the body just fits", limits::distance,
+                   [](Scene& s) -> double& { return s.camera.distance; });
+  scene.add_number("--orbit", "W", "how fast the camera goes around, rad per second of film",
+                   limits::angle, [](Scene& s) -> double& { return s.camera.orbit; });
+  scene.add_number("--field-of-view", "A", "the smaller angle of the view, rad",
+                   limits::angle_of_view,
+                   [](Scene& s) -> double& { return s.camera.field_of_view; });
 }
 
 Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   add_film_options(scene);
+  add_overlay_options(scene);
+  add_camera_options(scene);
   command.add_option("-o,--output", video, "the video; default out/SCENE.mp4")->type_name("VIDEO");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
       ->type_name("DIR");
@@ -99,22 +154,17 @@ int job_count(const std::string& text) {
   return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
 }
 
-/// The frames to draw, each with its pose at its own time.
-std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>& numbers,
-                                      const Renderer& renderer) {
-  std::vector<double> times;
-  times.reserve(numbers.size());
-  for (const int frame : numbers) times.push_back(scene.film.time_of(frame));
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const auto samples =
-      trajectory(body, find_method(scene.motion.method), scene.motion.control, times).samples;
-  std::vector<FrameRecord> frames(numbers.size());
+/// The frames to draw, each with its pose at its own time; of the first take.
+std::vector<FrameRecord> frame_records(const Timeline& timeline, const Renderer& renderer) {
+  std::vector<FrameRecord> frames(timeline.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    frames[i].frame = numbers[i];
-    frames[i].t = times[i];
-    frames[i].X = row_major<9>(samples[i].X);
-    frames[i].view = row_major<16>(renderer.view());
-    frames[i].projection = row_major<16>(renderer.projection());
+    const Moment moment = timeline.moment(i);
+    const Camera camera = renderer.camera(moment.film_time);
+    frames[i].frame = moment.frame;
+    frames[i].t = moment.instants.front().sample.t;
+    frames[i].X = row_major<9>(moment.instants.front().sample.X);
+    frames[i].view = row_major<16>(camera.view);
+    frames[i].projection = row_major<16>(camera.projection);
   }
   return frames;
 }
@@ -218,14 +268,14 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
 
 /// The frame from the folder, where it is whole and --resume asks for it, or else drawn.
 Picture picture_of(const FrameRecord& frame, const Outputs& outputs, const EarlierRun* earlier,
-                   const fs::path& folder, Renderer& renderer) {
+                   const fs::path& folder, const std::function<Image()>& draw) {
   if (earlier != nullptr) {
     if (const auto record = earlier->intact(frame)) {
       outputs.sequence->keep(*record);
       return {outputs.encoder != nullptr ? read_png(folder / record->file) : Image(), false};
     }
   }
-  return {renderer.draw(pose_of(frame)), true};
+  return {draw(), true};
 }
 
 void render(const Options& options) {
@@ -243,10 +293,11 @@ void render(const Options& options) {
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
   const std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
-  Renderer renderer(*context, scene);
   const auto posing = std::chrono::steady_clock::now();
-  const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
+  const Timeline timeline(scene, numbers);
   const double posing_seconds = seconds_since(posing);
+  Renderer renderer(*context, scene, timeline.takes());
+  const std::vector<FrameRecord> frames = frame_records(timeline, renderer);
   const Manifest film = manifest_of(options, scene, renderer);
   const fs::path folder = frames_folder(options, scene);
   const EarlierRun earlier(folder);
@@ -260,7 +311,9 @@ void render(const Options& options) {
   StageTimes times;
   const Outputs outputs{sequence.get(), encoder.get(), jobs};
   const auto draw = [&](const FrameRecord& frame) {
-    return picture_of(frame, outputs, reuse ? &earlier : nullptr, folder, renderer);
+    const auto index = static_cast<std::size_t>(&frame - frames.data());
+    return picture_of(frame, outputs, reuse ? &earlier : nullptr, folder,
+                      [&] { return renderer.draw(timeline.moment(index)).image; });
   };
   const auto stop = [&] { return interruption.arrived().has_value(); };
   const std::size_t done = run_pipeline(frames, draw, stop, outputs, progress, times);

@@ -81,9 +81,9 @@ Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples
   check_complete(gl, width, height, samples);
 }
 
-void Framebuffer::draw_within(const Rectangle& area) const {
+void Framebuffer::draw_within(const Rectangle& area, const Rectangle& viewport) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-  gl_->Viewport(0, 0, width_, height_);
+  gl_->Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
   gl_->Enable(GL_SCISSOR_TEST);
   gl_->Scissor(area.x, area.y, area.width, area.height);
 }

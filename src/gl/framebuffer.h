@@ -22,8 +22,8 @@ class Framebuffer {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// What is drawn from now on lands here, within `area`.
-  void draw_within(const Rectangle& area) const;
+  /// What is drawn from now on lands here, within `area`; device coordinates span `viewport`.
+  void draw_within(const Rectangle& area, const Rectangle& viewport) const;
 
   /// The pixels of `area`, samples averaged, as RGBA from the top left. The area's size is at
   /// least 1 x 1 and it lies inside.

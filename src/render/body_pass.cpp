@@ -61,7 +61,7 @@ Matrix4d camera_from_stage(const Camera& camera, double radius) {
 
 }  // namespace
 
-BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, const Camera& camera,
+BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius,
                    const Material& material, const Studio& studio)
     : gl_(&gl),
       program_(body_program(gl, material)),
@@ -69,7 +69,6 @@ BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, con
       vertices_(gl),
       indices_(gl),
       index_count_(static_cast<GLsizei>(mesh.indices.size())),
-      camera_from_space_(camera.camera_from_space()),
       radius_(radius) {
   gl.BindVertexArray(array_.id());
   upload(gl, GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(mesh.vertices)));
@@ -80,14 +79,14 @@ BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, con
   program_.use();
   set_material(material);
   set_studio(studio);
-  program_.set("eye", glm::vec3(0, 0, static_cast<float>(camera.distance / radius)));
-  program_.set("clip_from_stage",
-               glm_from_eigen((camera.projection * camera_from_stage(camera, radius)).eval()));
 }
 
-void BodyPass::draw(const Matrix3d& X) const {
-  const Matrix3d camera_from_body = camera_from_space_ * X;
+void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
+  const Matrix3d camera_from_body = camera.camera_from_space() * X;
   program_.use();
+  program_.set("eye", glm::vec3(0, 0, static_cast<float>(camera.distance / radius_)));
+  program_.set("clip_from_stage",
+               glm_from_eigen((camera.projection * camera_from_stage(camera, radius_)).eval()));
   program_.set("stage_from_body", glm_from_eigen((camera_from_body / radius_).eval()));
   program_.set("stage_normal_from_body", glm_from_eigen(normal_matrix(camera_from_body)));
   gl_->Enable(GL_DEPTH_TEST);

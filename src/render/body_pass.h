@@ -19,11 +19,11 @@ enum BodyAttribute : GLuint { position_attribute = 0, normal_attribute = 1 };
 class BodyPass {
  public:
   /// `radius` is the mesh's bounding radius about the origin, in cm.
-  BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, const Camera& camera,
-           const Material& material, const Studio& studio);
+  BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, const Material& material,
+           const Studio& studio);
 
   /// In the pose X, space_from_body, on the framebuffer that is bound.
-  void draw(const Eigen::Matrix3d& X) const;
+  void draw(const Camera& camera, const Eigen::Matrix3d& X) const;
 
   const gl::Program& program() const { return program_; }
 
@@ -37,7 +37,6 @@ class BodyPass {
   gl::Buffer vertices_;
   gl::Buffer indices_;
   GLsizei index_count_;
-  Eigen::Matrix3d camera_from_space_;
   double radius_;
 };
 

@@ -42,12 +42,29 @@ Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
 Camera frame_sphere(const Framing& framing) {
   const double half = framing.field_of_view / 2;
   // The cone that touches a sphere of radius r at distance d has the half angle asin(r / d).
-  const double distance = margin * framing.radius / std::sin(half);
+  const double distance = framing.distance * margin * framing.radius / std::sin(half);
   const double tan_x = std::tan(half) * std::max(framing.aspect, 1.0);
   const double tan_y = std::tan(half) * std::max(1 / framing.aspect, 1.0);
   // Wide planes: a method that leaves SO(3) makes the body grow, and that is to be seen.
   return {look_at_origin(framing.direction, distance),
           perspective(tan_x, tan_y, 0.05 * distance, 20 * distance), distance};
+}
+
+Camera widened(const Camera& camera, const Area& focus, const Area& pane) {
+  Camera wide = camera;
+  const double scale_x = static_cast<double>(focus.width) / pane.width;
+  const double scale_y = static_cast<double>(focus.height) / pane.height;
+  const double middle_x = (2.0 * (focus.x - pane.x) + focus.width) / pane.width - 1;
+  const double middle_y = 1 - (2.0 * (focus.y - pane.y) + focus.height) / pane.height;
+  const Eigen::RowVector4d w = camera.projection.row(3);
+  wide.projection.row(0) = scale_x * camera.projection.row(0) + middle_x * w;
+  wide.projection.row(1) = scale_y * camera.projection.row(1) + middle_y * w;
+  return wide;
+}
+
+Vector3d direction_of(double azimuth, double elevation) {
+  return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+          std::cos(azimuth) * std::cos(elevation)};
 }
 
 }  // namespace twrench

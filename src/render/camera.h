@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "image/area.h"
+
 namespace twrench {
 
 /// A perspective camera that looks at the origin of space, the centre of mass. Matrices are for
@@ -20,11 +22,18 @@ struct Framing {
   double field_of_view;       ///< the smaller angle of the view, rad, in (0, pi)
   double aspect;              ///< width / height
   double radius;              ///< cm, of the sphere about the origin that is to be in view
+  double distance = 1;        ///< as a share of the one at which the sphere just fits
 };
 
 /// The camera from which the sphere, with a small margin, touches the nearer pair of edges, so
 /// that it is whole in view at any aspect ratio. Space's y is up in the picture; seen from
 /// straight above or below, -z is.
 Camera frame_sphere(const Framing& framing);
+
+/// The camera whose picture fills `focus`, with its picture carried on to fill `pane`.
+Camera widened(const Camera& camera, const Area& focus, const Area& pane);
+
+/// The direction from the origin to the eye, of length 1.
+Eigen::Vector3d direction_of(double azimuth, double elevation);
 
 }  // namespace twrench

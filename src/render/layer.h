@@ -1,15 +1,22 @@
 #pragma once
 
+#include "image/area.h"
 #include "image/image.h"
 
 namespace twrench {
 
-/// Lays `layer` (RGBA, premultiplied: colour times coverage) over `image` (RGB), with the layer's
-/// top left pixel at column x and row y. The layer lies inside the image.
-void lay_over(Image& image, const Image& layer, int x, int y);
+/// A picture to be laid over another: RGBA, premultiplied (colour times coverage).
+struct Layer {
+  Image image;
+  int x = 0, y = 0;  ///< where its top left pixel goes
 
-/// The same on nothing: an RGBA image, transparent outside the layer, whose colours are straight:
-/// not darkened where the coverage is partial.
-Image lay_on_nothing(int width, int height, const Image& layer, int x, int y);
+  Area area() const { return {x, y, image.width, image.height}; }
+};
+
+/// Lays `layer`, which lies inside, over `image`: RGB, or RGBA that is premultiplied too.
+void lay_over(Image& image, const Layer& layer);
+
+/// From premultiplied to straight alpha: colours are not darkened where the coverage is partial.
+void make_straight(Image& image, const Area& area);
 
 }  // namespace twrench

@@ -38,6 +38,14 @@ inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
 inline constexpr Limit angle_of_view{0.05, 2.5};  // rad
 
+inline constexpr Limit motion_blur{1, 256};  // poses, whole
+inline constexpr Limit angle{-1e3, 1e3};     // rad, and rad/s of film
+inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, false,
+                                 "that is straight below"};  // rad
+inline constexpr Limit distance{0.2, 20};
+inline constexpr Limit trail_length{0, 1e6, true};  // s of motion
+
+inline constexpr std::size_t most_compared = 4;
 inline constexpr int most_parts = 1000;
 inline constexpr double most_frames = 10'000'000;
 

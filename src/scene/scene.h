@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,17 +37,57 @@ struct Film {
   double time_of(int frame) const { return frame * speed / fps; }
 };
 
-/// What is drawn beside the geometry of the body.
+/// The whole of a picture's finish: material, lights, background, colours of what is laid over.
+enum class Theme { studio, paper, space };
+
 struct Look {
-  int samples = 4;                         ///< of the multisampled framebuffer; 1 is none
-  bool bare = false;                       ///< the body alone
-  bool transparent = false;                ///< no background: alpha is the body's coverage
-  std::optional<Color> background;         ///< a flat one; else the graded one
-  Color color{184, 188, 196};              ///< of the metal
-  double metallic = 1.0;                   ///< 0 to 1
-  double roughness = 0.34;                 ///< 0.05 to 1
-  double field_of_view = 0.55;             ///< the smaller angle of the view, rad
-  Eigen::Vector3d camera{0.0, 5.0, 20.0};  ///< direction from the body to the camera, space axes
+  Theme theme = Theme::studio;
+  int samples = 4;                  ///< of the multisampled framebuffer; 1 is none
+  int motion_blur = 1;              ///< poses that a frame is the mean of; 1 is none
+  bool transparent = false;         ///< no background: alpha is the coverage of what is drawn
+  std::optional<Color> background;  ///< a flat one; else the theme's
+  std::optional<Color> color;       ///< of the body; else the theme's
+  std::optional<double> metallic;   ///< 0 to 1; else the theme's
+  std::optional<double> roughness;  ///< 0.05 to 1; else the theme's
+};
+
+/// A camera that looks at the centre of mass. Angles in rad.
+struct CameraPath {
+  double azimuth = 0.0;         ///< from space's z axis towards x
+  double elevation = 0.245;     ///< above the plane of x and z
+  double distance = 1.0;        ///< 1 is where the body, in every pose, just fits its place
+  double orbit = 0.0;           ///< rad per second of film, about space's y axis
+  double field_of_view = 0.55;  ///< the smaller angle of the view
+};
+
+/// What can be shown beside the body.
+enum class Feature {
+  floor,       ///< with the body's shadow and reflection
+  axes,        ///< of the body
+  momentum,    ///< L, an arrow
+  omega,       ///< another
+  trail,       ///< of a point of the body, and of omega's in the views of the momentum
+  plane,       ///< the invariable plane
+  labels,      ///< names of the arrows and axes
+  hud,         ///< title, time, method, drift, flips
+  components,  ///< the nine of X against time
+  sphere,      ///< the momentum sphere, an inset
+  poinsot,     ///< Poinsot's construction, an inset
+};
+
+enum class View { wrench, momentum, poinsot, quad };
+
+/// What explains the motion.
+struct Overlay {
+  View view = View::wrench;
+  std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,      Feature::trail,
+                         Feature::labels, Feature::hud,      Feature::components, Feature::sphere};
+  std::vector<std::string> compare;            ///< methods, side by side; empty: the motion's alone
+  std::optional<Eigen::Vector3d> trail_point;  ///< cm, in the axes of the parts; else the farthest
+  std::optional<double> trail_length;          ///< s of motion; else 12 rad's worth
+  std::string font = "sans";                   ///< of those that are built in, or a file
+
+  bool shows(Feature feature) const { return show.contains(feature); }
 };
 
 /// Sets the background from "transparent" or a colour. Throws UsageError about `what`.
@@ -61,6 +102,8 @@ struct Scene {
   Motion motion;
   Film film;
   Look look;
+  CameraPath camera;
+  Overlay overlay;
 
   /// N = round(duration * fps / speed). Throws UsageError unless that is 1 to 10^7.
   int frame_count() const;

@@ -9,6 +9,7 @@
 #include "base/nearest.h"
 #include "embedded/scenes.h"
 #include "math/so3.h"
+#include "scene/names.h"
 #include "scene/scene.h"
 #include "scene/toml_table.h"
 
@@ -86,18 +87,48 @@ void read_film(TomlTable& table, Film& film) {
 }
 
 void read_look(TomlTable& table, Look& look) {
+  if (table.has("theme")) {
+    look.theme = theme_of(table.required_text("theme"), table.place("theme"));
+  }
   table.whole("samples", limits::samples, look.samples);
-  table.flag("bare", look.bare);
+  table.whole("motion_blur", limits::motion_blur, look.motion_blur);
   if (table.has("background"))
     set_background(look, table.required_text("background"), table.place("background"));
   if (table.has("color")) {
     look.color = parse_color(table.required_text("color"), table.place("color"));
   }
-  table.number("metallic", limits::fraction, look.metallic);
-  table.number("roughness", limits::roughness, look.roughness);
-  table.number("field_of_view", limits::angle_of_view, look.field_of_view);
-  table.vector("camera", limits::coordinate, look.camera);
-  if (look.camera.isZero(0.0)) throw UsageError(table.place("camera"), "must not be zero");
+  if (table.has("metallic")) look.metallic = table.required_number("metallic", limits::fraction);
+  if (table.has("roughness")) {
+    look.roughness = table.required_number("roughness", limits::roughness);
+  }
+}
+
+void read_camera(TomlTable& table, CameraPath& camera) {
+  table.number("azimuth", limits::angle, camera.azimuth);
+  table.number("elevation", limits::elevation, camera.elevation);
+  table.number("distance", limits::distance, camera.distance);
+  table.number("orbit", limits::angle, camera.orbit);
+  table.number("field_of_view", limits::angle_of_view, camera.field_of_view);
+}
+
+void read_overlay(TomlTable& table, Overlay& overlay) {
+  if (table.has("view")) overlay.view = view_of(table.required_text("view"), table.place("view"));
+  if (table.has("show")) {
+    overlay.show.clear();
+    for (const std::string& name : table.required_texts("show")) {
+      overlay.show.insert(feature_of(name, table.place("show")));
+    }
+  }
+  if (table.has("compare")) {
+    overlay.compare = compared_methods(table.required_texts("compare"), table.place("compare"));
+  }
+  if (table.has("trail_point")) {
+    overlay.trail_point = table.required_vector("trail_point", limits::coordinate);
+  }
+  if (table.has("trail_length")) {
+    overlay.trail_length = table.required_number("trail_length", limits::trail_length);
+  }
+  table.text("font", overlay.font);
 }
 
 }  // namespace
@@ -118,6 +149,8 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   file.table("motion", [&](TomlTable& table) { read_motion(table, scene.motion); });
   file.table("film", [&](TomlTable& table) { read_film(table, scene.film); });
   file.table("look", [&](TomlTable& table) { read_look(table, scene.look); });
+  file.table("camera", [&](TomlTable& table) { read_camera(table, scene.camera); });
+  file.table("overlay", [&](TomlTable& table) { read_overlay(table, scene.overlay); });
   file.finish();
   return scene;
 }

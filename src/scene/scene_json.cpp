@@ -1,6 +1,7 @@
 #include "scene/scene_json.h"
 
 #include "math/so3.h"
+#include "scene/names.h"
 
 namespace twrench {
 namespace {
@@ -27,12 +28,33 @@ ordered_json part_json(const Part& part) {
   return json;
 }
 
+/// What the theme decides is left out.
+ordered_json look_json(const Look& look) {
+  ordered_json json{
+      {"theme", name_of(look.theme)}, {"samples", look.samples}, {"motion_blur", look.motion_blur}};
+  if (look.transparent) json["background"] = "transparent";
+  if (look.background) json["background"] = to_string(*look.background);
+  if (look.color) json["color"] = to_string(*look.color);
+  if (look.metallic) json["metallic"] = *look.metallic;
+  if (look.roughness) json["roughness"] = *look.roughness;
+  return json;
+}
+
+ordered_json overlay_json(const Overlay& overlay) {
+  ordered_json json{{"view", name_of(overlay.view)}, {"show", ordered_json::array()}};
+  for (const Feature feature : overlay.show) json["show"].push_back(name_of(feature));
+  if (!overlay.compare.empty()) json["compare"] = overlay.compare;
+  if (overlay.trail_point) json["trail_point"] = numbers(*overlay.trail_point);
+  if (overlay.trail_length) json["trail_length"] = *overlay.trail_length;
+  json["font"] = overlay.font;
+  return json;
+}
+
 }  // namespace
 
 ordered_json scene_json(const Scene& scene) {
   const auto& [omega, method, control, duration] = scene.motion;
   const Film& film = scene.film;
-  const Look& look = scene.look;
   ordered_json json{{"title", scene.title}};
   for (const Part& part : scene.body.parts) json["part"].push_back(part_json(part));
   if (scene.body.moments) json["body"] = {{"moments", numbers(*scene.body.moments)}};
@@ -42,12 +64,13 @@ ordered_json scene_json(const Scene& scene) {
                     {"tolerance", control.tolerance},
                     {"duration", duration}};
   json["film"] = {{"size", {film.width, film.height}}, {"fps", film.fps}, {"speed", film.speed}};
-  json["look"] = {{"samples", look.samples},        {"bare", look.bare},
-                  {"color", to_string(look.color)}, {"metallic", look.metallic},
-                  {"roughness", look.roughness},    {"field_of_view", look.field_of_view},
-                  {"camera", numbers(look.camera)}};
-  if (look.transparent) json["look"]["background"] = "transparent";
-  if (look.background) json["look"]["background"] = to_string(*look.background);
+  json["look"] = look_json(scene.look);
+  json["camera"] = {{"azimuth", scene.camera.azimuth},
+                    {"elevation", scene.camera.elevation},
+                    {"distance", scene.camera.distance},
+                    {"orbit", scene.camera.orbit},
+                    {"field_of_view", scene.camera.field_of_view}};
+  json["overlay"] = overlay_json(scene.overlay);
   return json;
 }
 

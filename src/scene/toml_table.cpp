@@ -50,13 +50,6 @@ void TomlTable::whole(const std::string& key, const limits::Limit& limit, int& v
   }
 }
 
-void TomlTable::flag(const std::string& key, bool& value) {
-  if (const toml::node* node = find(key)) {
-    if (!node->is_boolean()) throw UsageError(place(key), "must be true or false");
-    value = *node->value<bool>();
-  }
-}
-
 void TomlTable::text(const std::string& key, std::string& value) {
   if (const toml::node* node = find(key)) {
     if (!node->is_string()) throw UsageError(place(key), "must be a text in quotes");
@@ -98,6 +91,17 @@ std::string TomlTable::required_text(const std::string& key) {
   std::string value;
   text(key, value);
   return value;
+}
+
+std::vector<std::string> TomlTable::required_texts(const std::string& key) {
+  require(key);
+  const toml::array* array = find(key)->as_array();
+  if (array == nullptr || (!array->empty() && !array->is_homogeneous(toml::node_type::string))) {
+    throw UsageError(place(key), "must be texts in brackets");
+  }
+  std::vector<std::string> texts;
+  for (const toml::node& entry : *array) texts.push_back(*entry.value<std::string>());
+  return texts;
 }
 
 void TomlTable::table(const std::string& key, const std::function<void(TomlTable&)>& read) {

@@ -26,7 +26,6 @@ class TomlTable {
   // Each leaves `value` alone where the key is absent.
   void number(const std::string& key, const limits::Limit& limit, double& value);
   void whole(const std::string& key, const limits::Limit& limit, int& value);
-  void flag(const std::string& key, bool& value);
   void text(const std::string& key, std::string& value);
   void vector(const std::string& key, const limits::Limit& limit, Eigen::Vector3d& value);
   void size(const std::string& key, const limits::Limit& limit, int& width, int& height);
@@ -35,6 +34,7 @@ class TomlTable {
   double required_number(const std::string& key, const limits::Limit& limit);
   Eigen::Vector3d required_vector(const std::string& key, const limits::Limit& limit);
   std::string required_text(const std::string& key);
+  std::vector<std::string> required_texts(const std::string& key);
 
   /// Calls `read` with the sub-table, where it is present, and finishes it.
   void table(const std::string& key, const std::function<void(TomlTable&)>& read);

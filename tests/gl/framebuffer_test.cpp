@@ -14,7 +14,7 @@ using testing::HasSubstr;
 class FramebufferTest : public GlTest, public testing::WithParamInterface<int> {
  protected:
   void fill(const Framebuffer& framebuffer, const Rectangle& area, float red, float green) const {
-    framebuffer.draw_within(area);
+    framebuffer.draw_within(area, {0, 0, framebuffer.width(), framebuffer.height()});
     gl.ClearColor(red, green, 0, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }

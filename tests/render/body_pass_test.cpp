@@ -49,12 +49,8 @@ class BodyPassTest : public testing::TestWithParam<glm::vec3> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
   gl::Functions gl{*context};
-  BodyPass pass{gl,
-                body_mesh(t_wrench().body.parts, 0.01),
-                4.5,
-                frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}),
-                Material{GetParam(), glm::vec3(0.5F), 0.3F},
-                dark_studio()};
+  BodyPass pass{gl, body_mesh(t_wrench().body.parts, 0.01), 4.5,
+                Material{GetParam(), glm::vec3(0.5F), 0.3F}, dark_studio()};
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(glm::vec3(0), glm::vec3(0.5F)),
@@ -73,8 +69,8 @@ TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
 // That each uniform that C++ sets is in the shader, Program::set itself sees to.
 TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   const gl::Framebuffer framebuffer(gl, 16, 16, 1);
-  framebuffer.draw_within({0, 0, 16, 16});
-  pass.draw(Eigen::Matrix3d::Identity());
+  framebuffer.draw_within({0, 0, 16, 16}, {0, 0, 16, 16});
+  pass.draw(frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}), Eigen::Matrix3d::Identity());
   const GLuint program = pass.program().id();
   const Reflection reflection(*context, program);
   GLint count = 0;

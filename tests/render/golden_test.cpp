@@ -11,7 +11,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "math/so3.h"
-#include "render/renderer.h"
+#include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
 namespace twrench {
@@ -46,7 +46,7 @@ std::vector<Golden> goldens() {
   transparent.look.transparent = true;
   Scene painted = t_wrench(320, 180);
   painted.look.background = Color{250, 250, 245};
-  painted.look.color = {190, 60, 40};
+  painted.look.color = Color{190, 60, 40};
   painted.look.metallic = 0;
   painted.look.roughness = 0.6;
   Scene moments = t_wrench(320, 180);
@@ -71,7 +71,7 @@ std::vector<Golden> goldens() {
 
 Image drawn(const Golden& golden, const Matrix3d& X) {
   const auto context = gl::make_osmesa_context();
-  return Renderer(*context, golden.scene).draw(X);
+  return PoseRenderer(*context, golden.scene).draw(X);
 }
 
 /// Releases of Mesa round shading and coverage differently, by a level or two on faces and, for a
@@ -87,7 +87,7 @@ bool alike(const Image& a, const Image& b) {
 
 class GoldenImage : public testing::TestWithParam<Golden> {
  protected:
-  fs::path path() const {
+  static fs::path path() {
     return fs::path(TWRENCH_TESTS_DIR) / "golden" / (std::string(GetParam().name) + ".png");
   }
 };

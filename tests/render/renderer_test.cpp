@@ -1,12 +1,12 @@
-#include "render/renderer.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
-#include "t_wrench.h"
+#include "render/pose_renderer.h"
+#include "render/t_wrench.h"
 
 namespace twrench {
 namespace {
@@ -24,8 +24,9 @@ const std::uint8_t* pixel(const Image& image, int x, int y) {
 }
 
 /// The alpha of a transparent frame where `point`, in space, falls.
-int coverage_at(const Renderer& renderer, const Image& image, const Vector3d& point) {
-  const Eigen::Vector4d clip = renderer.projection() * renderer.view() * point.homogeneous();
+int coverage_at(const PoseRenderer& renderer, const Image& image, const Vector3d& point) {
+  const Eigen::Vector4d clip =
+      renderer.camera().projection * renderer.camera().view * point.homogeneous();
   const double x = (0.5 + 0.5 * clip.x() / clip.w()) * image.width;
   const double y = (0.5 - 0.5 * clip.y() / clip.w()) * image.height;
   return pixel(image, static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))[3];
@@ -51,7 +52,7 @@ class RendererTest : public testing::Test {
 TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
   Scene scene = t_wrench(160, 90);
   scene.look.background = Color{0, 255, 0};
-  const Image image = Renderer(*context, scene).draw(Matrix3d::Identity());
+  const Image image = PoseRenderer(*context, scene).draw(Matrix3d::Identity());
   ASSERT_EQ(image.width, 160);
   ASSERT_EQ(image.height, 90);
   ASSERT_EQ(image.channels, 3);
@@ -61,7 +62,7 @@ TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
 }
 
 TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
-  Renderer renderer(*context, transparent());
+  PoseRenderer renderer(*context, transparent());
   for (int i = 0; i < 12; ++i) {
     const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
     const Image image = renderer.draw(X);
@@ -74,8 +75,8 @@ TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
 
 TEST_F(RendererTest, LeavesWhatIsBesideTheBodyClear) {
   Scene scene = transparent();
-  scene.look.camera = {0, 0, 1};
-  Renderer renderer(*context, scene);
+  scene.camera.elevation = 0;
+  PoseRenderer renderer(*context, scene);
   const Image image = renderer.draw(Matrix3d::Identity());
   for (const Vector3d& beside :
        {Vector3d(-2.2, 0, 0), Vector3d(0.4, 1.4, 0), Vector3d(0.4, -1.4, 0), Vector3d(4.3, 0, 0),
@@ -87,8 +88,8 @@ TEST_F(RendererTest, LeavesWhatIsBesideTheBodyClear) {
 TEST_F(RendererTest, ShowsNoGapWhereTheLegMeetsTheHandle) {
   // Seen along the handle, whose side curves away from the leg's flat end at x = 0.
   Scene scene = transparent();
-  scene.look.camera = {0, 1, 0};
-  Renderer renderer(*context, scene);
+  scene.camera.elevation = std::numbers::pi / 2;
+  PoseRenderer renderer(*context, scene);
   const Image image = renderer.draw(Matrix3d::Identity());
   for (const double z : {-0.93, -0.8, 0.8, 0.93}) {
     EXPECT_EQ(coverage_at(renderer, image, Vector3d(-0.1, 0, z)), 255) << z;
@@ -96,7 +97,7 @@ TEST_F(RendererTest, ShowsNoGapWhereTheLegMeetsTheHandle) {
 }
 
 TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
-  Renderer renderer(*context, t_wrench());
+  PoseRenderer renderer(*context, t_wrench());
   const Matrix3d X = turned(0.8, {1, 2, 3});
   EXPECT_GT(mean_difference(renderer.draw(X), renderer.draw(X.transpose())), 3);
 }
@@ -105,14 +106,14 @@ TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
   // A cylinder that turns about its own axis looks the same.
   Scene scene = t_wrench();
   scene.body.parts = {cylinder(1, 6, {0, 0, 0}, Vector3d::UnitY())};
-  Renderer renderer(*context, scene);
+  PoseRenderer renderer(*context, scene);
   const Image still = renderer.draw(Matrix3d::Identity());
   EXPECT_LT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitY()))), 0.2);
   EXPECT_GT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitX()))), 2);
 }
 
 TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
-  const Image image = Renderer(*context, transparent()).draw(turned(0.5, {1, 1, 0}));
+  const Image image = PoseRenderer(*context, transparent()).draw(turned(0.5, {1, 1, 0}));
   int partial = 0;
   int darkest_inside = 255;
   int darkest_edge = 255;
@@ -131,8 +132,8 @@ TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
   Scene scene = t_wrench(320, 180);
   scene.look.background = Color{255, 255, 255};
   const Matrix3d X = turned(0.5, {1, 1, 0});
-  const Image opaque = Renderer(*context, scene).draw(X);
-  const Image clear = Renderer(*context, transparent()).draw(X);
+  const Image opaque = PoseRenderer(*context, scene).draw(X);
+  const Image clear = PoseRenderer(*context, transparent()).draw(X);
   for (std::size_t i = 0, j = 0; i < clear.pixels.size(); i += 4, j += 3) {
     const double alpha = clear.pixels[i + 3] / 255.0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -144,18 +145,18 @@ TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
 
 TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
   const Matrix3d X = turned(0.8, {1, 2, 3});
-  Renderer first(*context, t_wrench());
+  PoseRenderer first(*context, t_wrench());
   const Image alone = first.draw(X);
   for (int i = 0; i < 5; ++i) first.draw(turned(0.9 * i, {3, 1, 2}));
   EXPECT_EQ(first.draw(X).pixels, alone.pixels);
-  Renderer second(*context, t_wrench());
+  PoseRenderer second(*context, t_wrench());
   EXPECT_EQ(second.draw(X).pixels, alone.pixels);
   EXPECT_EQ(first.draw(X).pixels, alone.pixels);
 }
 
 TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
   // As eq. (24) makes: grown past the frame, past the camera too.
-  Renderer renderer(*context, transparent());
+  PoseRenderer renderer(*context, transparent());
   const Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
   EXPECT_EQ(coverage_at(renderer, large, Vector3d::Zero()), 255);
   EXPECT_NO_THROW(renderer.draw(10 * turned(0.5, {1, 1, 0})));
@@ -163,19 +164,19 @@ TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
 
 TEST_F(RendererTest, FollowsTheLook) {
   const Matrix3d X = turned(0.5, {1, 1, 0});
-  const Image plain = Renderer(*context, t_wrench()).draw(X);
+  const Image plain = PoseRenderer(*context, t_wrench()).draw(X);
   const auto difference = [&](auto change) {
     Scene scene = t_wrench();
-    change(scene.look);
-    return mean_difference(plain, Renderer(*context, scene).draw(X));
+    change(scene);
+    return mean_difference(plain, PoseRenderer(*context, scene).draw(X));
   };
-  EXPECT_EQ(difference([](Look&) {}), 0);
-  EXPECT_GT(difference([](Look& look) { look.color = {255, 120, 40}; }), 1);
-  EXPECT_GT(difference([](Look& look) { look.metallic = 0; }), 1);
-  EXPECT_GT(difference([](Look& look) { look.roughness = 0.1; }), 0.5);
-  EXPECT_GT(difference([](Look& look) { look.camera = {5, 5, 20}; }), 1);
-  EXPECT_GT(difference([](Look& look) { look.field_of_view = 1.2; }), 0.3);
-  EXPECT_GT(difference([](Look& look) { look.samples = 1; }), 0.05);
+  EXPECT_EQ(difference([](Scene&) {}), 0);
+  EXPECT_GT(difference([](Scene& s) { s.look.color = Color{255, 120, 40}; }), 1);
+  EXPECT_GT(difference([](Scene& s) { s.look.metallic = 0; }), 1);
+  EXPECT_GT(difference([](Scene& s) { s.look.roughness = 0.1; }), 0.5);
+  EXPECT_GT(difference([](Scene& s) { s.camera.azimuth = 0.25; }), 1);
+  EXPECT_GT(difference([](Scene& s) { s.camera.field_of_view = 1.2; }), 0.3);
+  EXPECT_GT(difference([](Scene& s) { s.look.samples = 1; }), 0.05);
 }
 
 }  // namespace

@@ -54,14 +54,26 @@ size = [640, 360]
 fps = 25
 speed = 2
 [look]
+theme = "paper"
 samples = 1
-bare = true
+motion_blur = 8
 background = "transparent"
 color = "#ff8800"
 metallic = 0.5
 roughness = 0.2
+[camera]
+azimuth = 1.5
+elevation = -0.5
+distance = 2
+orbit = 0.1
 field_of_view = 0.4
-camera = [1, 2, 3]
+[overlay]
+view = "quad"
+show = ["axes", "plane"]
+compare = ["rk4", "exact"]
+trail_point = [1, 2, 3]
+trail_length = 7
+font = "mono"
 )";
 
 TEST(SceneFile, EveryKeyIsRead) {
@@ -84,13 +96,23 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.film.fps, 25);
   EXPECT_EQ(scene.film.speed, 2);
   EXPECT_EQ(scene.look.samples, 1);
-  EXPECT_TRUE(scene.look.bare);
+  EXPECT_EQ(scene.look.theme, Theme::paper);
+  EXPECT_EQ(scene.look.motion_blur, 8);
   EXPECT_TRUE(scene.look.transparent);
   EXPECT_EQ(scene.look.color, (Color{255, 136, 0}));
   EXPECT_EQ(scene.look.metallic, 0.5);
   EXPECT_EQ(scene.look.roughness, 0.2);
-  EXPECT_EQ(scene.look.field_of_view, 0.4);
-  EXPECT_EQ(scene.look.camera, Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.camera.azimuth, 1.5);
+  EXPECT_EQ(scene.camera.elevation, -0.5);
+  EXPECT_EQ(scene.camera.distance, 2);
+  EXPECT_EQ(scene.camera.orbit, 0.1);
+  EXPECT_EQ(scene.camera.field_of_view, 0.4);
+  EXPECT_EQ(scene.overlay.view, View::quad);
+  EXPECT_EQ(scene.overlay.show, (std::set{Feature::axes, Feature::plane}));
+  EXPECT_EQ(scene.overlay.compare, (std::vector<std::string>{"rk4", "exact"}));
+  EXPECT_EQ(scene.overlay.trail_point, Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.overlay.trail_length, 7);
+  EXPECT_EQ(scene.overlay.font, "mono");
   EXPECT_EQ(scene.frame_count(), 150);
   EXPECT_EQ(scene.film.time_of(3), 3 * 2.0 / 25);
 }
@@ -114,6 +136,8 @@ struct Mistake {
   const char* place;
   const char* why;
 };
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.place; }
 
 class SceneMistake : public testing::TestWithParam<Mistake> {};
 
@@ -163,10 +187,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640, 0]", "film.size", "is 0"},
         Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640.5, 360]", "film.size", "whole"},
         Mistake{"[body]\nmoments=[1,2,3]\n[film]\nfps = true", "film.fps", "number"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbare = 1", "look.bare", "true or false"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\ntheme = 'papper'", "look.theme", "'papper'"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nview = 'quat'", "overlay.view", "'quat'"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = ['hut']", "overlay.show", "'hut'"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = [1]", "overlay.show", "texts"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = 'hud'", "overlay.show", "texts"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = ['rk5']", "overlay.compare", "rk4"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = "
+                "['rk4', 'rk4', 'rk4', 'rk4', 'rk4']",
+                "overlay.compare", "at most 4"},
         Mistake{"[body]\nmoments=[1,2,3]\n[look]\ncolor = 'pink'", "look.color", "'pink'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbackground = 7", "look.background", "text"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[look]\ncamera = [0, 0, 0]", "look.camera", "zero"}));
+        Mistake{"[body]\nmoments=[1,2,3]\n[camera]\nelevation = 2", "camera.elevation",
+                "at most 1.57"}));
 
 TEST(SceneFile, UnknownSceneOffersTheNearest) {
   try {
