@@ -192,7 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = ['hut']", "overlay.show", "'hut'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = [1]", "overlay.show", "texts"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = 'hud'", "overlay.show", "texts"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = ['rk5']", "overlay.compare", "rk4"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = ['rk5']", "overlay.compare",
+                "'rk5'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = "
                 "['rk4', 'rk4', 'rk4', 'rk4', 'rk4']",
                 "overlay.compare", "at most 4"},
