@@ -81,6 +81,8 @@ struct Boundary {
   Vector3d (*omega)(double offset);
 };
 
+void PrintTo(const Boundary& boundary, std::ostream* out) { *out << boundary.name; }
+
 /// Each family crosses a boundary between cases where its offset is zero.
 class AcrossBoundaries : public testing::TestWithParam<Boundary> {};
 
