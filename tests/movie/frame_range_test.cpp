@@ -86,6 +86,12 @@ TEST(FrameRange, OfTheLargestFilmIsHeld) {
   EXPECT_EQ(parse_frame_range("0-9999999", max_frame_count).size(), 10'000'000U);
 }
 
+TEST(FrameRange, DoesNotSelectTheSameFramesWithoutEnd) {
+  std::string range = "0-9999999";
+  for (int i = 0; i < 10; ++i) range += ",0-9999999";
+  EXPECT_THROW(parse_frame_range(range, max_frame_count), UsageError);
+}
+
 TEST(FrameRange, IsFormattedAsBrieflyAsItIsRead) {
   EXPECT_EQ(format_frame_range({}), "");
   for (const std::string range : {"4", "0-3", "0-3,7", "1,3,5-6,9"}) {
