@@ -110,4 +110,11 @@ std::string format_frame_range(std::span<const int> frames) {
   return text;
 }
 
+std::string brief_frame_range(std::span<const int> frames) {
+  constexpr std::size_t longest = 120;
+  const std::string all = format_frame_range(frames);
+  if (all.size() <= longest) return all;
+  return fmt::format("{},... ({} in all)", all.substr(0, all.rfind(',', longest)), frames.size());
+}
+
 }  // namespace twrench

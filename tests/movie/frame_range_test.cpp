@@ -99,5 +99,15 @@ TEST(FrameRange, IsFormattedAsBrieflyAsItIsRead) {
   }
 }
 
+TEST(FrameRange, IsShortInAMessage) {
+  std::vector<int> even;
+  for (int i = 0; i < 1000; i += 2) even.push_back(i);
+  const std::string brief = brief_frame_range(even);
+  EXPECT_LT(brief.size(), 150U);
+  EXPECT_THAT(brief, ::testing::StartsWith("0,2,4,"));
+  EXPECT_THAT(brief, ::testing::EndsWith(",... (500 in all)"));
+  EXPECT_EQ(brief_frame_range(std::vector<int>{1, 2, 3, 7}), "1-3,7");
+}
+
 }  // namespace
 }  // namespace twrench
