@@ -4,11 +4,19 @@
 
 #include "base/error.h"
 #include "movie/frame_range.h"
+#include "movie/shard.h"
 #include "target.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace twrench;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  is_manifest_name(text);
+  try {
+    const Shard shard = parse_shard(text);
+    require(parse_shard(format_shard(shard)) == shard, "a shard is read back");
+    require(is_manifest_name(manifest_file_name(shard)), "its manifest is known by its name");
+  } catch (const UsageError&) {
+  }
   constexpr int frame_count = 100'000;  // small, so that many inputs are tried a second
   try {
     const std::vector<int> frames = parse_frame_range(text, frame_count);

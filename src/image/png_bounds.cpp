@@ -14,14 +14,18 @@ std::uint64_t number_at(std::span<const std::uint8_t> file, std::size_t at) {
   return value;
 }
 
-/// Whether every chunk up to IEND ends within the file.
+/// Whether every chunk up to IEND ends within the file. One of data that has none is refused too:
+/// legal, but written by nobody, and stb_image copies from a null pointer for it.
 bool has_all_chunks(std::span<const std::uint8_t> file) {
   constexpr std::size_t around = 12;          // a chunk's length, type and checksum
   constexpr std::uint64_t last = 0x49454E44;  // "IEND"
+  constexpr std::uint64_t data = 0x49444154;  // "IDAT"
   for (std::size_t at = signature; file.size() - at >= around;) {
     const std::uint64_t length = number_at(file, at);
     if (length > file.size() - at - around) return false;
-    if (number_at(file, at + 4) == last) return true;
+    const std::uint64_t type = number_at(file, at + 4);
+    if (type == last) return true;
+    if (type == data && length == 0) return false;
     at += around + static_cast<std::size_t>(length);
   }
   return false;
