@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folders=()
-for folder in src tests bench; do
+for folder in src tests fuzz bench; do
   [[ ! -d $folder ]] || folders+=("$folder")
 done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
@@ -24,7 +24,7 @@ case "${1-}" in
     scripts/setup.sh tidy
     scripts/build.sh --tests release # the compile commands and the generated headers
     # The pattern keeps generated sources out: they lie under build/.
-    run-clang-tidy-14 -quiet -p build/release -j "$(nproc)" "^$(pwd -P)/(src|tests|bench)/"
+    run-clang-tidy-14 -quiet -p build/release -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench)/"
     ;;
   *)
     echo "usage: $0 format|fix|tidy" >&2

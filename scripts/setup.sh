@@ -2,7 +2,7 @@
 # Installs what is missing of the Debian or Ubuntu packages that this project uses:
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
-#   setup.sh tidy     to run clang-tidy over it as well
+#   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
 # When nothing is missing it says nothing and calls neither apt nor sudo.
 set -euo pipefail
 
@@ -19,7 +19,7 @@ test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox)
 case "${1-}" in
   render) ;;
   test) packages+=("${test_packages[@]}") ;;
-  tidy) packages+=("${test_packages[@]}" clang-tidy-14) ;;
+  tidy) packages+=("${test_packages[@]}" clang-tidy-14 clang-14 libclang-rt-14-dev) ;;
   *)
     echo "usage: $0 render|test|tidy" >&2
     exit 2

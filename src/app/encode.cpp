@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "app/commands.h"
 #include "app/progress.h"
 #include "movie/encode_frames.h"
+#include "movie/frame_range.h"
 
 namespace twrench {
 namespace {
@@ -10,13 +13,19 @@ namespace {
 struct Options {
   std::string folder;
   std::string output;
+  bool allow_missing = false;
   std::string progress = "auto";
 };
 
 void encode(const Options& options) {
   Progress progress(options.progress);
-  encode_frames(options.folder, options.output,
-                [&](int done, int total) { progress.update(done, total); });
+  const std::vector<int> left_out = encode_frames(
+      options.folder, options.output, options.allow_missing ? Missing::leave_out : Missing::refuse,
+      [&](int done, int total) { progress.update(done, total); });
+  progress.finish();
+  if (left_out.empty()) return;
+  fmt::print(stderr, "twrench: warning: {}: the film is without the missing frames {}\n",
+             options.output, brief_frame_range(left_out));
 }
 
 }  // namespace
@@ -25,9 +34,13 @@ void add_encode(CLI::App& app) {
   CLI::App* command = app.add_subcommand("encode", "A video from frames written earlier");
   command->footer("Example: twrench encode out/dzhanibekov -o flip.mp4");
   const auto options = std::make_shared<Options>();
-  command->add_option("FRAMES_DIR", options->folder, "folder of frames and their manifest.json")
+  command
+      ->add_option("FRAMES_DIR", options->folder,
+                   "folder of frames and their manifest.json, or those of shards")
       ->required();
   command->add_option("-o,--output", options->output, "the video")->required()->type_name("F.mp4");
+  command->add_flag("--allow-missing", options->allow_missing,
+                    "a film of the frames that are there, though some are missing");
   Progress::add_option(*command, options->progress);
   command->callback([options] { encode(*options); });
 }

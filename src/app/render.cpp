@@ -4,10 +4,12 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/frames_output.h"
 #include "app/interruption.h"
 #include "app/pipeline.h"
 #include "app/scene_options.h"
@@ -15,7 +17,6 @@
 #include "base/file.h"
 #include "gl/context.h"
 #include "image/png.h"
-#include "movie/earlier_run.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
 #include "scene/names.h"
@@ -44,6 +45,7 @@ struct Options {
   std::string video;
   std::string frames_dir;
   std::string range;
+  Shard shard;
   bool no_video = false;
   bool no_frames = false;
   bool resume = false;
@@ -136,6 +138,15 @@ Options::Options(CLI::App& command) : scene(command) {
       ->type_name("DIR");
   command.add_option("--frames", range, "draw only these: a-b, a-b:step, commas between")
       ->type_name("RANGE");
+  command
+      .add_option_function<std::string>(
+          "--shard",
+          [this](const std::string& text) {
+            shard = parse_shard(text);
+            no_video = true;
+          },
+          "draw part i of n of the frames, into a folder that all n share; no video: see encode")
+      ->type_name("i/n");
   command.add_flag("--no-video", no_video, "PNG frames only");
   command.add_flag("--no-frames", no_frames, "video only");
   command.add_option("--backend", backend, "how OpenGL is reached: auto or osmesa")
@@ -206,7 +217,8 @@ std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& 
   return std::make_unique<VideoEncoder>(path, video_format(scene));
 }
 
-Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer) {
+Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer,
+                     const std::vector<int>& asked) {
   Manifest manifest;
   manifest.version = version;
   manifest.scene = scene_json(scene);
@@ -214,40 +226,10 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   manifest.width = scene.film.width;
   manifest.height = scene.film.height;
   manifest.fps = scene.film.fps;
+  manifest.range = format_frame_range(asked);
+  manifest.shard = options.shard;
   if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
   return manifest;
-}
-
-/// Throws where a run would write over frames that it does not know to be of the same film.
-void refuse_to_destroy(const Options& options, const fs::path& folder, const EarlierRun& earlier,
-                       const Manifest& film) {
-  if (options.resume || options.overwrite || !earlier.exists()) return;
-  if (earlier.manifest() != nullptr && same_film(*earlier.manifest(), film)) return;
-  const char* why = earlier.manifest() == nullptr
-                        ? "has frames without a manifest that could be read"
-                        : "has frames of another scene, size, renderer or version";
-  throw UsageError(
-      folder.string(), why,
-      "--overwrite draws over them, --resume keeps what fits, --frames-dir goes elsewhere");
-}
-
-/// The folder of frames, its manifest begun with what earlier runs of the same film left.
-std::unique_ptr<FrameSequence> open_sequence(const fs::path& folder, Manifest film,
-                                             const EarlierRun& earlier,
-                                             const std::vector<int>& numbers) {
-  std::vector<int> range = numbers;
-  std::vector<FrameRecord> others;
-  if (earlier.manifest() != nullptr && same_film(*earlier.manifest(), film)) {
-    for (const FrameRecord& record : earlier.manifest()->frames) {
-      if (!std::ranges::binary_search(numbers, record.frame)) others.push_back(record);
-    }
-    for (const FrameRecord& record : others) range.push_back(record.frame);
-    std::ranges::sort(range);
-  }
-  film.range = format_frame_range(range);
-  auto sequence = std::make_unique<FrameSequence>(folder, std::move(film));
-  for (const FrameRecord& record : others) sequence->keep(record);
-  return sequence;
 }
 
 [[noreturn]] void throw_interrupted(int signal, std::size_t done, std::size_t total) {
@@ -266,16 +248,17 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
   fmt::print(stderr, "{}\n", text);
 }
 
-/// The frame from the folder, where it is whole and --resume asks for it, or else drawn.
-Picture picture_of(const FrameRecord& frame, const Outputs& outputs, const EarlierRun* earlier,
-                   const fs::path& folder, const std::function<Image()>& draw) {
-  if (earlier != nullptr) {
-    if (const auto record = earlier->intact(frame)) {
-      outputs.sequence->keep(*record);
-      return {outputs.encoder != nullptr ? read_png(folder / record->file) : Image(), false};
-    }
-  }
-  return {draw(), true};
+/// The frame from the folder, where --resume keeps it, or else drawn.
+Picture picture_of(const FrameRecord& frame, FramesOutput* output, bool has_video,
+                   const std::function<Picture()>& draw) {
+  const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
+  if (!kept) return draw();
+  return {has_video ? read_png(output->folder() / kept->file) : Image(), false};
+}
+
+Reuse reuse_of(const Options& options) {
+  if (options.overwrite) return Reuse::overwrite;
+  return options.resume ? Reuse::resume : Reuse::none;
 }
 
 void render(const Options& options) {
@@ -284,11 +267,16 @@ void render(const Options& options) {
   if (options.no_video && options.no_frames) {
     throw UsageError("render", "--no-video and --no-frames leave nothing to write");
   }
+  if (!options.shard.is_whole() && !options.video.empty()) {
+    throw UsageError("render", "a --shard makes no video",
+                     "when all shards are done: twrench encode FRAMES_DIR -o " + options.video);
+  }
   const Scene scene = options.scene.scene();
   const int count = scene.frame_count();
   const std::string all = fmt::format("0-{}", count - 1);
-  const std::vector<int> numbers =
+  const std::vector<int> asked =
       parse_frame_range(options.range.empty() ? all : options.range, count);
+  const std::vector<int> numbers = frames_of_shard(asked, options.shard);
   const int jobs = job_count(options.jobs);
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
@@ -298,26 +286,26 @@ void render(const Options& options) {
   const double posing_seconds = seconds_since(posing);
   Renderer renderer(*context, scene, timeline.takes());
   const std::vector<FrameRecord> frames = frame_records(timeline, renderer);
-  const Manifest film = manifest_of(options, scene, renderer);
-  const fs::path folder = frames_folder(options, scene);
-  const EarlierRun earlier(folder);
-  if (!options.no_frames) refuse_to_destroy(options, folder, earlier, film);
+  std::optional<FramesOutput> output;
+  if (!options.no_frames) {
+    output.emplace(frames_folder(options, scene), manifest_of(options, scene, renderer, asked),
+                   numbers, reuse_of(options));
+  }
   const auto encoder = open_encoder(options, scene);
-  const auto sequence = options.no_frames ? nullptr : open_sequence(folder, film, earlier, numbers);
-  const bool reuse = options.resume && sequence && earlier.manifest() != nullptr &&
-                     same_film(*earlier.manifest(), film);
+  FrameSequence* const sequence = output ? &output->open() : nullptr;
 
   Progress progress(options.progress);
   StageTimes times;
-  const Outputs outputs{sequence.get(), encoder.get(), jobs};
+  const Outputs outputs{sequence, encoder.get(), jobs};
   const auto draw = [&](const FrameRecord& frame) {
     const auto index = static_cast<std::size_t>(&frame - frames.data());
-    return picture_of(frame, outputs, reuse ? &earlier : nullptr, folder,
-                      [&] { return renderer.draw(timeline.moment(index)).image; });
+    return picture_of(frame, output ? &*output : nullptr, encoder != nullptr, [&] {
+      return Picture{renderer.draw(timeline.moment(index)).image};
+    });
   };
   const auto stop = [&] { return interruption.arrived().has_value(); };
   const std::size_t done = run_pipeline(frames, draw, stop, outputs, progress, times);
-  if (sequence) sequence->finish();
+  if (sequence != nullptr) sequence->finish();
   progress.finish();
   if (done < frames.size()) throw_interrupted(*interruption.arrived(), done, frames.size());
   if (encoder) encoder->finish();

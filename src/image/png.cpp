@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "image/png_bounds.h"
 #include "image/stb.h"
 
 namespace twrench {
@@ -30,6 +31,9 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   const std::string what = "cannot read " + name;
   if (bytes.size() > std::numeric_limits<int>::max()) {
     throw FileError(what, "it is too long for a PNG image");
+  }
+  if (!can_be_whole_png(bytes)) {
+    throw FileError(what, "it is no PNG image, or cut short");
   }
   const stb::Pixels pixels = stb::decode_png(bytes, max_image_side);
   if (!pixels.data) {

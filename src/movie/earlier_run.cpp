@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/sha256.h"
+#include "movie/frame_range.h"
+#include "movie/manifest_folder.h"
 
 namespace twrench {
 namespace {
@@ -19,27 +21,50 @@ bool has_frames(const std::filesystem::path& folder) {
   });
 }
 
-}  // namespace
-
-bool same_film(const Manifest& a, const Manifest& b) {
-  return a.version == b.version && a.scene == b.scene && a.renderer == b.renderer &&
-         a.width == b.width && a.height == b.height;
+/// Whether the run that the manifest is of draws some of these frames.
+bool draws_any(const Manifest& head, const std::vector<int>& frames) {
+  const std::vector<int> drawn =
+      frames_of_shard(parse_frame_range(head.range, max_frame_count), head.shard);
+  return std::ranges::any_of(drawn,
+                             [&](int frame) { return std::ranges::binary_search(frames, frame); });
 }
 
-EarlierRun::EarlierRun(std::filesystem::path folder) : folder_(std::move(folder)) {
-  exists_ = std::filesystem::exists(folder_ / manifest_name) || has_frames(folder_);
-  try {
-    manifest_ = read_manifest(folder_ / manifest_name);
-  } catch (const FileError&) {
-    return;
+}  // namespace
+
+EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
+                       const std::vector<int>& frames)
+    : folder_(std::move(folder)) {
+  // In this order: a run that begins at this very moment writes its manifest before any frame.
+  const bool has_any_frames = has_frames(folder_);
+  const std::vector<std::filesystem::path> manifests = manifests_in(folder_);
+  for (const auto& manifest : manifests) look_at(manifest, film, frames);
+  if (!foreign_.empty()) {
+    objection_ = "has frames of another scene, size, renderer or version (" +
+                 foreign_.front().filename().string() + ")";
+  } else if (has_any_frames && manifests.empty()) {
+    objection_ = "has frames without a manifest";
   }
-  for (const FrameRecord& record : manifest_->frames) by_number_[record.frame] = &record;
+}
+
+void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& film,
+                         const std::vector<int>& frames) {
+  try {
+    const Manifest head = read_manifest_head(manifest);
+    if (!same_film(head, film)) return foreign_.push_back(manifest);
+    const bool is_own = head.shard == film.shard;
+    if (!is_own && !draws_any(head, frames)) return;
+    std::vector<FrameRecord> records = read_manifest(manifest).frames;
+    for (const FrameRecord& record : records) by_number_.insert_or_assign(record.frame, record);
+    if (is_own) own_ = std::move(records);
+  } catch (const FileError&) {
+    foreign_.push_back(manifest);
+  }
 }
 
 std::optional<FrameRecord> EarlierRun::intact(const FrameRecord& wanted) const {
   const auto found = by_number_.find(wanted.frame);
   if (found == by_number_.end()) return std::nullopt;
-  const FrameRecord& record = *found->second;
+  const FrameRecord& record = found->second;
   if (record.t != wanted.t || record.X != wanted.X || record.view != wanted.view ||
       record.projection != wanted.projection) {
     return std::nullopt;

@@ -3,36 +3,44 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "movie/manifest.h"
 
 namespace twrench {
 
-/// Whether everything that determines the pixels of a frame is the same, its pose aside: program
-/// version, scene, GL renderer and size.
-bool same_film(const Manifest& a, const Manifest& b);
-
-/// What a folder holds of earlier runs.
+/// What a folder holds of earlier runs, and of others that write there now, for a run that is to
+/// draw some frames of `film`.
 class EarlierRun {
  public:
-  /// Looks at the folder, which need not exist. A manifest that cannot be read counts as none.
-  explicit EarlierRun(std::filesystem::path folder);
+  /// Looks at the folder, which need not exist. `film` is the manifest that the run will write, all
+  /// but its frames. Of each other manifest only the head is read, unless it has frames that this
+  /// run draws: so a thousand shards in a folder do not each read what all have written.
+  EarlierRun(std::filesystem::path folder, const Manifest& film, const std::vector<int>& frames);
 
-  /// Frames or a manifest, of whatever film.
-  bool exists() const { return exists_; }
+  /// Why a run must not write here unasked: there are frames of another film, or of none that a
+  /// manifest tells of. Empty where all is of this film, or there is nothing.
+  const std::string& objection() const { return objection_; }
 
-  /// Null where there is none that can be read.
-  const Manifest* manifest() const { return manifest_ ? &*manifest_ : nullptr; }
+  /// The manifests that are not of this film, or that cannot be read.
+  const std::vector<std::filesystem::path>& foreign_manifests() const { return foreign_; }
+
+  /// What the manifest that this run will write told so far, of the same film.
+  const std::vector<FrameRecord>& own_records() const { return own_; }
 
   /// The record of the frame on disk, if it shows `wanted`'s pose through the same camera, and the
   /// file is still what was written, to the last bit: that it exists proves nothing.
   std::optional<FrameRecord> intact(const FrameRecord& wanted) const;
 
  private:
+  void look_at(const std::filesystem::path& manifest, const Manifest& film,
+               const std::vector<int>& frames);
+
   std::filesystem::path folder_;
-  bool exists_ = false;
-  std::optional<Manifest> manifest_;
-  std::map<int, const FrameRecord*> by_number_;  ///< into manifest_
+  std::string objection_;
+  std::vector<std::filesystem::path> foreign_;
+  std::vector<FrameRecord> own_;
+  std::map<int, FrameRecord> by_number_;  ///< of this film
 };
 
 }  // namespace twrench

@@ -10,23 +10,33 @@
 #include "image/png.h"
 #include "movie/encoder.h"
 #include "movie/frame_range.h"
-#include "movie/manifest.h"
+#include "movie/manifest_folder.h"
 
 namespace twrench {
 namespace {
 
-/// The frames of the manifest's range that it does not tell of, or that have no file.
-std::vector<int> missing_frames(const Manifest& manifest, const std::filesystem::path& folder) {
+/// Takes the records from the manifest that have no file, and returns the frames of its range that
+/// it then does not tell of.
+std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path& folder) {
+  std::erase_if(manifest.frames, [&](const FrameRecord& record) {
+    return !std::filesystem::exists(folder / record.file);
+  });
   std::vector<int> missing;
   auto record = manifest.frames.begin();
   for (const int frame : parse_frame_range(manifest.range, max_frame_count)) {
     const bool told = record != manifest.frames.end() && record->frame == frame;
-    if (!told || !std::filesystem::exists(folder / record->file)) {
-      missing.push_back(frame);
-    }
+    if (!told) missing.push_back(frame);
     record += told ? 1 : 0;
   }
   return missing;
+}
+
+[[noreturn]] void throw_missing(const std::filesystem::path& folder,
+                                const std::vector<int>& missing) {
+  const std::string range = brief_frame_range(missing);
+  throw FileError("cannot encode " + folder.string(), "frames are missing: " + range,
+                  "render them, by the same command with --resume or with --frames; or leave them "
+                  "out: --allow-missing");
 }
 
 /// The frame as it was drawn, or a FileError.
@@ -37,7 +47,7 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
   const auto png = read_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
     throw FileError("cannot use " + path.string(), "it is not the file that the manifest tells of",
-                    "render the frames again: --frames " + manifest.range);
+                    fmt::format("render it again: --resume --frames {}", record.frame));
   }
   Image image = decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {
@@ -50,15 +60,13 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
 
 }  // namespace
 
-void encode_frames(const std::filesystem::path& folder, const std::filesystem::path& output,
-                   const std::function<void(int done, int total)>& progress) {
-  const Manifest manifest = read_manifest(folder / manifest_name);
+std::vector<int> encode_frames(const std::filesystem::path& folder,
+                               const std::filesystem::path& output, Missing when_missing,
+                               const std::function<void(int done, int total)>& progress) {
+  Manifest manifest = read_manifests(folder);
   const std::vector<int> missing = missing_frames(manifest, folder);
-  if (!missing.empty()) {
-    throw FileError("cannot encode " + folder.string(),
-                    "frames are missing: " + format_frame_range(missing),
-                    "render them again: --frames " + manifest.range);
-  }
+  const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
+  if (!missing.empty() && !some_left) throw_missing(folder, missing);
   const VideoFormat format{manifest.width, manifest.height, manifest.fps};
   require_encoder(format);
   VideoEncoder encoder(output, format);
@@ -68,6 +76,7 @@ void encode_frames(const std::filesystem::path& folder, const std::filesystem::p
     progress(done + 1, total);
   }
   encoder.finish();
+  return missing;
 }
 
 }  // namespace twrench

@@ -13,6 +13,9 @@
 namespace twrench {
 namespace {
 
+/// Bounds the work that a range makes which selects the same frames over and over.
+constexpr std::int64_t most_named = std::int64_t{10} * max_frame_count;
+
 /// One part of a RANGE: first, first + step, ... up to last.
 struct Run {
   int first;
@@ -58,6 +61,7 @@ std::optional<Run> parse_run(std::string_view text) {
 std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
   const std::string what = fmt::format("frames '{}'", range);
   std::vector<bool> selected;  // as long as the greatest number asks for
+  std::int64_t named = 0;      // frames, each as often as it is named
   for (bool more = true; more;) {
     more = range.find(',') != std::string_view::npos;
     const std::string_view part = take_until(range, ',');
@@ -70,6 +74,11 @@ std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
     if (run->last >= frame_count) {
       throw UsageError(what, fmt::format("there is no frame {}", run->last),
                        fmt::format("the film's frames are 0-{}", frame_count - 1));
+    }
+    named += (run->last - run->first) / run->step + 1;
+    if (named > most_named) {
+      throw UsageError(what,
+                       fmt::format("it names more than {} frames, many of them again", most_named));
     }
     const auto length = static_cast<std::size_t>(run->last) + 1;
     selected.resize(std::max(selected.size(), length));
@@ -99,6 +108,13 @@ std::string format_frame_range(std::span<const int> frames) {
     i = end;
   }
   return text;
+}
+
+std::string brief_frame_range(std::span<const int> frames) {
+  constexpr std::size_t longest = 120;
+  const std::string all = format_frame_range(frames);
+  if (all.size() <= longest) return all;
+  return fmt::format("{},... ({} in all)", all.substr(0, all.rfind(',', longest)), frames.size());
 }
 
 }  // namespace twrench

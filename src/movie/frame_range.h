@@ -19,4 +19,7 @@ std::vector<int> parse_frame_range(std::string_view range, int frame_count);
 /// The RANGE that names exactly these ascending frames: "0-3,7".
 std::string format_frame_range(std::span<const int> frames);
 
+/// The same for a message: of many runs the first, and how many frames there are in all.
+std::string brief_frame_range(std::span<const int> frames);
+
 }  // namespace twrench

@@ -25,6 +25,11 @@ FrameSequence::~FrameSequence() {
 void FrameSequence::write(FrameRecord record, std::span<const std::uint8_t> png) {
   record.file = frame_file_name(record.frame);
   record.sha256 = sha256_hex(png);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!begun_) write_manifest();
+    begun_ = true;
+  }
   write_file_atomically(folder_ / record.file, png);
   const std::lock_guard lock(mutex_);
   const int frame = record.frame;
@@ -50,7 +55,7 @@ void FrameSequence::write_manifest() {
   for (const auto& [frame, record] : records_) {
     manifest_.frames.push_back(record);
   }
-  write_file_atomically(folder_ / manifest_name, format_manifest(manifest_));
+  write_file_atomically(folder_ / manifest_file_name(manifest_.shard), format_manifest(manifest_));
   finished_ = true;
   // Every five seconds, but of a long film never more than a twentieth of the time.
   next_manifest_ = Clock::now() +

@@ -44,6 +44,7 @@ class FrameSequence {
   Manifest manifest_;
   std::map<int, FrameRecord> records_;
   Clock::time_point next_manifest_ = Clock::now();
+  bool begun_ = false;    ///< a manifest was written; before any frame, so that none is nobody's
   bool finished_ = true;  ///< the manifest on disk tells of all records
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -15,6 +17,8 @@ namespace twrench {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::string_view frames_line = "\"frames\": [";  ///< after all else
 
 /// A value of the manifest with the path to it, which its errors name: "frames[3].X".
 class Place {
@@ -85,22 +89,6 @@ class Place {
   std::string path_;
 };
 
-/// The text as JSON. Its depth is bounded, because what walks it later walks it recursively.
-Json parse_json(std::string_view text, const std::string& name) {
-  constexpr int deepest = 32;
-  const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > deepest) {
-      throw FileError("cannot use " + name, fmt::format("it nests deeper than {}", deepest));
-    }
-    return true;
-  };
-  try {
-    return Json::parse(text, bounded);
-  } catch (const Json::exception& error) {
-    throw FileError("cannot use " + name, error.what());
-  }
-}
-
 std::string file_name(const Place& place) {
   std::string name = place.text();
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
@@ -129,19 +117,43 @@ FrameRecord frame_record(const Place& place) {
           .sha256 = sha256(place.key("sha256"))};
 }
 
-std::vector<FrameRecord> frame_records(const Place& place, const std::vector<int>& range) {
-  std::vector<FrameRecord> records;
+/// A manifest's text as JSON without the frames, which are taken out as they come: as JSON they
+/// need several times the memory of their text. The depth is bounded, because what walks the rest
+/// walks it recursively.
+Json parse_json(std::string_view text, const std::string& name, std::vector<FrameRecord>& frames) {
+  constexpr int deepest = 32;
+  bool in_frames = false;
+  const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > deepest) {
+      throw FileError("cannot use " + name, fmt::format("it nests deeper than {}", deepest));
+    }
+    if (event == Json::parse_event_t::key && depth == 1) in_frames = value == "frames";
+    const bool is_frame = in_frames && depth == 2 && event == Json::parse_event_t::object_end;
+    if (is_frame) {
+      frames.push_back(frame_record({value, name, fmt::format("frames[{}]", frames.size())}));
+    }
+    return !is_frame;
+  };
+  try {
+    return Json::parse(text, take);
+  } catch (const Json::exception& error) {
+    throw FileError("cannot use " + name, error.what());
+  }
+}
+
+/// Throws unless the frames are some of the range's, ascending. `place` is what is left of them:
+/// whatever is no object.
+void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
+                  const std::vector<int>& range) {
+  if (place.size_of_array() != 0) place.item(0).fail("an object");
   auto asked = range.begin();
-  const std::size_t count = place.size_of_array();
-  for (std::size_t i = 0; i < count; ++i) {
-    records.push_back(frame_record(place.item(i)));
-    asked = std::find(asked, range.end(), records.back().frame);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    asked = std::find(asked, range.end(), frames[i].frame);
     if (asked == range.end()) {
-      place.item(i).key("frame").fail("in the range, after the frame before it");
+      place.fail(fmt::format("in the range and ascending, which frame {} is not", frames[i].frame));
     }
     ++asked;
   }
-  return records;
 }
 
 std::vector<int> frame_range(const Place& place) {
@@ -149,6 +161,16 @@ std::vector<int> frame_range(const Place& place) {
     return parse_frame_range(place.text(), max_frame_count);
   } catch (const UsageError&) {
     place.fail("a range of frames");
+  }
+}
+
+Shard shard_of(const Place& root) {
+  if (!root.value().contains("shard")) return {};
+  const Place place = root.key("shard");
+  try {
+    return parse_shard(place.text());
+  } catch (const UsageError&) {
+    place.fail("i/n");
   }
 }
 
@@ -173,15 +195,16 @@ std::vector<std::string> texts(const Place& place) {
 std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
 
 std::string format_manifest(const Manifest& manifest) {
-  const Json head{{"version", manifest.version},   {"scene", manifest.scene},
-                  {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
-                  {"fps", manifest.fps},           {"encoder", manifest.encoder},
-                  {"range", manifest.range}};
+  Json head{{"version", manifest.version},   {"scene", manifest.scene},
+            {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
+            {"fps", manifest.fps},           {"encoder", manifest.encoder},
+            {"range", manifest.range}};
+  if (!manifest.shard.is_whole()) head["shard"] = format_shard(manifest.shard);
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {
     text += fmt::format("{}: {},\n", Json(key).dump(), value.dump());
   }
-  text += "\"frames\": [";
+  text += frames_line;
   for (const FrameRecord& record : manifest.frames) {
     const Json frame{{"frame", record.frame},
                      {"t", record.t},
@@ -196,12 +219,14 @@ std::string format_manifest(const Manifest& manifest) {
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {
-  const Json json = parse_json(text, name);
+  std::vector<FrameRecord> frames;
+  const Json json = parse_json(text, name, frames);
   const Place root(json, name, "");
   const Place size = root.key("size");
   if (size.size_of_array() != 2) {
     size.fail("[width, height]");
   }
+  check_frames(frames, root.key("frames"), frame_range(root.key("range")));
   return {.version = root.key("version").text(),
           .scene = root.key("scene").value(),
           .renderer = root.key("renderer").text(),
@@ -210,13 +235,32 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
           .fps = positive(root.key("fps")),
           .encoder = texts(root.key("encoder")),
           .range = root.key("range").text(),
-          .frames = frame_records(root.key("frames"), frame_range(root.key("range")))};
+          .shard = shard_of(root),
+          .frames = std::move(frames)};
+}
+
+bool same_film(const Manifest& a, const Manifest& b) {
+  return a.version == b.version && a.scene == b.scene && a.renderer == b.renderer &&
+         a.width == b.width && a.height == b.height;
 }
 
 Manifest read_manifest(const std::filesystem::path& path) {
   constexpr std::size_t longest = 1000UL * max_frame_count;  // a line of a frame is shorter
   const auto bytes = read_file(path, longest);
   return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+}
+
+Manifest read_manifest_head(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string head;
+  for (std::string line; std::getline(file, line); head += line + '\n') {
+    if (line.starts_with(frames_line)) {
+      return parse_manifest(head + std::string(frames_line) + "]}", path.string());
+    }
+  }
+  Manifest manifest = read_manifest(path);
+  manifest.frames.clear();
+  return manifest;
 }
 
 }  // namespace twrench

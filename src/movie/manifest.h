@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "movie/shard.h"
+
 namespace twrench {
 
 /// One frame as it was drawn. Matrices are for column vectors, row by row:
@@ -31,14 +33,16 @@ struct Manifest {
   double fps = 0.0;                  ///< frames per second of film
   std::vector<std::string> encoder;  ///< ffmpeg's arguments: a record, never run from here
   std::string range;                 ///< the RANGE that was asked for; a stopped run has fewer
+  Shard shard{};                     ///< the part of the range that this run draws
   std::vector<FrameRecord> frames;   ///< ascending by number
 };
 
-/// The name of a manifest in its folder of frames.
-constexpr const char* manifest_name = "manifest.json";
-
 /// "frame_000012.png"
 std::string frame_file_name(int frame);
+
+/// Whether everything that determines the pixels of a frame is the same, its pose aside: program
+/// version, scene, GL renderer and size.
+bool same_film(const Manifest& a, const Manifest& b);
 
 /// The manifest as JSON, a frame a line; every double is read back as the same double.
 std::string format_manifest(const Manifest& manifest);
@@ -51,5 +55,10 @@ Manifest parse_manifest(std::string_view text, const std::string& name);
 
 /// The manifest in the file. Throws FileError when it cannot be read, and as parse_manifest.
 Manifest read_manifest(const std::filesystem::path& path);
+
+/// The manifest without its frames, of which, where format_manifest wrote it, no more is read than
+/// what stands before them: a folder may have a thousand manifests of a thousand frames. Throws as
+/// read_manifest.
+Manifest read_manifest_head(const std::filesystem::path& path);
 
 }  // namespace twrench

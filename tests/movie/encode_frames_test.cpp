@@ -56,7 +56,7 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
 std::vector<int> encode_and_count(const std::filesystem::path& folder,
                                   const std::filesystem::path& film) {
   std::vector<int> heard;
-  encode_frames(folder, film, [&heard](int done, int) { heard.push_back(done); });
+  encode_frames(folder, film, Missing::refuse, [&heard](int done, int) { heard.push_back(done); });
   return heard;
 }
 
@@ -91,7 +91,23 @@ TEST(EncodeFrames, NamesTheFramesThatWereNeverDrawnOrAreGone) {
   std::filesystem::remove(scratch / "frames/frame_000010.png");
   const FileError error = failure(scratch);
   EXPECT_THAT(error.what(), HasSubstr("frames are missing: 5-7,10,13-19"));
-  EXPECT_THAT(error.remedy(), HasSubstr("--frames 0-19"));
+  EXPECT_THAT(error.remedy(), HasSubstr("--resume"));
+}
+
+TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
+  const ScratchFolder scratch;
+  const auto frames = draw(scratch, "0-9", "0-4,8");
+  std::filesystem::remove(frames / "frame_000002.png");
+  const auto film = scratch / "film.mp4";
+  EXPECT_THAT(
+      encode_frames(frames, film, Missing::leave_out, [](int, int total) { EXPECT_EQ(total, 5); }),
+      ElementsAre(2, 5, 6, 7, 9));
+  EXPECT_TRUE(std::filesystem::exists(film));
+  std::filesystem::remove_all(frames);
+  draw(scratch, "0-9", "0");
+  std::filesystem::remove(frames / "frame_000000.png");
+  EXPECT_THROW(encode_frames(frames, film, Missing::leave_out, [](int, int) {}), FileError)
+      << "a film of nothing";
 }
 
 TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
@@ -116,7 +132,7 @@ TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
 
 TEST(EncodeFrames, NeedsAManifest) {
   const ScratchFolder scratch;
-  EXPECT_THAT(failure(scratch).what(), HasSubstr("manifest.json: No such file"));
+  EXPECT_THAT(failure(scratch).what(), HasSubstr("there is no such folder"));
 }
 
 TEST(EncodeFrames, KeepsTheFramesWhenFfmpegFails) {

@@ -86,11 +86,27 @@ TEST(FrameRange, OfTheLargestFilmIsHeld) {
   EXPECT_EQ(parse_frame_range("0-9999999", max_frame_count).size(), 10'000'000U);
 }
 
+TEST(FrameRange, DoesNotSelectTheSameFramesWithoutEnd) {
+  std::string range = "0-9999999";
+  for (int i = 0; i < 10; ++i) range += ",0-9999999";
+  EXPECT_THROW(parse_frame_range(range, max_frame_count), UsageError);
+}
+
 TEST(FrameRange, IsFormattedAsBrieflyAsItIsRead) {
   EXPECT_EQ(format_frame_range({}), "");
   for (const std::string range : {"4", "0-3", "0-3,7", "1,3,5-6,9"}) {
     EXPECT_EQ(format_frame_range(parse_frame_range(range, 10)), range);
   }
+}
+
+TEST(FrameRange, IsShortInAMessage) {
+  std::vector<int> even;
+  for (int i = 0; i < 1000; i += 2) even.push_back(i);
+  const std::string brief = brief_frame_range(even);
+  EXPECT_LT(brief.size(), 150U);
+  EXPECT_THAT(brief, ::testing::StartsWith("0,2,4,"));
+  EXPECT_THAT(brief, ::testing::EndsWith(",... (500 in all)"));
+  EXPECT_EQ(brief_frame_range(std::vector<int>{1, 2, 3, 7}), "1-3,7");
 }
 
 }  // namespace

@@ -108,6 +108,17 @@ TEST(FrameSequence, WithoutAFrameTouchesNoManifest) {
   EXPECT_EQ(read_file(scratch / manifest_name, 100).size(), 14U);
 }
 
+// So that another run, or a next one, never meets frames of which it cannot tell whose they are.
+TEST(FrameSequence, HasAManifestBeforeAFrame) {
+  const ScratchFolder scratch;
+  Manifest shard = head("0-9");
+  shard.shard = {2, 3};
+  std::filesystem::create_directory(scratch / "frame_000000.png");  // the write fails
+  FrameSequence sequence(scratch.path(), shard);
+  EXPECT_THROW(sequence.write(record(0), {}), FileError);
+  EXPECT_TRUE(read_manifest(scratch / "manifest.0002-of-0003.json").frames.empty());
+}
+
 TEST(FrameSequence, AFrameThatCannotBeWrittenIsNotTold) {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch / "frame_000001.png");

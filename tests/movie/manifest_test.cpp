@@ -147,8 +147,8 @@ TEST(Manifest, SaysWhereItIsWrong) {
 
 TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
   for (const char* frame : {"\"frame\":3", "\"frame\":1", "\"frame\":4", "\"frame\":11"}) {
-    EXPECT_EQ(failure("\"frame\":5", frame),
-              "cannot use m.json: frames[1].frame must be in the range, after the frame before it");
+    EXPECT_THAT(failure("\"frame\":5", frame),
+                HasSubstr("cannot use m.json: frames must be in the range and ascending"));
   }
 }
 
@@ -158,6 +158,38 @@ TEST(Manifest, RefusesWhatIsNotJson) {
   EXPECT_THROW(parse_manifest("", "m.json"), FileError);
   EXPECT_THROW(parse_manifest("[1]", "m.json"), FileError);
   EXPECT_THROW(parse_manifest("\xff\xfe", "m.json"), FileError);
+}
+
+TEST(Manifest, RefusesFramesThatAreNone) {
+  EXPECT_THAT(failure("\"frames\": [", "\"frames\": [1,"),
+              HasSubstr("frames[0] must be an object"));
+  EXPECT_THAT(failure("\"frames\": [", "\"frames\": {\"a\": 1}, \"rest\": ["),
+              HasSubstr("frames must be an array"));
+}
+
+TEST(Manifest, TellsOfItsShard) {
+  Manifest manifest = sample();
+  manifest.shard = {3, 10};
+  const Manifest read = parse_manifest(format_manifest(manifest), "m.json");
+  EXPECT_EQ(read.shard, manifest.shard);
+  EXPECT_EQ(read.frames.size(), 2U);
+  EXPECT_THAT(failure("\"range\":", "\"shard\":\"3/2\",\"range\":"),
+              HasSubstr("shard must be i/n"));
+}
+
+TEST(Manifest, HeadIsReadWithoutTheFrames) {
+  const ScratchFolder scratch;
+  const std::string text = format_manifest(sample());
+  // What stands behind the head is not looked at.
+  write_file_atomically(scratch / "cut.json", text.substr(0, text.find("\"frame\":3")));
+  const Manifest head = read_manifest_head(scratch / "cut.json");
+  EXPECT_TRUE(same_film(head, sample()));
+  EXPECT_TRUE(head.frames.empty());
+  // Another program may write it in another way.
+  write_file_atomically(scratch / "other.json", nlohmann::json::parse(text).dump());
+  EXPECT_TRUE(read_manifest_head(scratch / "other.json").frames.empty());
+  EXPECT_EQ(read_manifest_head(scratch / "other.json").range, "3-9:2");
+  EXPECT_THROW(read_manifest_head(scratch / "none.json"), FileError);
 }
 
 TEST(Manifest, RefusesDeepNesting) {

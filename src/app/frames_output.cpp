@@ -1,0 +1,71 @@
+#include "app/frames_output.h"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "movie/frame_range.h"
+
+namespace twrench {
+namespace {
+
+/// Throws where the run would destroy frames unasked. A shard never goes on over another film: the
+/// other shards would, each, take its manifest away again.
+void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
+                       const Shard& shard, Reuse reuse) {
+  if (objection.empty() || reuse == Reuse::overwrite) return;
+  if (reuse == Reuse::resume && shard.is_whole()) return;
+  throw UsageError(
+      folder.string(), objection,
+      shard.is_whole()
+          ? "--overwrite draws over them, --resume keeps what fits, --frames-dir goes elsewhere"
+          : "all shards of a film need the same program, scene, and kind of machine; --frames-dir "
+            "goes elsewhere, --overwrite draws over them");
+}
+
+}  // namespace
+
+FramesOutput::FramesOutput(std::filesystem::path folder, Manifest film, std::vector<int> frames,
+                           Reuse reuse)
+    : folder_(std::move(folder)),
+      film_(std::move(film)),
+      frames_(std::move(frames)),
+      reuse_(reuse),
+      earlier_(folder_, film_, frames_) {
+  refuse_to_destroy(folder_, earlier_.objection(), film_.shard, reuse_);
+}
+
+std::size_t FramesOutput::count_without_file() const {
+  return static_cast<std::size_t>(std::ranges::count_if(frames_, [&](int frame) {
+    std::error_code failed;
+    return !std::filesystem::exists(folder_ / frame_file_name(frame), failed);
+  }));
+}
+
+FrameSequence& FramesOutput::open() {
+  const auto number = [](const FrameRecord& record) { return record.frame; };
+  std::vector<int> told;
+  std::ranges::transform(earlier_.own_records(), std::back_inserter(told), number);
+  std::vector<int> range;
+  std::ranges::set_union(parse_frame_range(film_.range, max_frame_count), told,
+                         std::back_inserter(range));
+  film_.range = format_frame_range(range);
+  for (const auto& manifest : earlier_.foreign_manifests()) {
+    std::error_code gone;  // another shard may have been first
+    std::filesystem::remove(manifest, gone);
+  }
+  sequence_ = std::make_unique<FrameSequence>(folder_, film_);
+  for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record);
+  return *sequence_;
+}
+
+std::optional<FrameRecord> FramesOutput::kept(const FrameRecord& wanted) {
+  if (reuse_ != Reuse::resume) return std::nullopt;
+  auto record = earlier_.intact(wanted);
+  if (record) sequence_->keep(*record);
+  return record;
+}
+
+}  // namespace twrench
