@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -13,7 +14,7 @@
 #include "app/scene_options.h"
 #include "app/version.h"
 #include "base/file.h"
-#include "gl/context.h"
+#include "gl/backend.h"
 #include "image/png.h"
 #include "movie/earlier_run.h"
 #include "movie/frame_range.h"
@@ -51,7 +52,7 @@ struct Options {
   bool resume = false;
   bool overwrite = false;
   bool timing = false;
-  std::string backend = "auto";
+  gl::BackendChoice backend;
   std::string jobs;
   std::string progress = "auto";
 };
@@ -73,6 +74,22 @@ void add_film_options(SceneOptions& scene) {
   scene.add_flag("--bare", "the body alone", [](Scene& s) { s.look.bare = true; });
 }
 
+void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
+  using enum gl::Backend;
+  const std::map<std::string, gl::Backend> names{
+      {"auto", automatic}, {"osmesa", osmesa}, {"egl", egl}};
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&choice, names](const std::string& name) { choice.backend = names.at(name); },
+          "how OpenGL is reached: auto, osmesa or egl")
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME")
+      ->default_str("auto");
+  command.add_option("--egl-device", choice.egl_device, "EGL's device by its number, or software")
+      ->type_name("N");
+}
+
 Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   add_film_options(scene);
@@ -83,9 +100,7 @@ Options::Options(CLI::App& command) : scene(command) {
       ->type_name("RANGE");
   command.add_flag("--no-video", no_video, "PNG frames only");
   command.add_flag("--no-frames", no_frames, "video only");
-  command.add_option("--backend", backend, "how OpenGL is reached: auto or osmesa")
-      ->check(CLI::IsMember({"auto", "osmesa"}))
-      ->capture_default_str();
+  add_backend_options(command, backend);
   command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
       ->type_name("N");
   Progress::add_option(command, progress);
@@ -242,8 +257,8 @@ void render(const Options& options) {
   const int jobs = job_count(options.jobs);
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
-  const std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
-  Renderer renderer(*context, scene);
+  const gl::OpenedContext opened = gl::open_context(options.backend);
+  Renderer renderer(*opened.context, scene);
   const auto posing = std::chrono::steady_clock::now();
   const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
   const double posing_seconds = seconds_since(posing);
@@ -257,6 +272,7 @@ void render(const Options& options) {
                      same_film(*earlier.manifest(), film);
 
   Progress progress(options.progress);
+  if (!opened.note.empty()) progress.note(opened.note);
   StageTimes times;
   const Outputs outputs{sequence.get(), encoder.get(), jobs};
   const auto draw = [&](const FrameRecord& frame) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "gl/test_context.h"
 #include "t_wrench.h"
 
 namespace twrench {
@@ -39,7 +40,7 @@ double mean_difference(const Image& a, const Image& b) {
 
 class RendererTest : public testing::Test {
  protected:
-  std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
 
   static Scene transparent(int width = 320, int height = 180) {
     Scene scene = t_wrench(width, height);
