@@ -13,8 +13,9 @@ packages=(
   ffmpeg
 )
 # The formatter by its version: another one would lay the same sources out differently.
-# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it.
-test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox)
+# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it. ImageMagick
+# and libpng's tools read our PNG files.
+test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox imagemagick libpng-tools)
 
 case "${1-}" in
   render) ;;
