@@ -51,7 +51,7 @@ struct Options {
   bool no_frames = false;
   bool resume = false;
   bool overwrite = false;
-  bool timing = false;
+  std::string timing;
   gl::BackendChoice backend;
   std::string jobs;
   std::string progress = "auto";
@@ -106,7 +106,10 @@ Options::Options(CLI::App& command) : scene(command) {
   Progress::add_option(command, progress);
   command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
   command.add_flag("--overwrite", overwrite, "draw anew, over the frames of another film");
-  command.add_flag("--timing", timing, "say at the end how long each stage was busy");
+  command
+      .add_flag("--timing{text}", timing,
+                "say at the end how long each stage was busy; --timing=json for programs")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 int job_count(const std::string& text) {
@@ -136,18 +139,6 @@ std::vector<FrameRecord> posed_frames(const Scene& scene, const std::vector<int>
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void print_timing(const StageTimes& times, double posing, double seconds, std::size_t frames) {
-  const auto ms = [&](double stage_seconds) {
-    return 1e3 * stage_seconds / static_cast<double>(frames);
-  };
-  fmt::print(stderr,
-             "busy milliseconds a frame: pose {:.3f}, draw and read {:.1f}, PNG {:.1f}, "
-             "encoder {:.1f}; in all {:.1f}\n",
-             ms(posing), ms(1e-9 * static_cast<double>(times.draw)),
-             ms(1e-9 * static_cast<double>(times.compress)),
-             ms(1e-9 * static_cast<double>(times.encode)), ms(seconds));
 }
 
 fs::path video_path(const Options& options, const Scene& scene) {
@@ -259,9 +250,11 @@ void render(const Options& options) {
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
   const gl::OpenedContext opened = gl::open_context(options.backend);
   Renderer renderer(*opened.context, scene);
-  const auto posing = std::chrono::steady_clock::now();
-  const std::vector<FrameRecord> frames = posed_frames(scene, numbers, renderer);
-  const double posing_seconds = seconds_since(posing);
+  StageTimes times;
+  const std::vector<FrameRecord> frames = [&] {
+    const Timed timed(times.pose);
+    return posed_frames(scene, numbers, renderer);
+  }();
   const Manifest film = manifest_of(options, scene, renderer);
   const fs::path folder = frames_folder(options, scene);
   const EarlierRun earlier(folder);
@@ -273,8 +266,7 @@ void render(const Options& options) {
 
   Progress progress(options.progress);
   if (!opened.note.empty()) progress.note(opened.note);
-  StageTimes times;
-  const Outputs outputs{sequence.get(), encoder.get(), jobs};
+  const Outputs outputs{sequence.get(), encoder.get(), jobs, start};
   const auto draw = [&](const FrameRecord& frame) {
     return picture_of(frame, outputs, reuse ? &earlier : nullptr, folder, renderer);
   };
@@ -286,7 +278,10 @@ void render(const Options& options) {
   if (encoder) encoder->finish();
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);
-  if (options.timing) print_timing(times, posing_seconds, seconds, frames.size());
+  if (!options.timing.empty()) {
+    fmt::print(stderr, "{}\n",
+               timing_report(times, seconds, frames.size(), options.timing == "json"));
+  }
 }
 
 }  // namespace

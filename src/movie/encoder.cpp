@@ -116,11 +116,11 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
       planes_(format.width, format.height),
       changed_before_{{0, 0, format.width, format.height}} {}
 
-void VideoEncoder::write(const Image& frame) {
-  write(frame, std::array{Area{0, 0, format_.width, format_.height}});
+void VideoEncoder::convert(const Image& frame) {
+  convert(frame, std::array{Area{0, 0, format_.width, format_.height}});
 }
 
-void VideoEncoder::write(const Image& frame, std::span<const Area> changed) {
+void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("a frame of another size than the film's");
   }
@@ -132,9 +132,17 @@ void VideoEncoder::write(const Image& frame, std::span<const Area> changed) {
   for (const Area& area : changed_before_) planes_.update(*shown, area);
   for (const Area& area : changed) planes_.update(*shown, area);
   changed_before_.assign(changed.begin(), changed.end());
+}
+
+void VideoEncoder::write_converted() {
   if (!ffmpeg_.write(planes_.bytes())) {
     fail();
   }
+}
+
+void VideoEncoder::write(const Image& frame) {
+  convert(frame);
+  write_converted();
 }
 
 void VideoEncoder::finish() {

@@ -41,9 +41,11 @@ class VideoEncoder {
   /// black. Throws EncoderError when ffmpeg failed.
   void write(const Image& frame);
 
-  /// The same of a frame that is the film's still background outside the areas `changed`. It costs
-  /// less: after the first frame only those, and those of the frame before, are converted.
-  void write(const Image& frame, std::span<const Area> changed);
+  /// The two halves of write(). The frame may be told to be the film's still background outside the
+  /// areas `changed`: then, after the first frame, only those and those before are converted.
+  void convert(const Image& frame);
+  void convert(const Image& frame, std::span<const Area> changed);
+  void write_converted();
 
   /// Completes the film. Throws EncoderError when ffmpeg failed, FileError.
   void finish();

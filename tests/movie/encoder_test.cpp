@@ -176,7 +176,8 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
       }
     }
     whole.write(frame);
-    areas.write(frame, std::array{area});
+    areas.convert(frame, std::array{area});
+    areas.write_converted();
   }
   whole.finish();
   areas.finish();
