@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <memory>
 #include <thread>
@@ -153,10 +154,18 @@ VideoFormat video_format(const Scene& scene) {
   return {scene.film.width, scene.film.height, scene.film.fps};
 }
 
+/// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
+std::future<void> try_encoder(const Options& options, const Scene& scene) {
+  if (options.no_video) return {};
+  encoder_arguments(video_format(scene));  // what is wrong with the size
+  return std::async(std::launch::async, require_encoder, video_format(scene));
+}
+
 /// The encoder, known to work; null with --no-video.
-std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
+std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
+                                           std::future<void> trial) {
   if (options.no_video) return nullptr;
-  require_encoder(video_format(scene));
+  trial.get();
   const fs::path path = video_path(options, scene);
   if (path.has_parent_path()) make_folder(path.parent_path());
   return std::make_unique<VideoEncoder>(path, video_format(scene));
@@ -248,6 +257,7 @@ void render(const Options& options) {
   const int jobs = job_count(options.jobs);
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
+  std::future<void> trial = try_encoder(options, scene);
   const gl::OpenedContext opened = gl::open_context(options.backend);
   Renderer renderer(*opened.context, scene);
   StageTimes times;
@@ -259,7 +269,7 @@ void render(const Options& options) {
   const fs::path folder = frames_folder(options, scene);
   const EarlierRun earlier(folder);
   if (!options.no_frames) refuse_to_destroy(options, folder, earlier, film);
-  const auto encoder = open_encoder(options, scene);
+  const auto encoder = open_encoder(options, scene, std::move(trial));
   const auto sequence = options.no_frames ? nullptr : open_sequence(folder, film, earlier, numbers);
   const bool reuse = options.resume && sequence && earlier.manifest() != nullptr &&
                      same_film(*earlier.manifest(), film);
