@@ -9,12 +9,13 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build pkgconf
   libeigen3-dev libglm-dev libstb-dev libcli11-dev libtomlplusplus-dev libfmt-dev
-  nlohmann-json3-dev libboost-dev libdeflate-dev libssl-dev libgl-dev libosmesa6-dev
+  nlohmann-json3-dev libboost-dev libdeflate-dev libssl-dev libgl-dev libosmesa6-dev libegl-dev libegl1 libegl-mesa0
   ffmpeg
 )
 # The formatter by its version: another one would lay the same sources out differently.
-# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it.
-test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox)
+# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it. ImageMagick
+# and libpng's tools read our PNG files.
+test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox imagemagick libpng-tools)
 
 case "${1-}" in
   render) ;;

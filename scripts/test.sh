@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every check there is, on a bare Debian 12 or Ubuntu 24.04 too: installs what is missing, then the
-# formatting, all tests, the tests of the threads under TSan, and the tests again under ASan + UBSan.
+# formatting, all tests, those that draw again over EGL, those of the threads under TSan, and all
+# again under ASan + UBSan.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,6 +21,9 @@ scripts/lint.sh format
 step "All tests, optimised build"
 scripts/build.sh --tests release
 run_tests release
+
+step "The tests that draw, over EGL alone"
+TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
 
 # GCC's sanitizers abort at random where the kernel randomises addresses by more bits than their
 # shadow memory allows for (vm.mmap_rnd_bits=32), so that is switched off where it may be.

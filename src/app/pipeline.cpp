@@ -12,25 +12,11 @@
 namespace twrench {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 struct DrawnFrame {
   const FrameRecord* record;
   std::shared_ptr<const Picture> picture;
-};
-
-/// Adds the time of its own life to a stage.
-class Timed {
- public:
-  explicit Timed(std::atomic<std::int64_t>& total) : total_(total) {}
-  ~Timed() {
-    total_ += std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start_).count();
-  }
-  Timed(const Timed&) = delete;
-  Timed& operator=(const Timed&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::atomic<std::int64_t>& total_;
-  Clock::time_point start_ = Clock::now();
 };
 
 class Pipeline {
@@ -83,22 +69,48 @@ class Pipeline {
 
   void compress() {
     while (const auto frame = to_compress_.pop()) {
-      const Timed timed(times_.compress);
-      outputs_.sequence->write(*frame->record, encode_png(frame->picture->image));
+      std::vector<std::uint8_t> png;
+      {
+        const Timed timed(times_.compress);
+        png = encode_png(frame->picture->image);
+      }
+      const Timed timed(times_.write);
+      outputs_.sequence->write(*frame->record, png);
+      note_first();
     }
   }
 
   void encode() {
     while (const auto frame = to_encode_.pop()) {
+      {
+        const Timed timed(times_.convert);
+        convert(*frame->picture);
+      }
       const Timed timed(times_.encode);
-      outputs_.encoder->write(frame->picture->image);
+      outputs_.encoder->write_converted();
+      if (outputs_.sequence == nullptr) note_first();
     }
+  }
+
+  void convert(const Picture& picture) {
+    if (picture.changed) {
+      outputs_.encoder->convert(picture.image, *picture.changed);
+    } else {
+      outputs_.encoder->convert(picture.image);
+    }
+  }
+
+  void note_first() {
+    if (first_.test_and_set()) return;
+    const auto since = Clock::now() - outputs_.start;
+    times_.first = std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
   }
 
   const Outputs& outputs_;
   StageTimes& times_;
   BoundedQueue<DrawnFrame> to_compress_;
   BoundedQueue<DrawnFrame> to_encode_{4};
+  std::atomic_flag first_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
   std::vector<std::jthread> threads_;  ///< last: joined before what they use goes

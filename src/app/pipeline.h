@@ -1,35 +1,32 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/progress.h"
+#include "app/timing.h"
 #include "image/image.h"
 #include "movie/encoder.h"
 #include "movie/frame_sequence.h"
 
 namespace twrench {
 
-/// Busy time of each stage in nanoseconds, over all its threads.
-struct StageTimes {
-  std::atomic<std::int64_t> draw{0};
-  std::atomic<std::int64_t> compress{0};
-  std::atomic<std::int64_t> encode{0};
-};
-
 /// Where the drawn frames go, and how.
 struct Outputs {
-  FrameSequence* sequence = nullptr;  ///< PNG files, or null
-  VideoEncoder* encoder = nullptr;    ///< a video, or null
-  int jobs = 1;                       ///< threads that compress PNG files
+  FrameSequence* sequence = nullptr;              ///< PNG files, or null
+  VideoEncoder* encoder = nullptr;                ///< a video, or null
+  int jobs = 1;                                   ///< threads that compress PNG files
+  std::chrono::steady_clock::time_point start{};  ///< of the command, for the first frame's time
 };
 
 /// A frame's picture, and whether it is new: one that was kept from an earlier run has its file.
 struct Picture {
   Image image;
   bool is_new = true;
+  /// Where it is not the film's still background; nothing where that is not known.
+  std::optional<std::vector<Area>> changed = std::nullopt;
 };
 
 /// Draws `frames` one after the other on this thread with `draw`, while other threads compress and

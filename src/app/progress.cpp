@@ -60,6 +60,11 @@ void Progress::draw(int done, int total, double seconds) const {
   }
 }
 
+void Progress::note(const std::string& text) const {
+  if (style_ == Style::bar || style_ == Style::plain)
+    fmt::print(stderr, "twrench: note: {}\n", text);
+}
+
 void Progress::finish() {
   if (open_) fmt::print(stderr, "\n");
   open_ = false;

@@ -19,6 +19,9 @@ class Progress {
   /// To be called after each frame with the number done so far, from one thread at a time.
   void update(int done, int total);
 
+  /// A line for people, before the first frame.
+  void note(const std::string& text) const;
+
   /// Ends the bar's line. Called by the destructor where it was not.
   void finish();
   ~Progress() { finish(); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -11,15 +13,15 @@
 #include "app/commands.h"
 #include "app/frames_output.h"
 #include "app/interruption.h"
+#include "app/picture_options.h"
 #include "app/pipeline.h"
 #include "app/scene_options.h"
 #include "app/version.h"
 #include "base/file.h"
-#include "gl/context.h"
+#include "gl/backend.h"
 #include "image/png.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
-#include "scene/names.h"
 #include "scene/scene_json.h"
 #include "timeline/timeline.h"
 
@@ -50,89 +52,31 @@ struct Options {
   bool no_frames = false;
   bool resume = false;
   bool overwrite = false;
-  bool timing = false;
-  std::string backend = "auto";
+  std::string timing;
+  gl::BackendChoice backend;
   std::string jobs;
   std::string progress = "auto";
 };
 
-void add_film_options(SceneOptions& scene) {
-  scene.add("--theme", "NAME", "studio, paper or space",
-            [](Scene& s, const std::string& text) { s.look.theme = theme_of(text, "--theme"); });
-  scene.add("--size", "WxH", "size of the frames, pixels", [](Scene& s, const std::string& text) {
-    const Eigen::Vector2d size = parse_size(text, "--size");
-    s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
-    s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
-  });
-  scene.add(
-      "--background", "COLOR", "#rrggbb, black, gray, white or transparent",
-      [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); });
-  scene.add("--samples", "N", "samples a pixel, against jagged edges",
-            [](Scene& s, const std::string& text) {
-              s.look.samples = limits::check_whole(limits::samples, "--samples",
-                                                   parse_number(text, "--samples"));
-            });
-  scene.add("--motion-blur", "N", "poses that a frame is the mean of",
-            [](Scene& s, const std::string& text) {
-              s.look.motion_blur = limits::check_whole(limits::motion_blur, "--motion-blur",
-                                                       parse_number(text, "--motion-blur"));
-            });
-}
-
-void add_overlay_options(SceneOptions& scene) {
-  scene.add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
-            [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); });
-  scene.add("--compare", "M1,M2,...", "methods side by side, four at most",
-            [](Scene& s, const std::string& text) {
-              s.overlay.compare = compared_methods(parse_words(text), "--compare");
-            });
-  scene.add("--show", "LIST",
-            "add: floor, axes, momentum, omega, trail, plane, labels, hud, components, sphere, "
-            "poinsot",
-            [](Scene& s, const std::string& text) {
-              for (const std::string& word : parse_words(text)) {
-                s.overlay.show.insert(feature_of(word, "--show"));
-              }
-            });
-  scene.add("--hide", "LIST", "the same, to leave out", [](Scene& s, const std::string& text) {
-    for (const std::string& word : parse_words(text)) {
-      s.overlay.show.erase(feature_of(word, "--hide"));
-    }
-  });
-  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
-  scene.add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
-            [](Scene& s, const std::string& text) {
-              s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",
-                                                    parse_vector(text, "--trail-point"));
-            });
-  scene.add("--trail-length", "S", "seconds of motion that a trail covers",
-            [](Scene& s, const std::string& text) {
-              s.overlay.trail_length = limits::check(limits::trail_length, "--trail-length",
-                                                     parse_number(text, "--trail-length"));
-            });
-  scene.add("--font", "NAME", "sans, mono, or a font file",
-            [](Scene& s, const std::string& text) { s.overlay.font = text; });
-}
-
-void add_camera_options(SceneOptions& scene) {
-  scene.add_number("--azimuth", "A", "of the camera, from z towards x, rad", limits::angle,
-                   [](Scene& s) -> double& { return s.camera.azimuth; });
-  scene.add_number("--elevation", "E", "of the camera, rad", limits::elevation,
-                   [](Scene& s) -> double& { return s.camera.elevation; });
-  scene.add_number("--distance", "F", "of the camera; at 1 the body just fits", limits::distance,
-                   [](Scene& s) -> double& { return s.camera.distance; });
-  scene.add_number("--orbit", "W", "how fast the camera goes around, rad per second of film",
-                   limits::angle, [](Scene& s) -> double& { return s.camera.orbit; });
-  scene.add_number("--field-of-view", "A", "the smaller angle of the view, rad",
-                   limits::angle_of_view,
-                   [](Scene& s) -> double& { return s.camera.field_of_view; });
+void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
+  using enum gl::Backend;
+  const std::map<std::string, gl::Backend> names{
+      {"auto", automatic}, {"osmesa", osmesa}, {"egl", egl}};
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&choice, names](const std::string& name) { choice.backend = names.at(name); },
+          "how OpenGL is reached: auto, osmesa or egl")
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME")
+      ->default_str("auto");
+  command.add_option("--egl-device", choice.egl_device, "EGL's device by its number, or software")
+      ->type_name("N");
 }
 
 Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
-  add_film_options(scene);
-  add_overlay_options(scene);
-  add_camera_options(scene);
+  add_picture_options(scene);
   command.add_option("-o,--output", video, "the video; default out/SCENE.mp4")->type_name("VIDEO");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
       ->type_name("DIR");
@@ -149,15 +93,16 @@ Options::Options(CLI::App& command) : scene(command) {
       ->type_name("i/n");
   command.add_flag("--no-video", no_video, "PNG frames only");
   command.add_flag("--no-frames", no_frames, "video only");
-  command.add_option("--backend", backend, "how OpenGL is reached: auto or osmesa")
-      ->check(CLI::IsMember({"auto", "osmesa"}))
-      ->capture_default_str();
+  add_backend_options(command, backend);
   command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
       ->type_name("N");
   Progress::add_option(command, progress);
   command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
   command.add_flag("--overwrite", overwrite, "draw anew, over the frames of another film");
-  command.add_flag("--timing", timing, "say at the end how long each stage was busy");
+  command
+      .add_flag("--timing{text}", timing,
+                "say at the end how long each stage was busy; --timing=json for programs")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 int job_count(const std::string& text) {
@@ -184,18 +129,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void print_timing(const StageTimes& times, double posing, double seconds, std::size_t frames) {
-  const auto ms = [&](double stage_seconds) {
-    return 1e3 * stage_seconds / static_cast<double>(frames);
-  };
-  fmt::print(stderr,
-             "busy milliseconds a frame: pose {:.3f}, draw and read {:.1f}, PNG {:.1f}, "
-             "encoder {:.1f}; in all {:.1f}\n",
-             ms(posing), ms(1e-9 * static_cast<double>(times.draw)),
-             ms(1e-9 * static_cast<double>(times.compress)),
-             ms(1e-9 * static_cast<double>(times.encode)), ms(seconds));
-}
-
 fs::path video_path(const Options& options, const Scene& scene) {
   return options.video.empty() ? fs::path("out") / (scene.name + ".mp4") : fs::path(options.video);
 }
@@ -208,10 +141,18 @@ VideoFormat video_format(const Scene& scene) {
   return {scene.film.width, scene.film.height, scene.film.fps};
 }
 
+/// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
+std::future<void> try_encoder(const Options& options, const Scene& scene) {
+  if (options.no_video) return {};
+  encoder_arguments(video_format(scene));  // what is wrong with the size
+  return std::async(std::launch::async, require_encoder, video_format(scene));
+}
+
 /// The encoder, known to work; null with --no-video.
-std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
+std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
+                                           std::future<void> trial) {
   if (options.no_video) return nullptr;
-  require_encoder(video_format(scene));
+  trial.get();
   const fs::path path = video_path(options, scene);
   if (path.has_parent_path()) make_folder(path.parent_path());
   return std::make_unique<VideoEncoder>(path, video_format(scene));
@@ -280,27 +221,31 @@ void render(const Options& options) {
   const int jobs = job_count(options.jobs);
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
-  const std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
-  const auto posing = std::chrono::steady_clock::now();
-  const Timeline timeline(scene, numbers);
-  const double posing_seconds = seconds_since(posing);
-  Renderer renderer(*context, scene, timeline.takes());
+  std::future<void> trial = try_encoder(options, scene);
+  const gl::OpenedContext opened = gl::open_context(options.backend);
+  StageTimes times;
+  const Timeline timeline = [&] {
+    const Timed timed(times.pose);
+    return Timeline(scene, numbers);
+  }();
+  Renderer renderer(*opened.context, scene, timeline.takes());
   const std::vector<FrameRecord> frames = frame_records(timeline, renderer);
   std::optional<FramesOutput> output;
   if (!options.no_frames) {
     output.emplace(frames_folder(options, scene), manifest_of(options, scene, renderer, asked),
                    numbers, reuse_of(options));
   }
-  const auto encoder = open_encoder(options, scene);
+  const auto encoder = open_encoder(options, scene, std::move(trial));
   FrameSequence* const sequence = output ? &output->open() : nullptr;
 
   Progress progress(options.progress);
-  StageTimes times;
-  const Outputs outputs{sequence, encoder.get(), jobs};
+  if (!opened.note.empty()) progress.note(opened.note);
+  const Outputs outputs{sequence, encoder.get(), jobs, start};
   const auto draw = [&](const FrameRecord& frame) {
     const auto index = static_cast<std::size_t>(&frame - frames.data());
     return picture_of(frame, output ? &*output : nullptr, encoder != nullptr, [&] {
-      return Picture{renderer.draw(timeline.moment(index)).image};
+      Frame drawn = renderer.draw(timeline.moment(index));
+      return Picture{std::move(drawn.image), true, std::move(drawn.changed)};
     });
   };
   const auto stop = [&] { return interruption.arrived().has_value(); };
@@ -311,7 +256,10 @@ void render(const Options& options) {
   if (encoder) encoder->finish();
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);
-  if (options.timing) print_timing(times, posing_seconds, seconds, frames.size());
+  if (!options.timing.empty()) {
+    fmt::print(stderr, "{}\n",
+               timing_report(times, seconds, frames.size(), options.timing == "json"));
+  }
 }
 
 }  // namespace

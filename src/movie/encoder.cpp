@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -62,13 +63,14 @@ std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,
 }
 
 /// The colours over black, where alpha is how much of them is seen.
-void blend_over_black(const Image& rgba, std::vector<std::uint8_t>& rgb) {
+void blend_over_black(const Image& rgba, Image& rgb) {
   const std::size_t pixels = rgba.pixels.size() / 4;
-  rgb.resize(3 * pixels);
+  rgb = Image(rgba.width, rgba.height, 3);
   for (std::size_t i = 0; i < pixels; ++i) {
     const int alpha = rgba.pixels[4 * i + 3];
     for (std::size_t c = 0; c < 3; ++c) {
-      rgb[3 * i + c] = static_cast<std::uint8_t>((rgba.pixels[4 * i + c] * alpha + 127) / 255);
+      rgb.pixels[3 * i + c] =
+          static_cast<std::uint8_t>((rgba.pixels[4 * i + c] * alpha + 127) / 255);
     }
   }
 }
@@ -83,15 +85,13 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
                      fmt::format("use --size {}x{}, or --no-video for the frames alone",
                                  std::max(2, width + width % 2), std::max(2, height + height % 2)));
   }
-  // Without accurate_rnd the conversion makes colours a tenth of a level darker on average.
   // aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first.
   return words(
       fmt::format("-hide_banner -loglevel error -xerror -y "
-                  "-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i pipe:0 "
-                  "-vf scale=in_range=pc:out_range=tv:out_color_matrix=bt709:"
-                  "flags=bicubic+accurate_rnd,format=yuv420p "
+                  "-f rawvideo -pix_fmt yuv420p -video_size {}x{} -framerate {} -i pipe:0 "
                   "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 "
                   "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv "
+                  "-chroma_sample_location left "
                   "-movflags +faststart -f mp4",
                   width, height, rational(fps)));
 }
@@ -100,7 +100,7 @@ void require_encoder(const VideoFormat& format) {
   encoder_arguments(format);  // what is wrong with the size
   const VideoFormat tiny{64, 64, format.fps};
   ChildProcess ffmpeg = start(ffmpeg_command(encoder_arguments(tiny), {"-f", "null", "-"}));
-  ffmpeg.write(std::vector<std::uint8_t>(std::size_t{3} * 64 * 64));
+  ffmpeg.write(Yuv420(tiny.width, tiny.height).bytes());
   if (ffmpeg.wait() != 0) {
     throw EncoderError("ffmpeg cannot make the film", last_words(ffmpeg.error_output()),
                        "install one that has libx264: apt-get install ffmpeg");
@@ -112,18 +112,37 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
       file_(output),
       // "file:" keeps a name from being an option or a protocol.
       command_(ffmpeg_command(encoder_arguments(format), {"file:" + file_.path().string()})),
-      ffmpeg_(start(command_)) {}
+      ffmpeg_(start(command_)),
+      planes_(format.width, format.height),
+      changed_before_{{0, 0, format.width, format.height}} {}
 
-void VideoEncoder::write(const Image& frame) {
+void VideoEncoder::convert(const Image& frame) {
+  convert(frame, std::array{Area{0, 0, format_.width, format_.height}});
+}
+
+void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("a frame of another size than the film's");
   }
+  const Image* shown = &frame;
   if (frame.channels == 4) {
     blend_over_black(frame, opaque_);
+    shown = &opaque_;
   }
-  if (!ffmpeg_.write(frame.channels == 4 ? opaque_ : frame.pixels)) {
+  for (const Area& area : changed_before_) planes_.update(*shown, area);
+  for (const Area& area : changed) planes_.update(*shown, area);
+  changed_before_.assign(changed.begin(), changed.end());
+}
+
+void VideoEncoder::write_converted() {
+  if (!ffmpeg_.write(planes_.bytes())) {
     fail();
   }
+}
+
+void VideoEncoder::write(const Image& frame) {
+  convert(frame);
+  write_converted();
 }
 
 void VideoEncoder::finish() {

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/child_process.h"
 #include "base/file.h"
+#include "image/area.h"
 #include "image/image.h"
+#include "image/yuv.h"
 
 namespace twrench {
 
@@ -17,8 +20,8 @@ struct VideoFormat {
   double fps = 0.0;  ///< frames per second
 };
 
-/// ffmpeg's arguments, but for the output file: from raw RGB frames at its standard input to H.264
-/// in an MP4, yuv420p, converted to BT.709 limited range and tagged so.
+/// ffmpeg's arguments, but for the output file: from raw frames at its standard input, as
+/// Yuv420::bytes() gives them, to H.264 in an MP4, tagged as what they are.
 /// Throws UsageError for odd sizes, which yuv420p cannot have, and a rate that is not one.
 std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
@@ -38,6 +41,12 @@ class VideoEncoder {
   /// black. Throws EncoderError when ffmpeg failed.
   void write(const Image& frame);
 
+  /// The two halves of write(). The frame may be told to be the film's still background outside the
+  /// areas `changed`: then, after the first frame, only those and those before are converted.
+  void convert(const Image& frame);
+  void convert(const Image& frame, std::span<const Area> changed);
+  void write_converted();
+
   /// Completes the film. Throws EncoderError when ffmpeg failed, FileError.
   void finish();
 
@@ -48,7 +57,9 @@ class VideoEncoder {
   PendingFile file_;
   std::vector<std::string> command_;
   ChildProcess ffmpeg_;  // after the file: killed before the file is removed
-  std::vector<std::uint8_t> opaque_;
+  Image opaque_;         ///< an RGBA frame over black
+  Yuv420 planes_;
+  std::vector<Area> changed_before_;
 };
 
 }  // namespace twrench

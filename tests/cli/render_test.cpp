@@ -146,6 +146,22 @@ TEST(Render, ProgressForPeopleAndForPrograms) {
   EXPECT_EQ(run_twrench(folder, base + "none").err, "");
 }
 
+TEST(Render, TimingForPeopleAndForPrograms) {
+  const ScratchFolder folder;
+  const std::string base = "render --size 64x36 --frames 0-4 --progress none ";
+  const Outcome text = run_twrench(folder, base + "--timing");
+  EXPECT_THAT(text.err, HasSubstr("busy milliseconds a frame: pose "));
+  const json report = json::parse(run_twrench(folder, base + "--timing=json").err);
+  EXPECT_EQ(report["frames"], 5);
+  double wall = report["wall_seconds"];
+  EXPECT_GT(report["first_frame_seconds"], 0.0);
+  EXPECT_LT(report["first_frame_seconds"], wall);
+  for (const char* stage : {"pose", "draw", "convert", "compress", "write", "encode"}) {
+    EXPECT_GT(report["busy_ms_per_frame"][stage], 0.0) << stage;
+  }
+  EXPECT_GT(report["cpu_ms_per_frame"]["children"], 0.0) << "the encoder's";
+}
+
 // A program in ffmpeg's place that dies when it has seen some frames.
 TEST(Render, FramesStayWhenFfmpegDies) {
   const ScratchFolder folder;

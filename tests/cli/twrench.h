@@ -24,12 +24,20 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// The real program; where TWRENCH_TEST_BACKEND=egl says so, with EGL for its OpenGL.
+inline std::string program() {
+  const char* const backend = std::getenv("TWRENCH_TEST_BACKEND");
+  if (backend == nullptr || std::string(backend) != "egl") return TWRENCH_BINARY;
+  return TWRENCH_TESTS_DIR "/cli/twrench-egl.sh";
+}
+
 /// Runs `command` as a shell does, in `folder`, where `$TWRENCH` is the real program.
 inline Outcome run_shell(const ScratchFolder& folder, const std::string& command) {
   const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
   const std::string whole = "cd '" + folder.path().string() +
-                            "' && TWRENCH='" TWRENCH_BINARY "'; { " + command +
-                            "; } </dev/null >'" + out.string() + "' 2>'" + err.string() + "'";
+                            "' && export TWRENCH_BINARY='" TWRENCH_BINARY "' TWRENCH='" +
+                            program() + "'; { " + command + "; } </dev/null >'" + out.string() +
+                            "' 2>'" + err.string() + "'";
   const int status = std::system(whole.c_str());  // NOLINT(cert-env33-c): our own words
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
 }

@@ -4,15 +4,15 @@
 
 #include <memory>
 
-#include "gl/context.h"
 #include "gl/functions.h"
+#include "gl/test_context.h"
 
 namespace twrench::gl {
 
 /// A context for each test, current.
 class GlTest : public testing::Test {
  protected:
-  std::unique_ptr<Context> context = make_osmesa_context();
+  std::unique_ptr<Context> context = make_test_context();
   Functions gl{*context};
 };
 

@@ -55,15 +55,47 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PngRoundTrip,
                          ::testing::Combine(::testing::Values(1, 2, 321), ::testing::Values(1, 180),
                                             ::testing::Values(3, 4)));
 
-TEST(Png, IsReadAlikeByAnotherDecoder) {
+bool installed(const std::string& tool) {
+  return std::system(("command -v " + tool + " >/dev/null").c_str()) == 0;  // NOLINT(cert-env33-c)
+}
+
+/// A command that decodes a.png to the bytes a.raw, in the folder where both are.
+struct Decoder {
+  const char* tool;
+  const char* rgb;
+  const char* rgba;
+};
+
+class PngDecodedBy : public testing::TestWithParam<Decoder> {};
+
+TEST_P(PngDecodedBy, IsTheImage) {
+  if (!installed(GetParam().tool)) GTEST_SKIP() << GetParam().tool << " is not installed";
   for (const int channels : {3, 4}) {
     const ScratchFolder scratch;
     const Image image = sample_image(123, 45, channels, 2);
     write_file_atomically(scratch / "a.png", encode_png(image));
-    run_command("ffmpeg -v error -xerror -i '" + (scratch / "a.png").string() +
-                "' -f rawvideo -pix_fmt " + (channels == 3 ? "rgb24" : "rgba") + " '" +
-                (scratch / "a.raw").string() + "'");
+    run_command("cd '" + scratch.path().string() + "' && " +
+                (channels == 3 ? GetParam().rgb : GetParam().rgba));
     EXPECT_EQ(read_file(scratch / "a.raw", image.pixels.size()), image.pixels);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Others, PngDecodedBy,
+    testing::Values(Decoder{"ffmpeg",
+                            "ffmpeg -v error -xerror -i a.png -f rawvideo -pix_fmt rgb24 a.raw",
+                            "ffmpeg -v error -xerror -i a.png -f rawvideo -pix_fmt rgba a.raw"},
+                    Decoder{"convert", "convert a.png -depth 8 rgb:a.raw",  // ImageMagick
+                            "convert a.png -depth 8 rgba:a.raw"}),
+    [](const auto& param) { return std::string(param.param.tool); });
+
+// libpng's own tool inflates all there is and checks every sum.
+TEST(Png, HasNothingForLibpngToMend) {
+  if (!installed("pngfix")) GTEST_SKIP() << "pngfix is not installed";
+  for (const int channels : {3, 4}) {
+    const ScratchFolder scratch;
+    write_file_atomically(scratch / "a.png", encode_png(sample_image(321, 200, channels, 6)));
+    run_command("pngfix --quiet '" + (scratch / "a.png").string() + "'");
   }
 }
 

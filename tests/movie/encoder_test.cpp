@@ -78,8 +78,8 @@ TEST(Encoder, MakesATaggedFilmOfAllFrames) {
   const std::string said = probe(scratch, "film.mp4");
   for (const char* expected :
        {"codec_name=h264\n", "width=64\n", "height=48\n", "pix_fmt=yuv420p\n", "color_range=tv\n",
-        "color_space=bt709\n", "color_transfer=bt709\n", "color_primaries=bt709\n",
-        "r_frame_rate=30/1\n", "nb_read_frames=7\n"}) {
+        "chroma_location=left\n", "color_space=bt709\n", "color_transfer=bt709\n",
+        "color_primaries=bt709\n", "r_frame_rate=30/1\n", "nb_read_frames=7\n"}) {
     EXPECT_THAT(said, HasSubstr(expected));
   }
   EXPECT_EQ(decode(scratch, "film.mp4").size(), std::size_t{7} * 64 * 48 * 3);
@@ -135,7 +135,7 @@ TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
       ++count;
     }
   }
-  EXPECT_NEAR(sum / count, 0.0, 0.05) << "without accurate_rnd it is -0.1";
+  EXPECT_NEAR(sum / count, 0.0, 0.05) << "swscale without accurate_rnd has -0.1";
 }
 
 TEST(Encoder, KeepsFramesUprightAndInOrder) {
@@ -161,6 +161,27 @@ TEST(Encoder, KeepsFramesUprightAndInOrder) {
                     frames[i / frames[0].pixels.size()].pixels[i % frames[0].pixels.size()]);
   }
   EXPECT_LT(sum / static_cast<double>(decoded.size()), 1.0);
+}
+
+TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
+  const ScratchFolder scratch;
+  VideoEncoder whole(scratch / "whole.mp4", format);
+  VideoEncoder areas(scratch / "areas.mp4", format);
+  for (int k = 0; k < 4; ++k) {
+    Image frame = flat({20, 60, 90});
+    const Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
+        frame.pixels[static_cast<std::size_t>(3 * y * format.width + i)] = 230;
+      }
+    }
+    whole.write(frame);
+    areas.convert(frame, std::array{area});
+    areas.write_converted();
+  }
+  whole.finish();
+  areas.finish();
+  EXPECT_EQ(decode(scratch, "areas.mp4"), decode(scratch, "whole.mp4"));
 }
 
 TEST(Encoder, ShowsTransparentFramesOverBlack) {

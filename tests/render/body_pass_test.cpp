@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gl/framebuffer.h"
+#include "gl/test_context.h"
 #include "t_wrench.h"
 
 namespace twrench {
@@ -47,7 +48,7 @@ class Reflection {
 /// A metal, and a body that scatters: two shaders.
 class BodyPassTest : public testing::TestWithParam<float> {
  protected:
-  std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
   gl::Functions gl{*context};
   BodyPass pass{gl, body_mesh(t_wrench().body.parts, 0.01), 4.5,
                 Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0.3F}, dark_studio()};

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/file.h"
-#include "gl/context.h"
+#include "gl/test_context.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "math/so3.h"
@@ -70,7 +70,7 @@ std::vector<Golden> goldens() {
 }
 
 Image drawn(const Golden& golden, const Matrix3d& X) {
-  const auto context = gl::make_osmesa_context();
+  const auto context = gl::make_test_context();
   return PoseRenderer(*context, golden.scene).draw(X);
 }
 

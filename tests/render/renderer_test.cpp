@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "gl/test_context.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
@@ -40,7 +41,7 @@ double mean_difference(const Image& a, const Image& b) {
 
 class RendererTest : public testing::Test {
  protected:
-  std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
 
   static Scene transparent(int width = 320, int height = 180) {
     Scene scene = t_wrench(width, height);

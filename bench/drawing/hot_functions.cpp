@@ -1,0 +1,88 @@
+// What a film's time goes into, function by function, at 1920x1080 unless the name says otherwise.
+#include <benchmark/benchmark.h>
+
+#include "gl/backend.h"
+#include "image/png.h"
+#include "image/yuv.h"
+#include "math/so3.h"
+#include "render/background.h"
+#include "render/pose_renderer.h"
+
+namespace twrench {
+namespace {
+
+Scene full_scene() {
+  Scene scene = load_scene("dzhanibekov");
+  scene.film.width = 1920;
+  scene.film.height = 1080;
+  return scene;
+}
+
+gl::OpenedContext context() { return gl::open_context({}); }
+
+/// A pose that differs from frame to frame and shows all sides.
+Eigen::Matrix3d pose(int frame) {
+  return so3::exp(Eigen::Vector3d(0.11 * frame, 0.05 * frame, 0.3));
+}
+
+const Image& frame() {
+  static const Image image = [] {
+    const auto opened = context();
+    return PoseRenderer(*opened.context, full_scene()).draw(pose(7));
+  }();
+  return image;
+}
+
+void Draw(benchmark::State& state) {
+  const auto opened = context();
+  Scene scene = full_scene();
+  scene.look.samples = static_cast<int>(state.range(0));
+  PoseRenderer renderer(*opened.context, scene);
+  int i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(pose(++i)).pixels.data());
+}
+BENCHMARK(Draw)
+    ->ArgName("samples")
+    ->Arg(1)
+    ->Arg(4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+void Open(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto opened = context();
+    PoseRenderer renderer(*opened.context, full_scene());
+    benchmark::DoNotOptimize(renderer.draw(pose(0)).pixels.data());
+  }
+}
+BENCHMARK(Open)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+void Background(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(background(full_scene().look, 1920, 1080).pixels.data());
+}
+BENCHMARK(Background)->Unit(benchmark::kMillisecond);
+
+/// Of a square in the middle with that share of the frame.
+void ConvertToYuv(benchmark::State& state) {
+  Yuv420 yuv(1920, 1080);
+  const int percent = static_cast<int>(state.range(0));
+  const int width = 192 * percent / 10;
+  const Area area{(1920 - width) / 2, 0, width, 1080};
+  for (auto _ : state) {
+    yuv.update(frame(), area);
+    benchmark::DoNotOptimize(yuv.bytes().data());
+  }
+}
+BENCHMARK(ConvertToYuv)->ArgName("percent")->Arg(20)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void EncodePng(benchmark::State& state) {
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = encode_png(frame()).size();
+  state.counters["kB"] = static_cast<double>(bytes) / 1e3;
+}
+BENCHMARK(EncodePng)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace twrench

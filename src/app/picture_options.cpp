@@ -1,0 +1,89 @@
+#include "app/picture_options.h"
+
+#include "app/arguments.h"
+#include "scene/names.h"
+
+namespace twrench {
+namespace {
+
+void add_film_options(SceneOptions& scene) {
+  scene.add("--theme", "NAME", "studio, paper or space",
+            [](Scene& s, const std::string& text) { s.look.theme = theme_of(text, "--theme"); });
+  scene.add("--size", "WxH", "size of the frames, pixels", [](Scene& s, const std::string& text) {
+    const Eigen::Vector2d size = parse_size(text, "--size");
+    s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
+    s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
+  });
+  scene.add(
+      "--background", "COLOR", "#rrggbb, black, gray, white or transparent",
+      [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); });
+  scene.add("--samples", "N", "samples a pixel, against jagged edges",
+            [](Scene& s, const std::string& text) {
+              s.look.samples = limits::check_whole(limits::samples, "--samples",
+                                                   parse_number(text, "--samples"));
+            });
+  scene.add("--motion-blur", "N", "poses that a frame is the mean of",
+            [](Scene& s, const std::string& text) {
+              s.look.motion_blur = limits::check_whole(limits::motion_blur, "--motion-blur",
+                                                       parse_number(text, "--motion-blur"));
+            });
+}
+
+void add_overlay_options(SceneOptions& scene) {
+  scene.add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
+            [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); });
+  scene.add("--compare", "M1,M2,...", "methods side by side, four at most",
+            [](Scene& s, const std::string& text) {
+              s.overlay.compare = compared_methods(parse_words(text), "--compare");
+            });
+  scene.add("--show", "LIST",
+            "add: floor, axes, momentum, omega, trail, plane, labels, hud, components, sphere, "
+            "poinsot",
+            [](Scene& s, const std::string& text) {
+              for (const std::string& word : parse_words(text)) {
+                s.overlay.show.insert(feature_of(word, "--show"));
+              }
+            });
+  scene.add("--hide", "LIST", "the same, to leave out", [](Scene& s, const std::string& text) {
+    for (const std::string& word : parse_words(text)) {
+      s.overlay.show.erase(feature_of(word, "--hide"));
+    }
+  });
+  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
+  scene.add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
+            [](Scene& s, const std::string& text) {
+              s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",
+                                                    parse_vector(text, "--trail-point"));
+            });
+  scene.add("--trail-length", "S", "seconds of motion that a trail covers",
+            [](Scene& s, const std::string& text) {
+              s.overlay.trail_length = limits::check(limits::trail_length, "--trail-length",
+                                                     parse_number(text, "--trail-length"));
+            });
+  scene.add("--font", "NAME", "sans, mono, or a font file",
+            [](Scene& s, const std::string& text) { s.overlay.font = text; });
+}
+
+void add_camera_options(SceneOptions& scene) {
+  scene.add_number("--azimuth", "A", "of the camera, from z towards x, rad", limits::angle,
+                   [](Scene& s) -> double& { return s.camera.azimuth; });
+  scene.add_number("--elevation", "E", "of the camera, rad", limits::elevation,
+                   [](Scene& s) -> double& { return s.camera.elevation; });
+  scene.add_number("--distance", "F", "of the camera; at 1 the body just fits", limits::distance,
+                   [](Scene& s) -> double& { return s.camera.distance; });
+  scene.add_number("--orbit", "W", "how fast the camera goes around, rad per second of film",
+                   limits::angle, [](Scene& s) -> double& { return s.camera.orbit; });
+  scene.add_number("--field-of-view", "A", "the smaller angle of the view, rad",
+                   limits::angle_of_view,
+                   [](Scene& s) -> double& { return s.camera.field_of_view; });
+}
+
+}  // namespace
+
+void add_picture_options(SceneOptions& scene) {
+  add_film_options(scene);
+  add_overlay_options(scene);
+  add_camera_options(scene);
+}
+
+}  // namespace twrench

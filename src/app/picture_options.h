@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/scene_options.h"
+
+namespace twrench {
+
+/// The options of what is drawn and how: size, theme, views, overlays, camera.
+void add_picture_options(SceneOptions& scene);
+
+}  // namespace twrench

@@ -1,0 +1,57 @@
+#include "app/timing.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace twrench {
+namespace {
+
+double milliseconds(const StageTimes::Counter& counter) {
+  return 1e-6 * static_cast<double>(counter.load());
+}
+
+/// User and system time in milliseconds of this process or of its children.
+double processor_milliseconds(int who) {
+  rusage usage{};
+  getrusage(who, &usage);
+  const auto ms = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+}  // namespace
+
+std::string timing_report(const StageTimes& times, double seconds, std::size_t frames, bool json) {
+  const auto count = static_cast<double>(std::max<std::size_t>(frames, 1));
+  const std::array<std::pair<const char*, double>, 6> stages{
+      {{"pose", milliseconds(times.pose) / count},
+       {"draw", milliseconds(times.draw) / count},
+       {"convert", milliseconds(times.convert) / count},
+       {"compress", milliseconds(times.compress) / count},
+       {"write", milliseconds(times.write) / count},
+       {"encode", milliseconds(times.encode) / count}}};
+  const double own = processor_milliseconds(RUSAGE_SELF) / count;
+  const double children = processor_milliseconds(RUSAGE_CHILDREN) / count;
+  if (json) {
+    nlohmann::ordered_json report{{"frames", frames},
+                                  {"wall_seconds", seconds},
+                                  {"first_frame_seconds", 1e-3 * milliseconds(times.first)}};
+    for (const auto& [name, ms] : stages) report["busy_ms_per_frame"][name] = ms;
+    report["cpu_ms_per_frame"] = {{"twrench", own}, {"children", children}};
+    return report.dump();
+  }
+  std::string text = "busy milliseconds a frame: ";
+  for (const auto& [name, ms] : stages) text += fmt::format("{} {:.2f}, ", name, ms);
+  return text + fmt::format(
+                    "in all {:.1f}; processor {:.1f} and the encoder's {:.1f}; first frame "
+                    "after {:.0f} ms",
+                    1e3 * seconds / count, own, children, milliseconds(times.first));
+}
+
+}  // namespace twrench

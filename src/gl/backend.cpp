@@ -1,0 +1,108 @@
+#include "gl/backend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+
+#include "base/error.h"
+#include "gl/functions.h"
+
+namespace twrench::gl {
+namespace {
+
+using Maker = std::function<std::unique_ptr<Context>()>;
+
+/// Whether GL's own name of its renderer is that of a processor's program: a device may be a
+/// graphics card without a driver, for which Mesa then draws in software.
+bool draws_in_software(const Context& context) {
+  constexpr std::array<std::string_view, 4> names{"llvmpipe", "softpipe", "swrast",
+                                                  "Software Rasterizer"};
+  const std::string renderer = renderer_string(Functions(context));
+  return std::ranges::any_of(
+      names, [&](std::string_view name) { return renderer.find(name) != std::string::npos; });
+}
+
+/// The first hardware device of EGL that answers, or null.
+std::unique_ptr<Context> make_hardware_context() {
+  try {
+    for (const EglDevice& device : egl_devices()) {
+      if (device.software || device.name == "surfaceless") continue;  // it picks one of the others
+      try {
+        auto context = make_egl_context(device.name);
+        if (!draws_in_software(*context)) return context;
+      } catch (const GlError&) {  // the next may answer
+      }
+    }
+  } catch (const GlError&) {  // no EGL
+  }
+  return nullptr;
+}
+
+/// EGL's software device, or where none is told apart what the surfaceless platform picks.
+std::unique_ptr<Context> make_egl_software_context() {
+  const auto devices = egl_devices();
+  const bool told_apart = std::ranges::any_of(devices, &EglDevice::software);
+  return make_egl_context(told_apart ? "software" : "surfaceless");
+}
+
+OpenedContext fall_back(bool egl_alone) {
+  constexpr const char* note =
+      "no graphics device answers through EGL; drawing in software with {}";
+  std::string osmesa_reason;
+  if (!egl_alone) {
+    try {
+      return {make_osmesa_context(), fmt::format(note, "OSMesa")};
+    } catch (const GlError& error) {
+      osmesa_reason = fmt::format(", as OSMesa cannot be used ({})", error.what());
+    }
+  }
+  try {
+    return {make_egl_software_context(), fmt::format(note, "EGL") + osmesa_reason};
+  } catch (const Error& error) {
+    throw GlError("no usable OpenGL", error.what() + osmesa_reason,
+                  egl_alone ? error.remedy()
+                            : "install one: apt-get install libosmesa6, or libegl1 libegl-mesa0");
+  }
+}
+
+BackendReport report(std::string name, const Maker& make) {
+  try {
+    const auto context = make();
+    return {std::move(name), renderer_string(Functions(*context)), {}};
+  } catch (const Error& error) {
+    const std::string remedy = error.remedy().empty() ? "" : "\n" + error.remedy();
+    return {std::move(name), {}, error.what() + remedy};
+  }
+}
+
+}  // namespace
+
+OpenedContext open_context(const BackendChoice& choice) {
+  if (choice.backend == Backend::osmesa) {
+    if (choice.egl_device) {
+      throw UsageError("an EGL device", "OSMesa has none", "use --backend egl, or leave it out");
+    }
+    return {make_osmesa_context(), {}};
+  }
+  if (choice.egl_device) return {make_egl_context(*choice.egl_device), {}};
+  if (auto context = make_hardware_context()) return {std::move(context), {}};
+  return fall_back(choice.backend == Backend::egl);
+}
+
+std::vector<BackendReport> backends() {
+  std::vector<BackendReport> reports{report("osmesa", make_osmesa_context)};
+  try {
+    for (const EglDevice& device : egl_devices()) {
+      reports.push_back(
+          report("egl " + device.name, [&] { return make_egl_context(device.name); }));
+    }
+  } catch (const GlError& error) {
+    reports.push_back({"egl", {}, fmt::format("{}\n{}", error.what(), error.remedy())});
+  }
+  return reports;
+}
+
+}  // namespace twrench::gl

@@ -1,0 +1,72 @@
+// Machines that lack a way to OpenGL, through the real program: an empty file in a library's place
+// is one that the loader finds and cannot load.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using testing::HasSubstr;
+
+/// run_twrench, but always the program itself: these tests choose the back end.
+Outcome run(const ScratchFolder& folder, const std::string& arguments,
+            const std::string& before = "") {
+  return run_shell(folder, before + "\"$TWRENCH_BINARY\" " + arguments);
+}
+
+const std::string small = "render --size 64x36 --no-video --frames 0 ";
+
+std::string without(const ScratchFolder& folder, const std::vector<std::string>& libraries) {
+  for (const std::string& library : libraries) {
+    write_file_atomically(folder / library, std::string_view());
+  }
+  return "LD_LIBRARY_PATH='" + folder.path().string() + "' ";
+}
+
+const std::vector<std::string> osmesa{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const std::vector<std::string> egl{"libEGL.so.1", "libEGL.so"};
+
+TEST(Backend, WithoutOsmesaIsEgl) {
+  const ScratchFolder folder;
+  const std::string before = without(folder, osmesa);
+  const Outcome done = run(folder, small, before);
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL, as OSMesa cannot be used"));
+  const Outcome asked = run(folder, small + "--backend osmesa --overwrite", before);
+  EXPECT_EQ(asked.code, 3);
+  EXPECT_THAT(asked.err, HasSubstr("apt-get install libosmesa6"));
+}
+
+TEST(Backend, WithoutEglIsOsmesa) {
+  const ScratchFolder folder;
+  const std::string before = without(folder, egl);
+  const Outcome done = run(folder, small, before);
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("drawing in software with OSMesa"));
+  const Outcome asked = run(folder, small + "--backend egl --overwrite", before);
+  EXPECT_EQ(asked.code, 3);
+  EXPECT_THAT(asked.err, HasSubstr("apt-get install libegl1"));
+}
+
+TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
+  const ScratchFolder folder;
+  const std::string before = without(folder, osmesa) + without(folder, egl);
+  const Outcome done = run(folder, small, before);
+  EXPECT_EQ(done.code, 3);
+  EXPECT_THAT(done.err, HasSubstr("no usable OpenGL"));
+  EXPECT_THAT(done.err, HasSubstr("libosmesa6, or libegl1"));
+  EXPECT_EQ(run(folder, "inertia", before).code, 0) << "what draws nothing needs none";
+}
+
+TEST(Backend, NamesTheDevicesThereAre) {
+  const ScratchFolder folder;
+  const Outcome done = run(folder, small + "--egl-device 17");
+  EXPECT_EQ(done.code, 2);
+  EXPECT_THAT(done.err, HasSubstr("its devices: 0"));
+}
+
+}  // namespace
+}  // namespace twrench

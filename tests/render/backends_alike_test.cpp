@@ -1,0 +1,41 @@
+// The ways to OpenGL held against each other: the same rasteriser draws the same through each.
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "gl/backend.h"
+#include "image/compare.h"
+#include "math/so3.h"
+#include "render/pose_renderer.h"
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+/// Drawn in software through the back end, or nothing where it cannot be used.
+std::optional<Image> drawn_with(const gl::BackendChoice& choice, const Scene& scene) {
+  try {
+    const auto opened = gl::open_context(choice);
+    return PoseRenderer(*opened.context, scene).draw(so3::exp({0.7, -0.9, 0.4}));
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+TEST(Backends, GiveTheSameImage) {
+  Scene transparent = t_wrench(320, 180);
+  transparent.look.transparent = true;
+  for (const Scene& scene : {t_wrench(320, 180), transparent}) {
+    const auto osmesa = drawn_with({gl::Backend::osmesa, {}}, scene);
+    const auto egl = drawn_with({gl::Backend::egl, "software"}, scene);
+    if (!osmesa || !egl) GTEST_SKIP() << "one of OSMesa and EGL's software cannot be used here";
+    // The thresholds of the golden images, which allow for another release of Mesa behind the
+    // other.
+    const auto difference = compare(*osmesa, *egl, 4);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_LE(difference->share, 0.001);
+    EXPECT_LE(difference->mean, 0.15);
+  }
+}
+
+}  // namespace
+}  // namespace twrench
