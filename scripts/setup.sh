@@ -10,6 +10,7 @@ packages=(
   g++ cmake ninja-build pkgconf
   libeigen3-dev libglm-dev libstb-dev libcli11-dev libtomlplusplus-dev libfmt-dev
   nlohmann-json3-dev libboost-dev libdeflate-dev libssl-dev libgl-dev libosmesa6-dev
+  libcairo2-dev fonts-roboto-unhinted fonts-firacode
   ffmpeg
 )
 # The formatter by its version: another one would lay the same sources out differently.

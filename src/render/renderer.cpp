@@ -2,8 +2,11 @@
 
 #include "gl/framebuffer.h"
 #include "render/background.h"
+#include "render/component_panel.h"
 #include "render/element.h"
+#include "render/hud.h"
 #include "render/layout.h"
+#include "render/theme.h"
 #include "render/wrench_view.h"
 
 namespace twrench {
@@ -21,6 +24,7 @@ struct Renderer::Parts {
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
+  Typeface typeface;
   std::vector<std::unique_ptr<Element>> elements;  // in the order in which they are laid over
   const WrenchView* wrench;
   Image still;  // premultiplied where it is RGBA
@@ -29,6 +33,7 @@ struct Renderer::Parts {
 Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
     : gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
+      typeface(load_typeface(scene.overlay.font)),
       still(empty_picture(scene)) {
   const Layout layout = layout_of(scene);
   for (std::size_t i = 0; i < takes.size(); ++i) {
@@ -36,6 +41,11 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
     if (i == 0) wrench = view.get();
     elements.push_back(std::move(view));
   }
+  const OverlayColors& colors = style_of(scene.look.theme).overlay;
+  if (layout.components) {
+    elements.push_back(std::make_unique<ComponentPanel>(scene, takes, layout, typeface, colors));
+  }
+  elements.push_back(std::make_unique<Hud>(scene, takes, layout, typeface, colors));
   for (const auto& element : elements) {
     for (const Layer& layer : element->still()) lay_over(still, layer);
   }
