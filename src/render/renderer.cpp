@@ -4,6 +4,8 @@
 #include "render/background.h"
 #include "render/element.h"
 #include "render/layout.h"
+#include "render/momentum_view.h"
+#include "render/poinsot_view.h"
 #include "render/wrench_view.h"
 
 namespace twrench {
@@ -22,7 +24,7 @@ struct Renderer::Parts {
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   std::vector<std::unique_ptr<Element>> elements;  // in the order in which they are laid over
-  const WrenchView* wrench;
+  const SpaceView* first = nullptr;
   Image still;  // premultiplied where it is RGBA
 };
 
@@ -31,11 +33,17 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
       still(empty_picture(scene)) {
   const Layout layout = layout_of(scene);
-  for (std::size_t i = 0; i < takes.size(); ++i) {
-    auto view = std::make_unique<WrenchView>(gl, framebuffer, scene, i, layout.panes[i]);
-    if (i == 0) wrench = view.get();
+  const auto add = [&]<typename View>(std::in_place_type_t<View>, std::size_t take,
+                                      const Layout::Pane& pane) {
+    auto view = std::make_unique<View>(gl, framebuffer, scene, takes, take, pane);
+    if (elements.empty()) first = view.get();
     elements.push_back(std::move(view));
+  };
+  for (std::size_t i = 0; i < layout.panes.size(); ++i) {
+    add(std::in_place_type<WrenchView>, i, layout.panes[i]);
   }
+  if (layout.momentum) add(std::in_place_type<MomentumView>, 0, *layout.momentum);
+  if (layout.poinsot) add(std::in_place_type<PoinsotView>, 0, *layout.poinsot);
   for (const auto& element : elements) {
     for (const Layer& layer : element->still()) lay_over(still, layer);
   }
@@ -63,6 +71,6 @@ Frame Renderer::draw(const Moment& moment) {
 
 const Image& Renderer::still() const { return parts_->still; }
 std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
-Camera Renderer::camera(double film_time) const { return parts_->wrench->camera(film_time); }
+Camera Renderer::camera(double film_time) const { return parts_->first->camera(film_time); }
 
 }  // namespace twrench

@@ -37,8 +37,8 @@ glm::vec4 paint_of(const Ink& ink) {
 Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
   static const Vector3d key = Vector3d(0.45, 0.75, 0.5).normalized();
   static const Vector3d fill = Vector3d(-0.8, 0.1, 0.6).normalized();
-  const double light = 0.52 + 0.45 * std::max(normal.dot(key), 0.0) +
-                       0.18 * std::max(normal.dot(fill), 0.0);
+  const double light =
+      0.52 + 0.45 * std::max(normal.dot(key), 0.0) + 0.18 * std::max(normal.dot(fill), 0.0);
   const double gleam = 0.35 * std::pow(std::max(normal.dot((key + to_eye).normalized()), 0.0), 40);
   const auto channel = [&](int value) {
     const double base = std::min(light * value, 255.0);
@@ -59,7 +59,9 @@ void Sketch::begin(const Camera& camera, const Area& pane) {
   indices_.clear();
 }
 
-Vector4d Sketch::clip(const Vector3d& place) const { return clip_from_space_ * place.homogeneous(); }
+Vector4d Sketch::clip(const Vector3d& place) const {
+  return clip_from_space_ * place.homogeneous();
+}
 
 double Sketch::pixels(const Vector3d& place) const {
   const double depth = clip_from_space_.row(3) * place.homogeneous();
@@ -80,8 +82,8 @@ std::uint32_t Sketch::add_lit(const Vector3d& place, const Vector3d& normal, con
 void Sketch::band(std::uint32_t first, std::uint32_t second, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t next = (i + 1) % count;
-    indices_.insert(indices_.end(), {first + i, first + next, second + i, second + i, first + next,
-                                     second + next});
+    indices_.insert(indices_.end(),
+                    {first + i, first + next, second + i, second + i, first + next, second + next});
   }
 }
 
@@ -136,8 +138,8 @@ void Sketch::dot(const Vector3d& place, double radius, const Ink& ink) {
   indices_.insert(indices_.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
 }
 
-void Sketch::cone(const Matrix3d& frame, const Vector3d& from, double length,
-                  const Vector2d& radii, const Ink& ink) {
+void Sketch::cone(const Matrix3d& frame, const Vector3d& from, double length, const Vector2d& radii,
+                  const Ink& ink) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   for (const int end : {0, 1}) {
     for (std::uint32_t i = 0; i < around_arrow; ++i) {
@@ -166,8 +168,7 @@ void Sketch::arrow(const Vector3d& from, const Vector3d& to, double radius, cons
     const double angle = 2 * std::numbers::pi * i / around_arrow;
     add_lit(neck + wide * (frame * Vector3d(std::cos(angle), std::sin(angle), 0)), -frame.col(2),
             ink);
-    indices_.insert(indices_.end(),
-                    {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
+    indices_.insert(indices_.end(), {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
   }
 }
 
@@ -218,12 +219,6 @@ void Sketch::add_to(ScreenArea& area) const {
   for (const Vertex& vertex : vertices_) {
     area.add({vertex.clip.x, vertex.clip.y, vertex.clip.z, vertex.clip.w});
   }
-}
-
-Vector2d pixel_of(const Camera& camera, const Area& pane, const Vector3d& place) {
-  const Vector4d clip = camera.projection * camera.view * place.homogeneous();
-  return {pane.x + (0.5 + 0.5 * clip.x() / clip.w()) * pane.width,
-          pane.y + (0.5 - 0.5 * clip.y() / clip.w()) * pane.height};
 }
 
 }  // namespace twrench

@@ -86,7 +86,4 @@ class Sketch {
   std::vector<std::uint32_t> indices_;
 };
 
-/// A place in the picture, in pixels from its top left, where the camera's picture fills `pane`.
-Eigen::Vector2d pixel_of(const Camera& camera, const Area& pane, const Eigen::Vector3d& place);
-
 }  // namespace twrench

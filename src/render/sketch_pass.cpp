@@ -12,10 +12,8 @@ namespace {
 enum SketchAttribute : GLuint { clip_attribute = 0, paint_attribute = 1, edge_attribute = 2 };
 
 gl::Program sketch_program(const gl::Functions& gl) {
-  const std::array vertex{
-      gl::ShaderFile{"sketch.vert", embedded::shaders().at("sketch.vert")}};
-  const std::array fragment{
-      gl::ShaderFile{"sketch.frag", embedded::shaders().at("sketch.frag")}};
+  const std::array vertex{gl::ShaderFile{"sketch.vert", embedded::shaders().at("sketch.vert")}};
+  const std::array fragment{gl::ShaderFile{"sketch.frag", embedded::shaders().at("sketch.frag")}};
   return {gl, vertex, fragment};
 }
 
