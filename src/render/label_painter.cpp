@@ -1,13 +1,14 @@
+#include "render/label_painter.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "render/label.h"
 
 namespace twrench {
 namespace {
 
 constexpr double halo_width = 0.14;  // em
 constexpr double halo_opacity = 0.75;
+constexpr double distance = 0.1;  // em, from what is named
 
 }  // namespace
 
@@ -52,7 +53,10 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
     const double air = halo_width * size_ + 1;
     const double width = line.width * size_ + 2 * air;
     const double height = 1.3 * size_ + 2 * air;
-    const Box box = placed({label.x - width / 2, label.y - height / 2, width, height}, taken);
+    const Eigen::Vector2d half(width / 2, height / 2);
+    const double reach = half.dot(label.away.cwiseAbs()) + distance * size_;
+    const Eigen::Vector2d corner = label.anchor + reach * label.away - half;
+    const Box box = placed({corner.x(), corner.y(), width, height}, taken);
     taken.push_back(box);
     const int left = std::max(pane_.x, static_cast<int>(std::floor(box.x)));
     const int top = std::max(pane_.y, static_cast<int>(std::floor(box.y)));
@@ -63,8 +67,8 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
     Canvas canvas(layer.image, left, top);
     const Canvas::Point at{box.x + air,
                            box.y + air + 0.65 * size_ + font_.cap_height() * size_ / 2};
-    canvas.text_halo(line, size_, at, halo_width * size_, {halo_, halo_opacity * label.opacity});
-    canvas.text(line, size_, at, {label.color, label.opacity});
+    canvas.text_halo(line, size_, at, halo_width * size_, {halo_, halo_opacity});
+    canvas.text(line, size_, at, {label.color});
     layers.push_back(std::move(layer));
   }
   return layers;

@@ -1,22 +1,14 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "canvas/canvas.h"
+#include "render/label.h"
 #include "render/layer.h"
 
 namespace twrench {
 
-/// The name of something in the picture.
-struct Label {
-  std::string text;  ///< UTF-8
-  double x, y;       ///< px: where its middle is to be
-  Color color;
-  double opacity = 1;
-};
-
-/// Writes labels where they are wanted or, where words or another label already are, as near by as
+/// Writes labels beside what they name or, where words or another label already are, as near by as
 /// it can.
 class LabelPainter {
  public:
