@@ -75,6 +75,9 @@ Functions::Functions(const Context& context) {
   load(Viewport, "glViewport");
   load(Scissor, "glScissor");
   load(Enable, "glEnable");
+  load(Disable, "glDisable");
+  load(BlendFunc, "glBlendFunc");
+  load(DepthMask, "glDepthMask");
   load(ClearColor, "glClearColor");
   load(Clear, "glClear");
   load(DrawElements, "glDrawElements");

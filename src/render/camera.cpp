@@ -50,6 +50,26 @@ Camera frame_sphere(const Framing& framing) {
           perspective(tan_x, tan_y, 0.05 * distance, 20 * distance), distance};
 }
 
+double distance_to_see(const Framing& framing, std::span<const Vector3d> points) {
+  Framing nearest = framing;
+  nearest.distance = 1;
+  const Camera camera = frame_sphere(nearest);
+  double distance = camera.distance;
+  for (const Vector3d& point : points) {
+    const Eigen::Array3d p = camera.camera_from_space() * point;
+    const double across = std::abs(p.x()) * camera.projection(0, 0);
+    const double upward = std::abs(p.y()) * camera.projection(1, 1);
+    distance = std::max(distance, p.z() + margin * std::max(across, upward));
+  }
+  return distance / camera.distance;
+}
+
+Eigen::Vector2d pixel_of(const Camera& camera, const Area& pane, const Vector3d& place) {
+  const Eigen::Vector4d clip = camera.projection * camera.view * place.homogeneous();
+  return {pane.x + (0.5 + 0.5 * clip.x() / clip.w()) * pane.width,
+          pane.y + (0.5 - 0.5 * clip.y() / clip.w()) * pane.height};
+}
+
 Camera widened(const Camera& camera, const Area& focus, const Area& pane) {
   Camera wide = camera;
   const double scale_x = static_cast<double>(focus.width) / pane.width;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "image/area.h"
 
@@ -29,6 +30,13 @@ struct Framing {
 /// that it is whole in view at any aspect ratio. Space's y is up in the picture; seen from
 /// straight above or below, -z is.
 Camera frame_sphere(const Framing& framing);
+
+/// The least Framing::distance, and at least 1, from which all `points` are in view, with a margin.
+double distance_to_see(const Framing& framing, std::span<const Eigen::Vector3d> points);
+
+/// A place in the picture, in pixels from its top left, where the camera's picture fills `pane`;
+/// the place is not behind the eye.
+Eigen::Vector2d pixel_of(const Camera& camera, const Area& pane, const Eigen::Vector3d& place);
 
 /// The camera whose picture fills `focus`, with its picture carried on to fill `pane`.
 Camera widened(const Camera& camera, const Area& focus, const Area& pane);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/label.h"
 #include "render/layer.h"
 #include "timeline/timeline.h"
 
@@ -18,6 +19,16 @@ class Element {
   /// What of it changes, in the order in which it is to be laid over the picture. Layers are whole
   /// inside the picture, and as small as what they show.
   virtual std::vector<Layer> draw(const Moment& moment) = 0;
+
+  /// The names of things in it, that are to be written over all elements.
+  virtual std::vector<Label> labels(const Moment& /*moment*/) const { return {}; }
+};
+
+/// One that shows things in space.
+class SpaceView : public Element {
+ public:
+  /// `film_time` in s: the camera may move.
+  virtual Camera camera(double film_time) const = 0;
 };
 
 }  // namespace twrench

@@ -1,9 +1,19 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
 #include "gl/framebuffer.h"
 #include "render/background.h"
+#include "render/component_panel.h"
 #include "render/element.h"
+#include "render/hud.h"
+#include "render/label_painter.h"
 #include "render/layout.h"
+#include "render/momentum_view.h"
+#include "render/poinsot_view.h"
+#include "render/theme.h"
 #include "render/wrench_view.h"
 
 namespace twrench {
@@ -21,21 +31,41 @@ struct Renderer::Parts {
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
+  Typeface typeface;
   std::vector<std::unique_ptr<Element>> elements;  // in the order in which they are laid over
-  const WrenchView* wrench;
+  std::optional<LabelPainter> label_painter;
+  const SpaceView* first = nullptr;
   Image still;  // premultiplied where it is RGBA
 };
 
 Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
     : gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
+      typeface(load_typeface(scene.overlay.font)),
       still(empty_picture(scene)) {
   const Layout layout = layout_of(scene);
-  for (std::size_t i = 0; i < takes.size(); ++i) {
-    auto view = std::make_unique<WrenchView>(gl, framebuffer, scene, i, layout.panes[i]);
-    if (i == 0) wrench = view.get();
+  const auto add = [&]<typename View>(std::in_place_type_t<View>, std::size_t take,
+                                      const Layout::Pane& pane) {
+    auto view = std::make_unique<View>(gl, framebuffer, scene, takes, take, pane);
+    if (elements.empty()) first = view.get();
     elements.push_back(std::move(view));
+  };
+  for (std::size_t i = 0; i < layout.panes.size(); ++i) {
+    add(std::in_place_type<WrenchView>, i, layout.panes[i]);
   }
+  if (layout.momentum) add(std::in_place_type<MomentumView>, 0, *layout.momentum);
+  if (layout.poinsot) add(std::in_place_type<PoinsotView>, 0, *layout.poinsot);
+  const OverlayColors& colors = style_of(scene.look.theme).overlay;
+  std::vector<Area> taken;  // no labels go there
+  if (layout.components) {
+    elements.push_back(std::make_unique<ComponentPanel>(scene, takes, layout, typeface, colors));
+    taken.push_back(*layout.components);
+  }
+  auto hud = std::make_unique<Hud>(scene, takes, layout, typeface, colors);
+  std::ranges::copy(hud->extents(), std::back_inserter(taken));
+  elements.push_back(std::move(hud));
+  label_painter.emplace(typeface.regular, layout.text.figure, colors.panel,
+                        Area{0, 0, scene.film.width, scene.film.height}, std::move(taken));
   for (const auto& element : elements) {
     for (const Layer& layer : element->still()) lay_over(still, layer);
   }
@@ -49,12 +79,18 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Frame Renderer::draw(const Moment& moment) {
   Frame frame{parts_->still, {}};
-  for (const auto& element : parts_->elements) {
-    for (const Layer& layer : element->draw(moment)) {
+  const auto lay = [&frame](const std::vector<Layer>& layers) {
+    for (const Layer& layer : layers) {
       lay_over(frame.image, layer);
       frame.changed.push_back(layer.area());
     }
+  };
+  std::vector<Label> labels;
+  for (const auto& element : parts_->elements) {
+    lay(element->draw(moment));
+    std::ranges::move(element->labels(moment), std::back_inserter(labels));
   }
+  lay(parts_->label_painter->paint(labels));
   if (frame.image.channels == 4) {
     make_straight(frame.image, {0, 0, frame.image.width, frame.image.height});
   }
@@ -63,6 +99,6 @@ Frame Renderer::draw(const Moment& moment) {
 
 const Image& Renderer::still() const { return parts_->still; }
 std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
-Camera Renderer::camera(double film_time) const { return parts_->wrench->camera(film_time); }
+Camera Renderer::camera(double film_time) const { return parts_->first->camera(film_time); }
 
 }  // namespace twrench

@@ -37,7 +37,7 @@ class Renderer {
   /// The renderer and version that GL gives: frames are the same bytes where it is the same.
   std::string description() const;
 
-  /// That of the first view of the body, `film_time` seconds into the film.
+  /// That of the first view, `film_time` seconds into the film: of the body, if it is shown.
   Camera camera(double film_time) const;
 
  private:

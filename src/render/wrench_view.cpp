@@ -1,5 +1,9 @@
 #include "render/wrench_view.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "render/joined_parts.h"
 #include "render/reach.h"
 #include "render/screen_area.h"
@@ -10,12 +14,25 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 
-Camera camera_at(const CameraPath& path, const Layout::Pane& pane, double radius,
-                 double film_time) {
-  const Camera camera = frame_sphere(
-      {direction_of(path.azimuth + path.orbit * film_time, path.elevation), path.field_of_view,
-       static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance});
-  return widened(camera, pane.focus, pane.area);
+Framing framing_at(const CameraPath& path, const Layout::Pane& pane, double radius,
+                   double film_time) {
+  return {direction_of(path.azimuth + path.orbit * film_time, path.elevation), path.field_of_view,
+          static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance};
+}
+
+/// The path, as much farther off as the overlay needs to be in view all the time.
+CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverlay& overlay) {
+  CameraPath path = scene.camera;
+  constexpr int places = 32;  // on the way of a camera that moves
+  const double film = scene.motion.duration / scene.film.speed;
+  double distance = 1;
+  for (int i = 0; i < (path.orbit == 0 ? 1 : places); ++i) {
+    const double time = std::min(film, 2 * std::numbers::pi / std::abs(path.orbit)) * i / places;
+    const Framing framing = framing_at(path, pane, overlay.reach(), path.orbit == 0 ? 0 : time);
+    distance = std::max(distance, distance_to_see(framing, overlay.extent()));
+  }
+  path.distance *= distance;
+  return path;
 }
 
 /// A mesh whose facets cannot be told from the shape's: a fifth of a pixel in the picture's middle.
@@ -27,18 +44,22 @@ Mesh mesh_of(const Scene& scene, const Camera& camera, int height) {
 }  // namespace
 
 WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
-                       const Scene& scene, std::size_t take, const Layout::Pane& pane)
+                       const Scene& scene, const std::vector<Take>& takes, std::size_t take,
+                       const Layout::Pane& pane)
     : gl_(gl),
       framebuffer_(framebuffer),
-      path_(scene.camera),
       take_(take),
       pane_(pane),
       radius_(reach(visible_parts(scene.body))),
+      overlay_(scene, takes[take], radius_),
+      path_(path_of(scene, pane, overlay_)),
       mesh_(mesh_of(scene, camera(0), pane.area.height)),
-      body_(gl, mesh_, radius_, material(scene.look), dark_studio()) {}
+      body_(gl, mesh_, radius_, material(scene.look), dark_studio()),
+      sketch_pass_(gl) {}
 
 Camera WrenchView::camera(double film_time) const {
-  return camera_at(path_, pane_, radius_, film_time);
+  return widened(frame_sphere(framing_at(path_, pane_, overlay_.reach(), film_time)), pane_.focus,
+                 pane_.area);
 }
 
 std::vector<Layer> WrenchView::draw(const Moment& moment) {
@@ -53,13 +74,24 @@ std::vector<Layer> WrenchView::draw(const Moment& moment) {
     const auto& [x, y, z] = std::tie(vertex.position.x, vertex.position.y, vertex.position.z);
     screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1));
   }
+  solid_.begin(now, pane_.area);
+  sheer_.begin(now, pane_.area);
+  overlay_.draw(moment.instants[take_], solid_, sheer_);
+  solid_.add_to(screen);
+  sheer_.add_to(screen);
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   body_.draw(now, X);
+  sketch_pass_.draw_solid(solid_);
+  sketch_pass_.draw_sheer(sheer_);
   std::vector<Layer> layers;
   layers.push_back({framebuffer_.read(screen.rectangle()), screen.area().x, screen.area().y});
   return layers;
+}
+
+std::vector<Label> WrenchView::labels(const Moment& moment) const {
+  return overlay_.labels(moment.instants[take_], camera(moment.film_time), pane_.area);
 }
 
 }  // namespace twrench

@@ -11,12 +11,6 @@ namespace {
 
 constexpr int whole_intervals = 1200;  // finer than a curve across a wide panel can show
 
-/// s: what the body takes for some 12 rad, unless the scene says.
-double length_of_trail(const Scene& scene) {
-  const double speed = scene.motion.omega.norm();
-  return scene.overlay.trail_length.value_or(speed > 0 ? 12 / speed : scene.motion.duration);
-}
-
 /// s between two points of a trail: 0.03 rad or so, but 50 points at least and 2000 at most.
 double step_of_trail(const Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
@@ -71,10 +65,15 @@ std::optional<double> next_flip(const Take& take, double t) {
 
 }  // namespace
 
+double trail_length(const Scene& scene) {
+  const double speed = scene.motion.omega.norm();
+  return scene.overlay.trail_length.value_or(speed > 0 ? 12 / speed : scene.motion.duration);
+}
+
 Timeline::Timeline(const Scene& scene, std::vector<int> frames)
     : scene_(scene),
       frames_(std::move(frames)),
-      trail_length_(length_of_trail(scene)),
+      trail_length_(trail_length(scene)),
       grid_step_(step_of_trail(scene, trail_length_)) {
   if (scene.overlay.shows(Feature::trail)) {
     std::int64_t next = 0;

@@ -40,6 +40,9 @@ struct Moment {
   std::vector<Instant> instants;
 };
 
+/// s of motion that a trail covers: as the scene says, or what the body takes for some 12 rad.
+double trail_length(const Scene& scene);
+
 /// The film's motions, told frame by frame. A moment depends on the scene and its frame's number
 /// alone, never on which other frames are asked for.
 class Timeline {
@@ -53,9 +56,6 @@ class Timeline {
 
   /// That of the frame with the number frames[index].
   Moment moment(std::size_t index) const;
-
-  /// s of motion that a trail covers.
-  double trail_length() const { return trail_length_; }
 
  private:
   /// The samples of one take: the frames' own, those of their blur, and the trails' grid.

@@ -1,0 +1,120 @@
+#include "canvas/canvas.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace twrench {
+namespace {
+
+// Cairo keeps a pixel as a native word, blue in its lowest byte. Where that byte comes first,
+// colours given with red and blue swapped are RGBA in memory.
+static_assert(std::endian::native == std::endian::little);
+
+void add_path(cairo_t* context, const std::vector<Font::Segment>& outline,
+              const Canvas::Point& origin, double scale) {
+  const auto x = [&](const Font::Point& point) { return origin.x + scale * point.x; };
+  const auto y = [&](const Font::Point& point) { return origin.y + scale * point.y; };
+  for (const auto& [kind, control1, control2, end] : outline) {
+    if (kind == Font::Segment::start) {
+      cairo_close_path(context);
+      cairo_move_to(context, x(end), y(end));
+    } else if (kind == Font::Segment::line) {
+      cairo_line_to(context, x(end), y(end));
+    } else {
+      cairo_curve_to(context, x(control1), y(control1), x(control2), y(control2), x(end), y(end));
+    }
+  }
+  cairo_close_path(context);
+}
+
+}  // namespace
+
+void Canvas::Destroy::operator()(cairo_t* context) const noexcept { cairo_destroy(context); }
+void Canvas::Destroy::operator()(cairo_surface_t* surface) const noexcept {
+  cairo_surface_destroy(surface);
+}
+
+Canvas::Canvas(Image& image, int x, int y)
+    : image_(image),
+      x_(x),
+      y_(y),
+      surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32,
+                                                   image.width, image.height,
+                                                   static_cast<int>(image.row_bytes()))),
+      context_(cairo_create(surface_.get())) {
+  cairo_translate(context_.get(), -x, -y);
+  cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+}
+
+void Canvas::set(const Ink& ink) {
+  cairo_set_source_rgba(context_.get(), ink.color.blue / 255.0, ink.color.green / 255.0,
+                        ink.color.red / 255.0, ink.opacity);
+}
+
+void Canvas::add_text(const Line& line, double size, const Point& at, Align align) {
+  const double before = align == Align::left ? 0 : align == Align::right ? 1 : 0.5;
+  const double start = at.x - before * line.width * size;
+  for (const auto& [glyph, x, y, scale] : line.glyphs) {
+    add_path(context_.get(), line.font->outline(glyph), {start + x * size, at.y + y * size},
+             scale * size);
+  }
+}
+
+void Canvas::text(const Line& line, double size, const Point& at, const Ink& ink, Align align) {
+  add_text(line, size, at, align);
+  set(ink);
+  cairo_fill(context_.get());
+}
+
+void Canvas::text_halo(const Line& line, double size, const Point& at, double width, const Ink& ink,
+                       Align align) {
+  add_text(line, size, at, align);
+  cairo_set_line_width(context_.get(), 2 * width);
+  set(ink);
+  cairo_stroke(context_.get());
+}
+
+void Canvas::polyline(std::span<const Point> points, double width, const Ink& ink) {
+  for (const auto& [x, y] : points) cairo_line_to(context_.get(), x, y);
+  cairo_set_line_width(context_.get(), width);
+  set(ink);
+  cairo_stroke(context_.get());
+}
+
+void Canvas::disc(const Point& centre, double radius, const Ink& ink) {
+  cairo_arc(context_.get(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  set(ink);
+  cairo_fill(context_.get());
+}
+
+void Canvas::rectangle(double x, double y, double width, double height, const Ink& ink) {
+  cairo_rectangle(context_.get(), x, y, width, height);
+  set(ink);
+  cairo_fill(context_.get());
+}
+
+void Canvas::soft_panel(const Area& core, double feather, const Ink& ink) {
+  std::uint8_t* out = image_.pixels.data();
+  for (int row = 0; row < image_.height; ++row) {
+    const double y = y_ + row + 0.5;
+    const double dy = std::max({core.y - y, y - core.y - core.height, 0.0});
+    for (int column = 0; column < image_.width; ++column, out += 4) {
+      const double x = x_ + column + 0.5;
+      const double dx = std::max({core.x - x, x - core.x - core.width, 0.0});
+      const double t = std::max(0.0, 1 - std::hypot(dx, dy) / feather);
+      const double alpha = ink.opacity * t * t * (3 - 2 * t);
+      const int color[]{ink.color.red, ink.color.green, ink.color.blue, 255};
+      for (int c = 0; c < 4; ++c) {
+        out[c] = static_cast<std::uint8_t>(std::lround(color[c] * alpha + out[c] * (1 - alpha)));
+      }
+    }
+  }
+  cairo_surface_mark_dirty(surface_.get());
+}
+
+}  // namespace twrench

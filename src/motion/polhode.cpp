@@ -1,0 +1,83 @@
+#include "motion/polhode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Moments this close, as a share, are those of a symmetric body: the picture cannot tell.
+constexpr double alike = 1e-9;
+
+bool differ(double a, double b) { return b - a > alike * b; }
+
+/// a / b, kept from leaving [0, 1] by rounding; 0 where both vanish.
+double share(double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0; }
+
+}  // namespace
+
+Vector3d EnergyLevel::at(double phi) const {
+  const Vector3d inverse = moments.cwiseInverse();
+  const int other = 2 - axis;
+  const double excess = std::abs(energy - inverse[axis]);
+  const double amplitude = share(excess, inverse[0] - inverse[2]);
+  const double intermediate = share(excess, std::abs(inverse[1] - inverse[axis]));
+  const double c = std::cos(phi), s = std::sin(phi);
+  Vector3d mu;
+  mu[other] = std::sqrt(amplitude) * c;
+  mu[1] = std::sqrt(intermediate) * s;
+  // 1 - mu_1^2 - mu_other^2, without the cancellation.
+  mu[axis] = side * std::sqrt(c * c * (1 - amplitude) + s * s * (1 - intermediate));
+  return mu;
+}
+
+bool EnergyLevel::is_separatrix() const {
+  return std::abs(energy * moments[1] - 1) < alike && differ(moments[0], moments[1]) &&
+         differ(moments[1], moments[2]);
+}
+
+std::optional<EnergyLevel> level_through(const Vector3d& moments, const Vector3d& mu) {
+  if (!differ(moments[0], moments[2])) return std::nullopt;
+  const double energy = (mu.array().square() / moments.array()).sum();
+  const bool about_least = differ(moments[0], moments[1]) &&
+                           (energy * moments[1] > 1 || !differ(moments[1], moments[2]));
+  const int axis = about_least ? 0 : 2;
+  return EnergyLevel{moments, energy, axis, std::copysign(1.0, mu[axis])};
+}
+
+std::vector<EnergyLevel> level_family(const Vector3d& moments, int count) {
+  std::vector<EnergyLevel> levels;
+  const Vector3d inverse = moments.cwiseInverse();
+  for (const int axis : {0, 2}) {
+    if (!differ(moments[std::min(axis, 1)], moments[std::max(axis, 1)])) continue;
+    for (int i = 1; i <= count; ++i) {
+      const double sine = std::sin(std::numbers::pi / 2 * i / (count + 1));
+      const double energy = inverse[axis] + sine * sine * (inverse[1] - inverse[axis]);
+      for (const double side : {1.0, -1.0}) levels.push_back({moments, energy, axis, side});
+    }
+  }
+  return levels;
+}
+
+std::optional<std::array<Vector3d, 2>> separatrix(const Vector3d& moments) {
+  if (!differ(moments[0], moments[1]) || !differ(moments[1], moments[2])) return std::nullopt;
+  const Vector3d inverse = moments.cwiseInverse();
+  const double least = std::sqrt((inverse[1] - inverse[2]) / (inverse[0] - inverse[2]));
+  const double greatest = std::sqrt((inverse[0] - inverse[1]) / (inverse[0] - inverse[2]));
+  return std::array{Vector3d(least, 0, greatest), Vector3d(least, 0, -greatest)};
+}
+
+Annulus herpolhode_annulus(const EnergyLevel& level) {
+  // |omega| is greatest and least where the polhode crosses the planes of the axes.
+  const auto radius = [&](double phi) {
+    const Vector3d omega = level.at(phi).cwiseQuotient(level.moments) / level.energy;
+    return std::sqrt(std::max(omega.squaredNorm() - 1, 0.0));
+  };
+  const double one = radius(0), other = radius(std::numbers::pi / 2);
+  return {std::min(one, other), std::max(one, other)};
+}
+
+}  // namespace twrench

@@ -1,0 +1,139 @@
+#include "render/component_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/hud.h"
+
+namespace twrench {
+namespace {
+
+constexpr double range = 1.12;         // of the values that a plot holds: those of SO(3), with air
+constexpr double faint = 0.32;         // opacity of what is to come
+constexpr double line_opacity = 0.22;  // of zero lines and flips
+
+/// Copies the columns from `first` to `last` of the rows of `area`.
+void copy_columns(const Layer& from, Layer& to, const Area& area, int first, int last) {
+  if (last <= first) return;
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    const auto offset = static_cast<std::ptrdiff_t>(from.image.row_bytes()) * (y - from.y) +
+                        4 * static_cast<std::ptrdiff_t>(first - from.x);
+    std::copy_n(from.image.pixels.begin() + offset, 4 * (last - first),
+                to.image.pixels.begin() + offset);
+  }
+}
+
+}  // namespace
+
+double ComponentPanel::Plot::y(double value) const {
+  const double held = std::clamp(value, -range, range);  // a method may leave SO(3)
+  return area.y + area.height * (0.5 - 0.5 * held / range);
+}
+
+ComponentPanel::ComponentPanel(const Scene& scene, const std::vector<Take>& takes,
+                               const Layout& layout, const Typeface& typeface,
+                               const OverlayColors& colors)
+    : colors_(colors),
+      duration_(scene.motion.duration),
+      takes_(takes.size()),
+      thickness_(std::max(1.0, 0.09 * layout.text.caption)) {
+  const Area& area = *layout.components;
+  place_plots(area, layout.text.caption);
+  const int feather = static_cast<int>(2.2 * layout.text.caption);
+  const int left = std::max(0, area.x - feather);
+  const int top = std::max(0, area.y - feather);
+  future_ = {Image(std::min(scene.film.width, area.x + area.width + feather) - left,
+                   std::min(scene.film.height, area.y + area.height + feather) - top, 4),
+             left, top};
+  Canvas future(future_.image, left, top);
+  future.soft_panel(area, feather, {colors.panel, colors.panel_opacity});
+  draw_frames(future, layout, typeface);
+  // Those of methods that disagree would be a thicket.
+  for (const double flip : takes_ == 1 ? takes[0].flip_times : std::vector<double>{}) {
+    for (const Plot& plot : plots_) {
+      future.rectangle(std::round(plot.x(flip / duration_)), plot.area.y, 1, plot.area.height,
+                       {colors_.dim, line_opacity});
+    }
+  }
+  past_ = future_;
+  Canvas past(past_.image, left, top);
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    draw_curves(future, takes[i], i, faint);
+    draw_curves(past, takes[i], i, 1);
+  }
+}
+
+void ComponentPanel::place_plots(const Area& area, double label_size) {
+  const bool strip = area.width > 4 * area.height;
+  const int columns = strip ? 9 : 3;
+  const int rows = 9 / columns;
+  const int gap = std::max(2, static_cast<int>(0.7 * label_size));
+  const int label = static_cast<int>(std::ceil(1.25 * label_size));
+  for (int i = 0; i < 9; ++i) {
+    const int column = i % columns;
+    const int row = i / columns;
+    const int left = area.x + column * (area.width + gap) / columns;
+    const int right = area.x + (column + 1) * (area.width + gap) / columns - gap;
+    const int top = area.y + row * (area.height + gap) / rows + label;
+    const int bottom = area.y + (row + 1) * (area.height + gap) / rows - gap;
+    if (right <= left || bottom <= top) continue;
+    plots_.push_back({i / 3, i % 3, {left, top, right - left, bottom - top}});
+  }
+}
+
+void ComponentPanel::draw_frames(Canvas& canvas, const Layout& layout,
+                                 const Typeface& typeface) const {
+  static constexpr std::array digits{"₁", "₂", "₃"};
+  const double size = layout.text.caption;
+  for (const Plot& plot : plots_) {
+    const std::string label = fmt::format("x{}{}", digits[static_cast<std::size_t>(plot.row)],
+                                          digits[static_cast<std::size_t>(plot.column)]);
+    const Color color = takes_ == 1 ? ink(plot, 0) : colors_.dim;
+    canvas.text(typeset(typeface.regular, label), size,
+                {static_cast<double>(plot.area.x), plot.area.y - 0.35 * size}, {color});
+    const double zero = std::round(plot.y(0));
+    canvas.rectangle(plot.area.x, zero, plot.area.width, 1, {colors_.dim, line_opacity});
+  }
+}
+
+void ComponentPanel::draw_curves(Canvas& canvas, const Take& take, std::size_t index,
+                                 double opacity) const {
+  for (const Plot& plot : plots_) {
+    std::vector<Canvas::Point> points;
+    for (const Sample& sample : take.whole) {
+      points.push_back({plot.x(sample.t / duration_), plot.y(sample.X(plot.row, plot.column))});
+    }
+    canvas.polyline(points, thickness_, {ink(plot, index), opacity});
+  }
+}
+
+Color ComponentPanel::ink(const Plot& plot, std::size_t take) const {
+  if (takes_ > 1) return take_color(colors_, take);
+  return colors_.curve[static_cast<std::size_t>(3 * plot.row + plot.column)];
+}
+
+std::vector<Layer> ComponentPanel::draw(const Moment& moment) {
+  Layer layer = future_;
+  const double share = std::clamp(moment.instants[0].sample.t / duration_, 0.0, 1.0);
+  for (const Plot& plot : plots_) {
+    const int reach = static_cast<int>(std::ceil(thickness_));  // of a curve beyond its plot
+    const Area held{plot.area.x - reach, plot.area.y - reach, plot.area.width + 2 * reach,
+                    plot.area.height + 2 * reach};
+    copy_columns(past_, layer, held, held.x, static_cast<int>(std::lround(plot.x(share))));
+  }
+  Canvas canvas(layer.image, layer.x, layer.y);
+  const double width = std::max(1.0, 0.6 * thickness_);
+  for (const Plot& plot : plots_) {
+    canvas.rectangle(plot.x(share) - width / 2, plot.area.y, width, plot.area.height,
+                     {colors_.text, 0.6});
+    for (std::size_t i = 0; i < takes_; ++i) {
+      const double value = moment.instants[i].sample.X(plot.row, plot.column);
+      canvas.disc({plot.x(share), plot.y(value)}, 1.8 * thickness_, {ink(plot, i)});
+    }
+  }
+  return {std::move(layer)};
+}
+
+}  // namespace twrench

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "render/element.h"
+#include "render/layout.h"
+#include "render/principal_frame.h"
+#include "render/sketch_pad.h"
+#include "render/theme.h"
+
+namespace twrench {
+
+/// The momentum as the body sees it. Its length G is constant, so that in the body's frame it moves
+/// on a sphere, and along a curve of constant energy: around the axis of least or of greatest
+/// moment or, close to the separatrix, to and fro between the two ends of the intermediate axis,
+/// which is the flip.
+class MomentumView : public SpaceView {
+ public:
+  /// Of one take, drawn in `pane` by way of `framebuffer`, which outlives the view.
+  MomentumView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
+               const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
+
+  /// The sphere with its curves and axes, where the camera stays.
+  std::vector<Layer> still() override;
+
+  /// The momentum and its trail.
+  std::vector<Layer> draw(const Moment& moment) override;
+
+  std::vector<Label> labels(const Moment& moment) const override;
+
+  Camera camera(double film_time) const override;
+
+  /// Where the momentum of a sample is, on the unit sphere unless the method has left it.
+  Eigen::Vector3d place_of(const Sample& sample) const;
+
+ private:
+  void add_sphere();
+  void add_level(const EnergyLevel& level, double width, const Ink& ink);
+  void add_separatrix();
+  void add_momentum(const Instant& instant);
+  template <typename Place>
+  void add_curve(Place place, double width, const Ink& ink);
+
+  OverlayColors colors_;
+  CameraPath path_;
+  bool shows_trail_, shows_labels_;
+  double trail_length_;  ///< s
+  std::size_t take_;
+  FreeBody body_;
+  PrincipalFrame frame_;
+  Layout::Pane pane_;
+  SketchPad pad_;
+};
+
+}  // namespace twrench

@@ -1,0 +1,28 @@
+#include "render/sketch_pad.h"
+
+#include <algorithm>
+
+namespace twrench {
+
+void SketchPad::begin(const Camera& camera) {
+  solid.begin(camera, area_);
+  sheer.begin(camera, area_);
+}
+
+double SketchPad::hairline() const {
+  return std::max(1.0, 0.0022 * std::min(area_.width, area_.height));
+}
+
+Layer SketchPad::layer() const {
+  ScreenArea screen(area_, framebuffer_.height());
+  solid.add_to(screen);
+  sheer.add_to(screen);
+  framebuffer_.draw_within(screen.rectangle(), screen.viewport());
+  gl_.ClearColor(0, 0, 0, 0);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  pass_.draw_solid(solid);
+  pass_.draw_sheer(sheer);
+  return {framebuffer_.read(screen.rectangle()), screen.area().x, screen.area().y};
+}
+
+}  // namespace twrench

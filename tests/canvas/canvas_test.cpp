@@ -1,0 +1,84 @@
+#include "canvas/canvas.h"
+
+#include <gmock/gmock.h>
+
+namespace twrench {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+constexpr Color ink{200, 100, 50};
+
+std::vector<int> pixel(const Image& image, int x, int y) {
+  const auto at = static_cast<std::size_t>(4 * (y * image.width + x));
+  return {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2], image.pixels[at + 3]};
+}
+
+TEST(Canvas, FillsWholePixelsInThePicturesPlaces) {
+  Image image(6, 4, 4);
+  Canvas(image, 10, 20).rectangle(12, 21, 2, 1, {ink});
+  EXPECT_THAT(pixel(image, 2, 1), ElementsAre(200, 100, 50, 255)) << "red first";
+  EXPECT_THAT(pixel(image, 3, 1), ElementsAre(200, 100, 50, 255));
+  for (const auto& [x, y] : {std::pair(1, 1), {4, 1}, {2, 0}, {2, 2}}) {
+    EXPECT_THAT(pixel(image, x, y), Each(0)) << x << " " << y;
+  }
+}
+
+TEST(Canvas, PremultipliesByOpacityAndCoverage) {
+  Image image(2, 1, 4);
+  Canvas(image, 0, 0).rectangle(0, 0, 1.5, 1, {ink, 0.5});
+  const auto near = [](int value) {
+    return testing::AllOf(testing::Ge(value - 2), testing::Le(value + 2));
+  };
+  EXPECT_THAT(pixel(image, 0, 0), ElementsAre(near(100), near(50), near(25), near(128)));
+  EXPECT_THAT(pixel(image, 1, 0), ElementsAre(near(50), near(25), near(13), near(64)));
+}
+
+TEST(Canvas, WritesOnTheBaselineAlignedAsAsked) {
+  const Typeface typeface = load_typeface("sans");
+  const Line line = typeset(typeface.regular, "H");
+  const double size = 30, width = size * line.width;
+  const auto columns = [&](Canvas::Align align) {
+    Image image(100, 60, 4);
+    Canvas(image, 0, 0).text(line, size, {50, 40}, {ink}, align);
+    int first = 100, last = 0, bottom = 0;
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        if (pixel(image, x, y)[3] < 128) continue;
+        first = std::min(first, x);
+        last = std::max(last, x);
+        bottom = y;
+      }
+    }
+    EXPECT_EQ(bottom, 39);
+    return (first + last + 1) / 2.0;  // the middle of the H
+  };
+  EXPECT_NEAR(columns(Canvas::Align::left), 50 + width / 2, 1);
+  EXPECT_NEAR(columns(Canvas::Align::centre), 50, 1);
+  EXPECT_NEAR(columns(Canvas::Align::right), 50 - width / 2, 1);
+}
+
+TEST(Canvas, LaysTheHaloAroundTheLetters) {
+  const Typeface typeface = load_typeface("sans");
+  const Line line = typeset(typeface.regular, "I");
+  Image image(40, 40, 4);
+  Canvas(image, 0, 0).text_halo(line, 30, {10, 30}, 4, {ink});
+  EXPECT_EQ(pixel(image, 11, 32)[3], 255) << "below the foot of the I";
+}
+
+TEST(Canvas, FadesThePanelBeyondItsCore) {
+  Image image(40, 40, 4);
+  Canvas(image, 0, 0).soft_panel({15, 15, 10, 10}, 10, {ink, 0.8});
+  EXPECT_EQ(pixel(image, 15, 15)[3], 204);
+  EXPECT_EQ(pixel(image, 24, 24)[3], 204);
+  EXPECT_LT(pixel(image, 28, 20)[3], 204);
+  EXPECT_GT(pixel(image, 28, 20)[3], pixel(image, 32, 20)[3]);
+  EXPECT_EQ(pixel(image, 36, 20)[3], 0);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    ASSERT_LE(image.pixels[i], image.pixels[i + 3]) << "premultiplied";
+  }
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,122 @@
+#include "render/component_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/overlay_scene.h"
+
+namespace twrench {
+namespace {
+
+Scene film(int width = 1280, int height = 720) {
+  Scene scene = film_of(width, height);
+  scene.overlay.show = {Feature::components};
+  return scene;
+}
+
+ComponentPanel panel_of(const OverlayScene& film) {
+  return {film.scene, film.timeline.takes(), film.layout, film.typeface, film.colors};
+}
+
+Moment at(const OverlayScene& film, double t) {
+  Moment moment = film.timeline.moment(0);
+  const auto& whole = film.timeline.takes()[0].whole;
+  const double share = t / film.scene.motion.duration;
+  moment.instants[0].sample =
+      whole[static_cast<std::size_t>(std::lround(share * static_cast<double>(whole.size() - 1)))];
+  return moment;
+}
+
+/// Sum of all colour in the columns of a layer.
+double light(const Layer& layer, int first, int last) {
+  double sum = 0;
+  for (int y = 0; y < layer.image.height; ++y) {
+    for (int x = first; x < last; ++x) {
+      const auto p =
+          static_cast<std::size_t>(y) * layer.image.row_bytes() + 4 * static_cast<std::size_t>(x);
+      for (std::size_t c = 0; c < 3; ++c) sum += layer.image.pixels[p + c];
+    }
+  }
+  return sum;
+}
+
+TEST(ComponentPanel, BrightensWithTime) {
+  const OverlayScene scene(film());
+  ComponentPanel panel = panel_of(scene);
+  double before = 0;
+  for (const double t : {0.0, 24.0, 48.0, 72.0, 96.0}) {
+    const Layer layer = panel.draw(at(scene, t)).at(0);
+    const double now = light(layer, 0, layer.image.width);
+    EXPECT_GT(now, before) << t;
+    before = now;
+  }
+}
+
+TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
+  const OverlayScene scene(film());
+  ComponentPanel panel = panel_of(scene);
+  const Layer early = panel.draw(at(scene, 24)).at(0);
+  const Layer late = panel.draw(at(scene, 72)).at(0);
+  const Area area = *scene.layout.components;
+  // The first plot of each row begins at the area's left edge; what is past at both times is alike.
+  const int plot = area.width / 3;
+  const int before = area.x - early.x;
+  for (int y = 0; y < early.image.height; ++y) {
+    for (int x = before; x < before + plot / 4 - 12; ++x) {
+      const auto p =
+          static_cast<std::size_t>(y) * early.image.row_bytes() + 4 * static_cast<std::size_t>(x);
+      ASSERT_EQ(early.image.pixels[p], late.image.pixels[p]) << x << " " << y;
+    }
+  }
+  EXPECT_FALSE(same({early}, {late}));
+}
+
+TEST(ComponentPanel, DrawsTheSameWhateverItDrewBefore) {
+  const OverlayScene scene(film());
+  ComponentPanel panel = panel_of(scene);
+  const auto alone = panel.draw(at(scene, 30));
+  panel.draw(at(scene, 90));
+  panel.draw(at(scene, 10));
+  EXPECT_TRUE(same(panel.draw(at(scene, 30)), alone));
+}
+
+TEST(ComponentPanel, PutsTheCursorsDotOnTheCurve) {
+  const OverlayScene scene(film());
+  ComponentPanel panel = panel_of(scene);
+  Moment moment = at(scene, 48);
+  const auto drawn = panel.draw(moment);
+  moment.instants[0].sample.X.row(0).swap(moment.instants[0].sample.X.row(1));
+  EXPECT_FALSE(same(panel.draw(moment), drawn)) << "it follows the sample of the moment";
+}
+
+TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
+  Scene scene = film(1280, 720);
+  scene.overlay.compare = {"euler", "exact"};
+  scene.motion.control.step = 0.2;
+  const OverlayScene comparison(scene);
+  ComponentPanel panel = panel_of(comparison);
+  Moment moment = comparison.timeline.moment(0);
+  moment.instants[0].sample.X *= 1e9;
+  const Layer layer = panel.draw(moment).at(0);
+  EXPECT_LE(layer.y + layer.image.height, 720);
+  EXPECT_LE(layer.x + layer.image.width, 1280);
+}
+
+TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
+  for (const auto& [width, height] : {std::pair(16, 16), {40, 16}, {64, 64}, {3000, 40}}) {
+    Scene scene = film(width, height);
+    scene.overlay.view = View::quad;
+    const OverlayScene small(scene);
+    ComponentPanel panel = panel_of(small);
+    for (const Layer& layer : panel.draw(at(small, 48))) {
+      EXPECT_GE(layer.x, 0);
+      EXPECT_GE(layer.y, 0);
+      EXPECT_LE(layer.x + layer.image.width, width);
+      EXPECT_LE(layer.y + layer.image.height, height);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,158 @@
+#include "render/hud.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "render/overlay_scene.h"
+
+namespace twrench {
+namespace {
+
+constexpr std::pair<int, int> sizes[]{{320, 180},   {640, 360},   {1920, 1080}, {3840, 2160},
+                                      {180, 320},   {1080, 1920}, {240, 240},   {1080, 1080},
+                                      {1440, 1080}, {2560, 1080}};
+
+Hud hud_of(const OverlayScene& film) {
+  return {film.scene, film.timeline.takes(), film.layout, film.typeface, film.colors};
+}
+
+/// WCAG 2.1, "relative luminance", of an sRGB colour of 0 to 1.
+double luminance(const std::array<double, 3>& color) {
+  const auto linear = [](double c) {
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
+}
+
+std::array<double, 3> of(const Color& color) {
+  return {color.red / 255.0, color.green / 255.0, color.blue / 255.0};
+}
+
+double contrast(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
+  return std::max(one, other) / std::min(one, other);
+}
+
+TEST(Hud, KeepsItsWordsInItsAreasAtEverySize) {
+  for (const auto& [width, height] : sizes) {
+    for (const std::string title :
+         {"A", "The Dzhanibekov effect",
+          "A title so long that it would run through the whole picture "
+          "and out of it again, were it not made smaller and shortened"}) {
+      const OverlayScene film(film_of(width, height, title));
+      for (const Area& area : hud_of(film).extents()) {
+        EXPECT_GE(area.x, 0.05 * width);
+        EXPECT_GE(area.y, 0.05 * height);
+        EXPECT_LE(area.x + area.width, 0.95 * width + 1) << width << "x" << height;
+        EXPECT_LE(area.y + area.height, 0.95 * height + 1) << width << "x" << height;
+      }
+    }
+  }
+}
+
+TEST(Hud, HasRoomForLongNamesInEveryPane) {
+  for (const auto& [width, height] : sizes) {
+    for (std::size_t count = 2; count <= 4; ++count) {
+      Scene scene = film_of(width, height);
+      scene.overlay.compare.assign(count, "implicit-trapezoid");
+      scene.motion.duration = 1;
+      const OverlayScene film(scene);
+      const std::vector<Area> extents = hud_of(film).extents();
+      for (std::size_t i = 0; i < film.layout.legends.size(); ++i) {
+        const Area& legend = film.layout.legends[i];
+        const Area& extent = extents[extents.size() - film.layout.legends.size() + i];
+        EXPECT_LE(extent.width, legend.width + 1) << width << "x" << height << " " << count;
+        EXPECT_LE(extent.height, legend.height + 2) << width << "x" << height << " " << count;
+      }
+    }
+  }
+}
+
+TEST(Hud, DrawsTheSameWhateverItDrewBefore) {
+  const OverlayScene film(film_of(640, 360));
+  Hud hud = hud_of(film);
+  Moment moment = film.timeline.moment(0);
+  const auto first = hud.draw(moment);
+  moment.instants[0].sample.t = 42.5;
+  moment.instants[0].diagnostics.energy_drift = -1.2e-15;
+  const auto later = hud.draw(moment);
+  EXPECT_FALSE(same(first, later));
+  EXPECT_TRUE(same(hud.draw(film.timeline.moment(0)), first));
+}
+
+TEST(Hud, HoldsWhateverTheNumbers) {
+  const OverlayScene film(film_of(320, 180));
+  Hud hud = hud_of(film);
+  for (const double drift : {0.0, -1.2e-15, 1e300, -9.99e-300}) {
+    Moment moment = film.timeline.moment(0);
+    moment.instants[0].diagnostics.energy_drift = drift;
+    moment.instants[0].next_flip.reset();
+    for (const Layer& layer : hud.draw(moment)) {
+      EXPECT_GE(layer.x, 0);
+      EXPECT_LE(layer.x + layer.image.width, 320);
+      EXPECT_LE(layer.y + layer.image.height, 180);
+    }
+  }
+}
+
+TEST(Hud, SaysNothingOfFlipsWhereThereAreNone) {
+  Scene steady = film_of(1920, 1080);
+  steady.motion.omega = {0, 0, 1};
+  const OverlayScene with(film_of(1920, 1080)), without(steady);
+  const int wide = hud_of(with).extents()[1].width;
+  EXPECT_LT(hud_of(without).extents()[1].width, 0.7 * wide);
+}
+
+TEST(Hud, CanBeReadOnWhateverLiesBelow) {
+  for (const Theme theme : {Theme::studio, Theme::paper, Theme::space}) {
+    const OverlayColors& colors = style_of(theme).overlay;
+    for (const double below : {0.0, 0.5, 1.0}) {
+      std::array<double, 3> ground = of(colors.panel);
+      for (double& c : ground) c = c * colors.panel_opacity + below * (1 - colors.panel_opacity);
+      EXPECT_GE(contrast(of(colors.text), ground), 4.5) << below;
+      EXPECT_GE(contrast(of(colors.dim), ground), 4.5) << below;
+    }
+  }
+}
+
+TEST(Hud, LaysThePanelUnderAllItsWords) {
+  const OverlayScene film(film_of(1920, 1080));
+  Hud hud = hud_of(film);
+  const auto layers = hud.draw(film.timeline.moment(0));
+  const auto extents = hud.extents();
+  ASSERT_EQ(layers.size(), extents.size());
+  const int least = static_cast<int>(255 * film.colors.panel_opacity);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const Layer& layer = layers[i];
+    for (int y = extents[i].y; y < extents[i].y + extents[i].height; ++y) {
+      for (int x = extents[i].x; x < extents[i].x + extents[i].width; ++x) {
+        const auto at = static_cast<std::size_t>(y - layer.y) * layer.image.row_bytes() +
+                        4 * static_cast<std::size_t>(x - layer.x);
+        ASSERT_GE(layer.image.pixels[at + 3], least);
+      }
+    }
+  }
+}
+
+TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
+  const OverlayScene film(film_of(640, 360, "Flip \xEE\x84\xA3"));
+  try {
+    hud_of(film);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("title: has the character U+E123"));
+  }
+}
+
+TEST(Hud, TakesTitlesOfManyTongues) {
+  for (const char* title :
+       {"Эффект Джанибекова", "Théorème de la raquette", "ω × L", "a\xFF", ""}) {
+    const OverlayScene film(film_of(640, 360, title));
+    EXPECT_NO_THROW(hud_of(film)) << title;
+  }
+}
+
+}  // namespace
+}  // namespace twrench
