@@ -13,10 +13,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double elevation = 0.60;    // rad, of the camera above the plane
-constexpr double momentum_end = 1.34; // of L's arrow
-constexpr double least_plane = 0.95;  // radius
-constexpr int around = 120;           // points of a curve
+constexpr double elevation = 0.60;     // rad, of the camera above the plane
+constexpr double momentum_end = 1.34;  // of L's arrow
+constexpr double least_plane = 0.95;   // radius
+constexpr int around = 120;            // points of a curve
 
 /// L up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
@@ -112,7 +112,7 @@ void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
 
 void PoinsotView::add_polhode(const Matrix3d& X) {
   if (!frame_.level) return;
-  const Matrix3d turned = view_from_space_ * X * body_.principal.axes;
+  const Matrix3d turned = view_from_space_ * X * frame_.axes;
   const EnergyLevel& level = *frame_.level;
   std::vector<Sketch::Point> line;
   for (int i = 0; i <= 2 * around; ++i) {
