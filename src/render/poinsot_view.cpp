@@ -112,7 +112,7 @@ void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
 
 void PoinsotView::add_polhode(const Matrix3d& X) {
   if (!frame_.level) return;
-  const Matrix3d turned = view_from_space_ * X * body_.principal.axes;
+  const Matrix3d turned = view_from_space_ * X * frame_.axes;
   const EnergyLevel& level = *frame_.level;
   std::vector<Sketch::Point> line;
   for (int i = 0; i <= 2 * around; ++i) {
