@@ -4,7 +4,9 @@
 #include "render/body_pass.h"
 #include "render/camera.h"
 #include "render/element.h"
+#include "render/floor.h"
 #include "render/layout.h"
+#include "render/screen_area.h"
 
 namespace twrench {
 
@@ -16,20 +18,26 @@ class WrenchView : public Element {
   WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
              std::size_t take, const Layout::Pane& pane);
 
+  std::vector<Layer> still() override;
   std::vector<Layer> draw(const Moment& moment) override;
 
   /// `film_time` in s: the camera may move.
   Camera camera(double film_time) const;
 
  private:
+  ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+  Image picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen) const;
+  Layer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+
   const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   CameraPath path_;
   std::size_t take_;
   Layout::Pane pane_;
   double radius_;  ///< cm, of the sphere that holds the body in every pose
-  Mesh mesh_;
   BodyPass body_;
+  std::optional<Floor> floor_;
+  bool floor_lit_ = false;  // a flat background stays the colour it is
 };
 
 }  // namespace twrench
