@@ -3,7 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
+
+#include "render/theme.h"
 
 namespace twrench {
 namespace {
@@ -22,31 +25,42 @@ double smooth_step(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// exp(-((x - centre) / width)^2)
-double bell(double x, double centre, double width) {
-  const double d = (x - centre) / width;
-  return std::exp(-d * d);
-}
-
 /// What of the graded background depends on one of the two coordinates alone: u goes from -1 to 1
 /// across, v from 0 at the top to 1.
 struct ColumnTerms {
-  explicit ColumnTerms(double u)
-      : droop(0.10 * u * u), vignette(1 - 0.22 * u * u), light(bell(u, 0, 0.42)) {}
-  double droop, vignette, light;
-};
-struct RowTerms {
-  explicit RowTerms(double v) : height(v), light(bell(v, 1.02, 0.30)) {}
-  double height, light;
+  ColumnTerms(const Backdrop& backdrop, double u)
+      : droop(0.10 * u * u), vignette(1 - backdrop.vignette * u * u) {}
+  double droop, vignette;
 };
 
-/// The sRGB colour there, 0 to 255.
-Array3d graded(const ColumnTerms& column, const RowTerms& row) {
-  const Array3d night(9, 10, 13);
-  const Array3d slate(46, 50, 61);
-  const Array3d pool(46, 45, 41);
-  const double floor = smooth_step(0.15, 0.85, row.height - column.droop);
-  return (night + floor * (slate - night)) * column.vignette + column.light * row.light * pool;
+Array3d array_of(const Color& color) { return Array3d(color.red, color.green, color.blue); }
+
+/// Stars: soft dots two pixels and more wide, or video encoding would take them away or let them
+/// twinkle. They lie where a generator with a fixed seed puts them, whatever the size.
+void add_stars(Image& image, int count) {
+  std::mt19937 random(1);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int i = 0; i < count; ++i) {
+    const double x = uniform() * image.width;
+    const double y = uniform() * image.height;
+    const double brightness = std::pow(uniform(), 5.0);  // few are bright
+    const double radius = std::max(0.8, image.height / 1080.0 * (0.75 + 0.6 * brightness));
+    const Array3d color = (40 + 190 * brightness) * Array3d(1, 0.94 + 0.06 * uniform(), 1);
+    const int reach = static_cast<int>(std::ceil(3 * radius));
+    for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row) {
+      for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach;
+           ++column) {
+        if (row < 0 || row >= image.height || column < 0 || column >= image.width) continue;
+        const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y) / radius;
+        std::uint8_t* p = &image.pixels[static_cast<std::size_t>(row) * image.row_bytes() +
+                                        static_cast<std::size_t>(column) * 3];
+        for (int c = 0; c < 3; ++c) {
+          const double light = p[c] + color[c] * std::exp(-distance * distance);
+          p[c] = static_cast<std::uint8_t>(std::min(light, 255.0));
+        }
+      }
+    }
+  }
 }
 
 Image flat(const Color& color, int width, int height) {
@@ -63,19 +77,25 @@ Image flat(const Color& color, int width, int height) {
 
 Image background(const Look& look, int width, int height) {
   if (look.background) return flat(*look.background, width, height);
+  const Backdrop& backdrop = style_of(look.theme).backdrop;
+  const Array3d above = array_of(backdrop.above);
+  const Array3d below = array_of(backdrop.below);
   std::vector<ColumnTerms> columns;
   columns.reserve(static_cast<std::size_t>(width));
-  for (int x = 0; x < width; ++x) columns.emplace_back((2 * x + 1.0) / width - 1);
+  for (int x = 0; x < width; ++x) columns.emplace_back(backdrop, (2 * x + 1.0) / width - 1);
   Image image(width, height, 3);
   auto out = image.pixels.begin();
   for (int y = 0; y < height; ++y) {
-    const RowTerms row((y + 0.5) / height);
+    const double v = (y + 0.5) / height;
     for (int x = 0; x < width; ++x) {
-      const Array3d color = graded(columns[static_cast<std::size_t>(x)], row);
+      const ColumnTerms& column = columns[static_cast<std::size_t>(x)];
+      const double depth = smooth_step(0.15, 0.85, v - column.droop);
+      const Array3d color = (above + depth * (below - above)) * column.vignette;
       const double offset = dither(x, y);  // rounds up as often as the fraction lost would say
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
     }
   }
+  add_stars(image, backdrop.stars);
   return image;
 }
 

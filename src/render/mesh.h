@@ -19,6 +19,7 @@ struct Vertex {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<std::size_t> part_ends;  ///< in indices, the end of each part's own
 };
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by

@@ -50,8 +50,12 @@ class BodyPassTest : public testing::TestWithParam<float> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
   gl::Functions gl{*context};
-  BodyPass pass{gl, body_mesh(t_wrench().body.parts, 0.01), 4.5,
-                Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0.3F}, dark_studio()};
+  BodyPass pass{gl,
+                t_wrench().body.parts,
+                0.01,
+                4.5,
+                Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0.3F},
+                dark_studio()};
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(0.0F, 0.5F), [](const auto& param) {
