@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
 
 #include "base/file.h"
 #include "base/sha256.h"
@@ -102,6 +106,37 @@ TEST(Render, FramesDoNotDependOnTheRangeNorOnTheJobs) {
   }
   EXPECT_EQ(folder.names().size(), 4u);  // a, b, and the two outputs of the command
   EXPECT_FALSE(std::filesystem::exists(folder / "b/frame_000000.png"));
+}
+
+// The digest of each frame, by its number, as the manifest in `frames_dir` tells it.
+std::map<int, std::string> digests(const ScratchFolder& folder, const std::string& frames_dir) {
+  const json manifest = json::parse(text_of(folder / (frames_dir + "/manifest.json")));
+  std::map<int, std::string> result;
+  for (const json& frame : manifest["frames"]) result[frame["frame"]] = frame["sha256"];
+  return result;
+}
+
+TEST(Render, FramesDoNotDependOnWhatWasDrawnBeforeThem) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir whole --jobs 1").code, 0);
+  std::vector<int> numbers(12);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::shuffle(numbers.begin(), numbers.end(), std::mt19937(5));
+  std::map<int, std::string> together;
+  for (int run = 0; run < 3; ++run) {  // of four frames each, on one, two and three threads
+    std::string range;
+    for (int i = 4 * run; i < 4 * run + 4; ++i) {
+      if (!range.empty()) range += ',';
+      range += std::to_string(numbers[static_cast<std::size_t>(i)]);
+    }
+    std::string part("part");
+    part += std::to_string(run);
+    std::string options("--no-video --frames-dir ");
+    options += part + " --jobs " + std::to_string(run + 1) + " --frames " + range;
+    ASSERT_EQ(run_twrench(folder, small + options).code, 0);
+    together.merge(digests(folder, part));
+  }
+  EXPECT_EQ(together, digests(folder, "whole"));
 }
 
 TEST(Render, EncodeMakesTheSameFilmFromTheFrames) {

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# film.sh [--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT]
+# A 1080p film beside what else makes or bounds it, all in one run, in turns, medians told: ffmpeg
+# alone on the same raw frames with the same settings, VTK (python3-vtk9, under Xvfb; left out where it
+# is not installed), and another build of twrench, if one is named. Milliseconds a frame of wall and of
+# processor time, and the ratios. SCRIPT is run as "SCRIPT FRAMES SAMPLES DIR" in place of vtk_film.py.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+twrench=build/release/bin/twrench
+frames=120 rounds=3 before='' vtk=''
+while (($#)); do
+  case "$1" in
+    --frames) frames=$2 ;;
+    --rounds) rounds=$2 ;;
+    --before) before=$2 ;;
+    --vtk) vtk=$2 ;;
+    *) echo "usage: $0 [--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT]" >&2; exit 2 ;;
+  esac
+  shift 2
+done
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+times=$folder/times.txt
+
+# film BINARY OPTIONS...: makes the film.
+film() {
+  "$1" render --size 1920x1080 --frames "0-$((frames - 1))" --overwrite --progress none \
+    --frames-dir "$folder/frames" -o "$folder/film.mp4" "${@:2}"
+}
+
+# The encoder's settings, as the manifest tells them, from yuv420p or, converted by ffmpeg, rgb24.
+film "$twrench" --bare
+read -ra yuv_settings < <(grep '"encoder"' "$folder/frames/manifest.json" | cut -d: -f2- |
+  sed 's/pipe:0/pipe:/' | tr -d '[]"' | tr ',' ' ')
+rgb_settings=()
+for word in "${yuv_settings[@]}"; do
+  [[ $word != -c:v ]] ||
+    rgb_settings+=(-vf "scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=bicubic+accurate_rnd,format=yuv420p")
+  rgb_settings+=("${word/#yuv420p/rgb24}")
+done
+ffmpeg -v error -i "$folder/frames/frame_%06d.png" -f rawvideo -pix_fmt rgb24 "$folder/raw.rgb"
+ffmpeg -v error -i "$folder/film.mp4" -f rawvideo -pix_fmt yuv420p "$folder/raw.yuv"
+
+encode_yuv() { ffmpeg "${yuv_settings[@]}" "$folder/alone.mp4" <"$folder/raw.yuv"; }
+encode_rgb() { ffmpeg "${rgb_settings[@]}" "$folder/alone.mp4" <"$folder/raw.rgb"; }
+
+# VTK is slow: an eighth of the frames do.
+vtk_frames=$(((frames + 7) / 8))
+vtk_film() {
+  local script=(bench/vtk_film.py "$vtk_frames" "$folder/vtk")
+  [[ ! $vtk ]] || script=("$vtk" "$vtk_frames" 4 "$folder/vtk")
+  mkdir -p "$folder/vtk"
+  xvfb-run -a -s "-screen 0 1920x1080x24" /usr/bin/python3 "${script[@]}" >/dev/null
+}
+
+# timed NAME FRAMES COMMAND...: adds a line of its time to the list.
+timed() {
+  local wall user system
+  local TIMEFORMAT='%R %U %S'
+  read -r wall user system < <({ time "${@:3}" >&2 || echo failed; } 2>&1 | tail -n 1)
+  [[ $wall != failed ]] || { echo "$0: '$1' failed" >&2; exit 1; }
+  awk -v name="$1" -v n="$2" -v w="$wall" -v c="$(awk "BEGIN { print $user + $system }")" \
+    'BEGIN { printf "%s\t%.2f\t%.2f\n", name, 1e3 * w / n, 1e3 * c / n }' >>"$times"
+}
+
+for ((round = 0; round < rounds; ++round)); do
+  timed "ffmpeg alone, rgb24" "$frames" encode_rgb
+  timed "ffmpeg alone, yuv420p" "$frames" encode_yuv
+  timed "film, bare" "$frames" film "$twrench" --bare --no-frames
+  timed "film, all overlays" "$frames" film "$twrench" --no-frames
+  timed "film and PNG, all overlays" "$frames" film "$twrench"
+  timed "PNG alone, bare" "$frames" film "$twrench" --bare --no-video
+  if [[ $before ]]; then
+    timed "before: film, bare" "$frames" film "$before" --bare --no-frames
+    timed "before: film and PNG, all overlays" "$frames" film "$before"
+  fi
+  if command -v xvfb-run >/dev/null && /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
+    timed "VTK, 4 samples, PNG" "$vtk_frames" vtk_film
+  fi
+done
+
+awk -F'\t' '
+  function median(list, n,   v, i, j, t) {
+    split(list, v, " ")
+    for (i = 1; i <= n; ++i) for (j = i + 1; j <= n; ++j) if (v[j] + 0 < v[i] + 0) { t = v[i]; v[i] = v[j]; v[j] = t }
+    return (v[int((n + 1) / 2)] + v[int(n / 2) + 1]) / 2
+  }
+  !($1 in count) { order[++rows] = $1 }
+  { ++count[$1]; wall[$1] = wall[$1] " " $2; cpu[$1] = cpu[$1] " " $3 }
+  END {
+    for (i = 1; i <= rows; ++i) {
+      w[i] = median(wall[order[i]], count[order[i]]); c[i] = median(cpu[order[i]], count[order[i]])
+      if (order[i] ~ /^ffmpeg alone, yuv/) { fw = w[i]; fc = c[i] }
+      if (order[i] ~ /^VTK/) vw = w[i]
+    }
+    printf "%-38s %9s %9s %9s %9s %9s\n", "milliseconds a frame", "wall", "processor", "/ffmpeg", "cpu/cpu", "VTK/"
+    for (i = 1; i <= rows; ++i)
+      printf "%-38s %9.1f %9.1f %9.2f %9.2f %9s\n", order[i], w[i], c[i], w[i] / fw, c[i] / fc, (vw ? sprintf("%.1f", vw / w[i]) : "-")
+  }' "$times"
+
+printf '\nStages of the film, bare:\n'
+film "$twrench" --bare --no-frames --timing
+printf 'Stages of the film and PNG, all overlays:\n'
+film "$twrench" --timing

@@ -1,0 +1,75 @@
+#include "render/outline.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace twrench {
+namespace {
+
+/// For each vertex the first one at the same place: corners of boxes have several, one a face.
+std::vector<std::uint32_t> first_at_each_place(const std::vector<Vertex>& vertices) {
+  std::map<std::tuple<float, float, float>, std::uint32_t> first;
+  std::vector<std::uint32_t> result;
+  result.reserve(vertices.size());
+  for (const Vertex& vertex : vertices) {
+    const glm::vec3& p = vertex.position;
+    const auto number = static_cast<std::uint32_t>(result.size());
+    result.push_back(first.emplace(std::tuple(p.x, p.y, p.z), number).first->second);
+  }
+  return result;
+}
+
+}  // namespace
+
+Outline::Outline(const Mesh& mesh)
+    : vertices_(mesh.vertices), first_at_(first_at_each_place(vertices_)) {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> half_edges;  // to their triangle
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto triangle = static_cast<std::uint32_t>(triangles_.size());
+    const std::array corners{first_at_[mesh.indices[i]], first_at_[mesh.indices[i + 1]],
+                             first_at_[mesh.indices[i + 2]]};
+    const glm::vec3 a = vertices_[corners[0]].position;
+    triangles_.push_back(
+        {a, glm::cross(vertices_[corners[1]].position - a, vertices_[corners[2]].position - a)});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k];
+      const std::uint32_t to = corners[(k + 1) % 3];
+      if (const auto other = half_edges.find({to, from}); other != half_edges.end()) {
+        edges_.push_back({{from, to}, {triangle, other->second}});
+        half_edges.erase(other);
+      } else {
+        half_edges.emplace(std::array{from, to}, triangle);
+      }
+    }
+  }
+  seen_.resize(triangles_.size());
+  offsets_.resize(vertices_.size());
+}
+
+void Outline::find(const glm::vec3& eye) {
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    seen_[i] = glm::dot(triangles_[i].normal, eye - triangles_[i].corner) > 0 ? 1 : 0;
+  }
+  fins_.clear();
+  indices_.clear();
+  offsets_.assign(offsets_.size(), 0);
+  for (const Edge& edge : edges_) {
+    if (seen_[edge.triangles[0]] != seen_[edge.triangles[1]]) add_fin(edge);
+  }
+  for (std::size_t i = 0; i < offsets_.size(); ++i) offsets_[i] = offsets_[first_at_[i]];
+}
+
+void Outline::add_fin(const Edge& edge) {
+  const auto first = static_cast<std::uint32_t>(fins_.size());
+  for (const std::uint32_t end : edge.ends) {
+    offsets_[end] = -1;
+    const Vertex& vertex = vertices_[end];
+    fins_.push_back({vertex.position, vertex.normal, -1});
+    fins_.push_back({vertex.position, vertex.normal, 1});
+  }
+  indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
+}
+
+}  // namespace twrench
