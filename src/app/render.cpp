@@ -11,6 +11,8 @@
 #include "app/commands.h"
 #include "app/frames_output.h"
 #include "app/interruption.h"
+#include "app/message.h"
+#include "app/output_space.h"
 #include "app/pipeline.h"
 #include "app/scene_options.h"
 #include "app/version.h"
@@ -138,12 +140,11 @@ void print_timing(const StageTimes& times, double posing, double seconds, std::s
   const auto ms = [&](double stage_seconds) {
     return 1e3 * stage_seconds / static_cast<double>(frames);
   };
-  fmt::print(stderr,
-             "busy milliseconds a frame: pose {:.3f}, draw and read {:.1f}, PNG {:.1f}, "
-             "encoder {:.1f}; in all {:.1f}\n",
-             ms(posing), ms(1e-9 * static_cast<double>(times.draw)),
-             ms(1e-9 * static_cast<double>(times.compress)),
-             ms(1e-9 * static_cast<double>(times.encode)), ms(seconds));
+  say("busy milliseconds a frame: pose {:.3f}, draw and read {:.1f}, PNG {:.1f}, "
+      "encoder {:.1f}; in all {:.1f}\n",
+      ms(posing), ms(1e-9 * static_cast<double>(times.draw)),
+      ms(1e-9 * static_cast<double>(times.compress)), ms(1e-9 * static_cast<double>(times.encode)),
+      ms(seconds));
 }
 
 fs::path video_path(const Options& options, const Scene& scene) {
@@ -195,7 +196,7 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
                                  static_cast<double>(frames) / seconds);
   if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
   if (!options.no_video) text += "; film " + video_path(options, scene).string();
-  fmt::print(stderr, "{}\n", text);
+  say("{}\n", text);
 }
 
 /// The frame from the folder, where --resume keeps it, or else drawn.
@@ -204,6 +205,21 @@ Picture picture_of(const FrameRecord& frame, FramesOutput* output, bool has_vide
   const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
   if (!kept) return {renderer.draw(pose_of(frame)), true};
   return {has_video ? read_png(output->folder() / kept->file) : Image(), false};
+}
+
+PlannedOutput planned_output(const Options& options, const Scene& scene, const FramesOutput* frames,
+                             std::size_t count) {
+  PlannedOutput planned;
+  planned.frame_pixels = double(scene.film.width) * scene.film.height;
+  if (frames != nullptr) {
+    planned.frames_folder = frames->folder();
+    planned.new_frames = frames->count_without_file();
+  }
+  if (!options.no_video) {
+    planned.film = video_path(options, scene);
+    planned.film_frames = count;
+  }
+  return planned;
 }
 
 Reuse reuse_of(const Options& options) {
@@ -240,6 +256,10 @@ void render(const Options& options) {
     output.emplace(frames_folder(options, scene), manifest_of(options, scene, renderer, asked),
                    numbers, reuse_of(options));
   }
+  if (!frames.empty()) {
+    require_space(planned_output(options, scene, output ? &*output : nullptr, frames.size()),
+                  [&] { return renderer.draw(pose_of(frames.front())); });
+  }
   const auto encoder = open_encoder(options, scene);
   FrameSequence* const sequence = output ? &output->open() : nullptr;
 
@@ -267,7 +287,8 @@ void add_render(CLI::App& app) {
       "render", "The main job: simulate, draw every frame, write PNG frames and the video");
   command->footer("Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4");
   const auto options = std::make_shared<Options>(*command);
-  command->callback([options] { render(*options); });
+  command->callback(
+      [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });
 }
 
 }  // namespace twrench
