@@ -14,6 +14,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_study(app, code);
   add_encode(app);
   add_compare(app, code);
+  add_doctor(app, code);
   add_methods(app);
   add_scenes(app);
 }

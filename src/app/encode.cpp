@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/progress.h"
 #include "movie/encode_frames.h"
 #include "movie/frame_range.h"
@@ -24,8 +25,8 @@ void encode(const Options& options) {
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;
-  fmt::print(stderr, "twrench: warning: {}: the film is without the missing frames {}\n",
-             options.output, brief_frame_range(left_out));
+  say("twrench: warning: {}: the film is without the missing frames {}\n", options.output,
+      brief_frame_range(left_out));
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ void add_encode(CLI::App& app) {
   command->add_flag("--allow-missing", options->allow_missing,
                     "a film of the frames that are there, though some are missing");
   Progress::add_option(*command, options->progress);
-  command->callback([options] { encode(*options); });
+  command->callback(
+      [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });
 }
 
 }  // namespace twrench

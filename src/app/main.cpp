@@ -1,3 +1,5 @@
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 
@@ -25,9 +27,19 @@ twrench::ExitCode run(int argc, char** argv) {
   }
 }
 
+/// Opens those of standard input, output and error that are closed, so that they fail as before: a
+/// file that got one of their numbers would get what is meant for them.
+void fill_standard_streams() {
+  for (const int descriptor : {0, 1, 2}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // gets the lowest free number
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  fill_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error to report, not a death
   return static_cast<int>(run(argc, argv));
 }

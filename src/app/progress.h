@@ -2,18 +2,24 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace twrench {
 
 /// How far a run has come, on standard error: a bar that is redrawn on a terminal, a plain line now
-/// and then elsewhere, a JSON object a line for programs, or nothing.
+/// and then elsewhere, a JSON object a line for programs, or nothing. Or, on standard output, the
+/// lines that an Open Job Description runtime listens for: openjd_progress: 42.0, openjd_status.
 class Progress {
  public:
   /// Adds --progress to a command.
   static void add_option(CLI::App& command, std::string& style);
 
-  /// `style` is auto, bar, plain, json or none; auto is a bar on a terminal and plain elsewhere.
+  /// Does the work; where it throws, and the style is openjd, says openjd_fail before that goes on.
+  static void tell_failure_of(const std::function<void()>& work, const std::string& style);
+
+  /// `style` is auto, bar, plain, json, openjd or none; auto is a bar on a terminal and plain
+  /// elsewhere.
   explicit Progress(const std::string& style) : style_(style_called(style)) {}
 
   /// To be called after each frame with the number done so far, from one thread at a time.
@@ -30,7 +36,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  enum class Style { bar, plain, json, none };
+  enum class Style { bar, plain, json, openjd, none };
 
   static Style style_called(const std::string& name);
   void draw(int done, int total, double seconds) const;

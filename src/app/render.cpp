@@ -13,6 +13,8 @@
 #include "app/commands.h"
 #include "app/frames_output.h"
 #include "app/interruption.h"
+#include "app/message.h"
+#include "app/output_space.h"
 #include "app/picture_options.h"
 #include "app/pipeline.h"
 #include "app/scene_options.h"
@@ -145,7 +147,7 @@ VideoFormat video_format(const Scene& scene) {
 std::future<void> try_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return {};
   encoder_arguments(video_format(scene));  // what is wrong with the size
-  return std::async(std::launch::async, require_encoder, video_format(scene));
+  return std::async(std::launch::async, [format = video_format(scene)] { require_encoder(format); });
 }
 
 /// The encoder, known to work; null with --no-video.
@@ -186,7 +188,7 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
                                  static_cast<double>(frames) / seconds);
   if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
   if (!options.no_video) text += "; film " + video_path(options, scene).string();
-  fmt::print(stderr, "{}\n", text);
+  say("{}\n", text);
 }
 
 /// The frame from the folder, where --resume keeps it, or else drawn.
@@ -195,6 +197,21 @@ Picture picture_of(const FrameRecord& frame, FramesOutput* output, bool has_vide
   const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
   if (!kept) return draw();
   return {has_video ? read_png(output->folder() / kept->file) : Image(), false};
+}
+
+PlannedOutput planned_output(const Options& options, const Scene& scene, const FramesOutput* frames,
+                             std::size_t count) {
+  PlannedOutput planned;
+  planned.frame_pixels = double(scene.film.width) * scene.film.height;
+  if (frames != nullptr) {
+    planned.frames_folder = frames->folder();
+    planned.new_frames = frames->count_without_file();
+  }
+  if (!options.no_video) {
+    planned.film = video_path(options, scene);
+    planned.film_frames = count;
+  }
+  return planned;
 }
 
 Reuse reuse_of(const Options& options) {
@@ -235,6 +252,10 @@ void render(const Options& options) {
     output.emplace(frames_folder(options, scene), manifest_of(options, scene, renderer, asked),
                    numbers, reuse_of(options));
   }
+  if (!frames.empty()) {
+    require_space(planned_output(options, scene, output ? &*output : nullptr, frames.size()),
+                  [&] { return renderer.draw(timeline.moment(0)).image; });
+  }
   const auto encoder = open_encoder(options, scene, std::move(trial));
   FrameSequence* const sequence = output ? &output->open() : nullptr;
 
@@ -257,7 +278,7 @@ void render(const Options& options) {
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);
   if (!options.timing.empty()) {
-    fmt::print(stderr, "{}\n",
+    say("{}\n",
                timing_report(times, seconds, frames.size(), options.timing == "json"));
   }
 }
@@ -269,7 +290,8 @@ void add_render(CLI::App& app) {
       "render", "The main job: simulate, draw every frame, write PNG frames and the video");
   command->footer("Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4");
   const auto options = std::make_shared<Options>(*command);
-  command->callback([options] { render(*options); });
+  command->callback(
+      [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });
 }
 
 }  // namespace twrench

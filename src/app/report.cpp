@@ -7,12 +7,14 @@
 #include <exception>
 #include <new>
 
+#include "app/message.h"
+
 namespace twrench {
 namespace {
 
 ExitCode report(ExitCode code, const std::string& message, const std::string& remedy = {}) {
-  fmt::print(stderr, "twrench: error: {}\n", message);
-  if (!remedy.empty()) fmt::print(stderr, "  {}\n", remedy);
+  say("twrench: error: {}\n", message);
+  if (!remedy.empty()) say("  {}\n", remedy);
   return code;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/arguments.h"
+#include "app/message.h"
 
 namespace twrench {
 namespace {
@@ -15,10 +16,9 @@ void warn_of_unreal_moments(const Scene& scene) {
   const Eigen::Vector3d& moments = *scene.body.moments;
   constexpr double round_off = 1e-12;
   if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
-  fmt::print(stderr,
-             "twrench: warning: {}: moments {}, {} and {}: no real body has them; one is more than "
-             "the other two together\n",
-             scene.name, moments[0], moments[1], moments[2]);
+  say("twrench: warning: {}: moments {}, {} and {}: no real body has them; one is more than "
+      "the other two together\n",
+      scene.name, moments[0], moments[1], moments[2]);
 }
 
 }  // namespace

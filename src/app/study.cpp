@@ -7,6 +7,7 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
 #include "figure/gnuplot.h"
@@ -109,8 +110,8 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
     }
     if (over == 0) continue;
     code = ExitCode::answer_is_no;
-    fmt::print(stderr, "twrench: study: a bound was exceeded: {} {} by {} of the runs\n",
-               bound.name, bound.most, over);
+    say("twrench: study: a bound was exceeded: {} {} by {} of the runs\n", bound.name, bound.most,
+        over);
   }
   return code;
 }

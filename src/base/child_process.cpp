@@ -114,9 +114,35 @@ pid_t spawn(std::vector<std::string> command, const Descriptor& input, const Des
   return pid;
 }
 
+/// Time in which nothing happens, counted in short waits that ended without an event: so that
+/// what passes while this program is stopped, and cannot see events, is one of them at most.
+class Idleness {
+ public:
+  explicit Idleness(ChildProcess::Time most) : left_(most) {}
+
+  /// Waits for the events, and counts the time when there are none; then returns false. Looks at
+  /// what it can after a signal as well.
+  bool wait(std::span<pollfd> events, ChildProcess::Time most = std::chrono::seconds(1)) {
+    const ChildProcess::Time span = std::min(left_, most);
+    const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
+    if (found == 0) left_ -= span;
+    return found > 0;
+  }
+  bool is_over() const { return left_.count() <= 0; }
+
+ private:
+  ChildProcess::Time left_;
+};
+
+/// As a shell gives it.
+int exit_status(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patience)
+    : patience_(patience) {
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
   pid_ = spawn(command, input.read, errors.write);
@@ -147,13 +173,21 @@ void ChildProcess::read_errors() {
   }
 }
 
+void ChildProcess::give_up() {
+  hung_ = true;
+  ::kill(-pid_, SIGKILL);
+}
+
 bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
   const SigpipeBlocked blocked;
+  Idleness idle(patience_);
   while (!bytes.empty()) {
     // Its errors are read meanwhile: a child that waits to tell them would not read on.
     std::array<pollfd, 2> ready{{{input_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
-    if (::poll(ready.data(), ready.size(), -1) < 0) {
-      continue;  // a signal; there is no other cause
+    if (!idle.wait(ready)) {
+      if (!idle.is_over()) continue;
+      give_up();
+      return false;
     }
     if (ready[1].revents != 0) {
       read_errors();
@@ -164,6 +198,7 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
     const ssize_t written = ::write(input_.get(), bytes.data(), bytes.size());
     if (written >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
+      idle = Idleness(patience_);
     } else if (errno != EINTR && errno != EAGAIN) {
       return false;
     }
@@ -171,17 +206,27 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-int ChildProcess::wait() {
+int ChildProcess::wait(Time work_left) {
+  if (pid_ < 0) return exit_status(status_);
   input_.close();
-  while (errors_) {
+  Idleness idle(patience_ + work_left);
+  std::array<pollfd, 1> ready{};
+  while (::waitpid(pid_, &status_, WNOHANG) == 0) {
+    // Its end is mostly that of its errors. Where it closed them before, it is looked for often.
+    ready[0] = {errors_.get(), POLLIN, 0};
+    const Time most = errors_ ? Time(1000) : Time(1);
+    if (idle.wait(ready, most)) read_errors();
+    if (idle.is_over() && !hung_) give_up();
+  }
+  pid_ = -1;
+  for (ready[0] = {errors_.get(), POLLIN, 0}; errors_ && ::poll(ready.data(), 1, 0) > 0;) {
     read_errors();
   }
-  while (pid_ > 0) {
-    if (::waitpid(pid_, &status_, 0) == pid_) {
-      pid_ = -1;
-    }
-  }
-  return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+  return exit_status(status_);
+}
+
+std::string why_not_started(const std::system_error& error) {
+  return error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
 }
 
 std::string last_words(std::string_view output) {

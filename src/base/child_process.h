@@ -2,10 +2,12 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/descriptor.h"
@@ -18,9 +20,15 @@ namespace twrench {
 /// which then decides what becomes of its child. For use by one thread.
 class ChildProcess {
  public:
+  using Time = std::chrono::milliseconds;
+
+  /// After which a child that takes nothing, or does not end, is taken to hang. The time in which
+  /// this program is itself stopped is not counted.
+  static constexpr Time default_patience = std::chrono::seconds(60);
+
   /// Starts `command[0]`, looked for in PATH, with the rest as its arguments; its standard output
   /// is dropped. Throws std::system_error when it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& command);
+  explicit ChildProcess(const std::vector<std::string>& command, Time patience = default_patience);
 
   /// Kills the child if it still runs.
   ~ChildProcess();
@@ -28,25 +36,46 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   /// Writes to the child's standard input, waiting until it has taken all. False when it takes no
-  /// more, which mostly means that it died. Raises no SIGPIPE.
+  /// more, which mostly means that it died; or it hangs, and was killed. Raises no SIGPIPE.
   bool write(std::span<const std::uint8_t> bytes);
 
   /// Closes the child's standard input, waits for its end, and returns its exit status as a shell
-  /// does: 0 to 255, 128 + n when signal n ended it.
-  int wait();
+  /// does: 0 to 255, 128 + n when signal n ended it. Kills it when it takes longer than its
+  /// patience and this, which is for work that it is known to have left.
+  int wait(Time work_left = {});
+
+  /// Whether it was killed because it hung.
+  bool hung() const { return hung_; }
 
   /// The last of what it wrote to standard error, up to 8 KiB.
   const std::string& error_output() const { return error_output_; }
 
  private:
   void read_errors();
+  void give_up();
 
+  Time patience_;
+  bool hung_ = false;
   Descriptor input_;   ///< to its standard input; does not block
   Descriptor errors_;  ///< from its standard error; none after its end
   pid_t pid_ = -1;     ///< -1 once it is reaped
   int status_ = 0;
   std::string error_output_;
 };
+
+/// Why a program could not be started, in words: "it was not found in PATH".
+std::string why_not_started(const std::system_error& error);
+
+/// The program, running. Throws `Failure`, with the remedy, when it cannot be started.
+template <typename Failure>
+ChildProcess start_program(const std::vector<std::string>& command, const std::string& remedy,
+                           ChildProcess::Time patience = ChildProcess::default_patience) {
+  try {
+    return ChildProcess(command, patience);
+  } catch (const std::system_error& error) {
+    throw Failure("cannot start " + command.front(), why_not_started(error), remedy);
+  }
+}
 
 /// The last lines of what a program said, as one line for an error message.
 std::string last_words(std::string_view output);

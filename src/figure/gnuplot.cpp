@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "base/child_process.h"
@@ -37,13 +35,7 @@ const Format& format_of(const std::string& path) {
 }
 
 ChildProcess start(const std::vector<std::string>& command) {
-  try {
-    return ChildProcess(command);
-  } catch (const std::system_error& error) {
-    const std::string why =
-        error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
-    throw FigureError("cannot start gnuplot", why, "install it: apt-get install gnuplot-nox");
-  }
+  return start_program<FigureError>(command, "install it: apt-get install gnuplot-nox");
 }
 
 /// The same size in all formats, though each has its own units: PNG twice as fine.

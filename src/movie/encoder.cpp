@@ -45,14 +45,15 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-ChildProcess start(const std::vector<std::string>& command) {
-  try {
-    return ChildProcess(command);
-  } catch (const std::system_error& error) {
-    const std::string why =
-        error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
-    throw EncoderError("cannot start ffmpeg", why, "install it: apt-get install ffmpeg");
-  }
+ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time patience) {
+  return start_program<EncoderError>(command, "install it: apt-get install ffmpeg", patience);
+}
+
+/// Why ffmpeg failed, in its words.
+std::string failure(const ChildProcess& ffmpeg, int status) {
+  const std::string said = last_words(ffmpeg.error_output());
+  if (ffmpeg.hung()) return "ffmpeg hung, and was stopped: " + said;
+  return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
 
 std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,
@@ -96,23 +97,25 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
                   width, height, rational(fps)));
 }
 
-void require_encoder(const VideoFormat& format) {
+void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   encoder_arguments(format);  // what is wrong with the size
   const VideoFormat tiny{64, 64, format.fps};
-  ChildProcess ffmpeg = start(ffmpeg_command(encoder_arguments(tiny), {"-f", "null", "-"}));
+  ChildProcess ffmpeg =
+      start(ffmpeg_command(encoder_arguments(tiny), {"-f", "null", "-"}), patience);
   ffmpeg.write(Yuv420(tiny.width, tiny.height).bytes());
-  if (ffmpeg.wait() != 0) {
-    throw EncoderError("ffmpeg cannot make the film", last_words(ffmpeg.error_output()),
+  if (const int status = ffmpeg.wait(); status != 0) {
+    throw EncoderError("ffmpeg cannot make the film", failure(ffmpeg, status),
                        "install one that has libx264: apt-get install ffmpeg");
   }
 }
 
-VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format)
+VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
+                           ChildProcess::Time patience)
     : format_(format),
       file_(output),
       // "file:" keeps a name from being an option or a protocol.
       command_(ffmpeg_command(encoder_arguments(format), {"file:" + file_.path().string()})),
-      ffmpeg_(start(command_)),
+      ffmpeg_(start(command_, patience)),
       planes_(format.width, format.height),
       changed_before_{{0, 0, format.width, format.height}} {}
 
@@ -146,7 +149,11 @@ void VideoEncoder::write(const Image& frame) {
 }
 
 void VideoEncoder::finish() {
-  if (ffmpeg_.wait() != 0) {
+  // It moves the index to the front (faststart), which is to write the film again.
+  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file_.path(), unknown);
+  if (ffmpeg_.wait(ChildProcess::Time(unknown ? 0 : size / slow_disk)) != 0) {
     fail();
   }
   file_.commit();
@@ -154,13 +161,11 @@ void VideoEncoder::finish() {
 
 void VideoEncoder::fail() {
   const int status = ffmpeg_.wait();
-  const std::string said = last_words(ffmpeg_.error_output());
   const std::string what = "cannot encode " + file_.target().string();
-  if (said.find(std::generic_category().message(ENOSPC)) != std::string::npos) {
+  if (ffmpeg_.error_output().find(std::generic_category().message(ENOSPC)) != std::string::npos) {
     throw file_error(what, ENOSPC);
   }
-  throw EncoderError(what, fmt::format("ffmpeg ended with exit status {}: {}", status, said),
-                     "its command was: " + shell_command(command_));
+  throw EncoderError(what, failure(ffmpeg_, status), "its command was: " + shell_command(command_));
 }
 
 }  // namespace twrench

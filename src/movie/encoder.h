@@ -26,16 +26,20 @@ struct VideoFormat {
 std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
 /// Encodes a tiny film with those very arguments, to be called before the first frame is drawn.
-/// Throws EncoderError when ffmpeg is missing or cannot do it, UsageError as encoder_arguments.
-void require_encoder(const VideoFormat& format);
+/// Throws EncoderError when ffmpeg is missing, cannot do it or hangs, UsageError as
+/// encoder_arguments.
+void require_encoder(const VideoFormat& format,
+                     ChildProcess::Time patience = ChildProcess::default_patience);
 
 /// A film in the making: an ffmpeg that is fed frames. The output appears under its name when the
-/// film is complete, and not at all when it never is.
+/// film is complete, and not at all when it never is. An ffmpeg that takes nothing for the length
+/// of our patience is killed, and has failed.
 class VideoEncoder {
  public:
   /// Throws UsageError as encoder_arguments, FileError when the output's folder cannot be written
   /// to, EncoderError when ffmpeg is missing.
-  VideoEncoder(const std::filesystem::path& output, const VideoFormat& format);
+  VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
+               ChildProcess::Time patience = ChildProcess::default_patience);
 
   /// Adds a frame, which must have the film's size. The film has no alpha: RGBA is shown over
   /// black. Throws EncoderError when ffmpeg failed.

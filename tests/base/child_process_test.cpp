@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "base/file.h"
@@ -17,6 +20,7 @@
 namespace twrench {
 namespace {
 
+using std::chrono::milliseconds;
 using ::testing::EndsWith;
 
 std::vector<std::uint8_t> bytes(std::size_t count) {
@@ -121,6 +125,12 @@ bool runs(const std::string& pid) {
   }
 }
 
+/// Whether it comes true within half a minute.
+bool soon(const std::function<bool()>& condition) {
+  for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(milliseconds(10));
+  return condition();
+}
+
 TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
   const ScratchFolder scratch;
   std::string sleeper;
@@ -128,14 +138,36 @@ TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
     const std::string pid = (scratch / "pid").string();
     const ChildProcess child(
         shell("sleep 1000 & echo $! >'" + pid + ".new'; mv '" + pid + ".new' '" + pid + "'; wait"));
-    while (!(std::ifstream(pid) >> sleeper)) {
-      ::usleep(1000);
-    }
+    ASSERT_TRUE(soon([&] { return bool(std::ifstream(pid) >> sleeper); }));
     EXPECT_TRUE(runs(sleeper));
   }
-  while (runs(sleeper)) {
-    ::usleep(1000);
+  EXPECT_TRUE(soon([&] { return !runs(sleeper); }));
+}
+
+TEST(ChildProcess, ThatTakesNothingIsKilled) {
+  ChildProcess child(shell("echo busy >&2; sleep 1000"), milliseconds(200));
+  EXPECT_FALSE(child.write(bytes(10'000'000)));
+  EXPECT_TRUE(child.hung());
+  EXPECT_EQ(child.wait(), 128 + SIGKILL);
+  EXPECT_EQ(child.error_output(), "busy\n");
+}
+
+TEST(ChildProcess, ThatDoesNotEndIsKilled) {
+  for (const char* script : {"cat >/dev/null; sleep 1000", "exec 2>&-; cat; sleep 1000"}) {
+    ChildProcess child(shell(script), milliseconds(200));
+    EXPECT_TRUE(child.write(bytes(100'000)));
+    EXPECT_EQ(child.wait(), 128 + SIGKILL);
+    EXPECT_TRUE(child.hung());
   }
+}
+
+TEST(ChildProcess, MayTakeItsTimeWhileItTakesSomething) {
+  // A second and a half in all, which is more than the patience.
+  ChildProcess child(shell("for i in 1 2 3 4 5; do head -c 1000000 >/dev/null; sleep 0.3; done"),
+                     milliseconds(1200));
+  EXPECT_TRUE(child.write(bytes(5'000'000)));
+  EXPECT_EQ(child.wait(milliseconds(10'000)), 0);
+  EXPECT_FALSE(child.hung());
 }
 
 TEST(ChildProcess, ThatIsNotThereIsToldAtOnce) {

@@ -33,7 +33,7 @@ TEST(Lists, VersionAndHelp) {
   const ScratchFolder folder;
   EXPECT_THAT(run_twrench(folder, "--version").out, StartsWith("twrench "));
   for (const char* command : {"", "render", "simulate", "plot", "inertia", "study", "encode",
-                              "compare", "methods", "scenes"}) {
+                              "compare", "doctor", "methods", "scenes"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;

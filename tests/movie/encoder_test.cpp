@@ -272,7 +272,9 @@ TEST(Encoder, ThatCannotDoItIsToldBeforeTheFirstFrame) {
     require_encoder(format);
     FAIL();
   } catch (const EncoderError& error) {
-    EXPECT_STREQ(error.what(), "ffmpeg cannot make the film: Unknown encoder 'libx264'");
+    EXPECT_STREQ(error.what(),
+                 "ffmpeg cannot make the film: ffmpeg ended with exit status 1: "
+                 "Unknown encoder 'libx264'");
     EXPECT_THAT(error.remedy(), HasSubstr("libx264"));
   }
 }
@@ -296,6 +298,24 @@ TEST(Encoder, ThatDiesMidwayIsTold) {
               HasSubstr("exit status 137: it said nothing"));
   EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAre("bin", "film.mp4"));
   EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+}
+
+TEST(Encoder, ThatHangsIsStoppedAndTold) {
+  constexpr ChildProcess::Time patience(200);
+  const ScratchFolder scratch;
+  for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
+    const StubFfmpeg stub(scratch, script);
+    try {
+      VideoEncoder encoder(scratch / "film.mp4", format, patience);
+      for (int i = 0; i < 500; ++i) encoder.write(flat({1, 2, 3}));
+      encoder.finish();
+      FAIL();
+    } catch (const EncoderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg hung, and was stopped"));
+    }
+    EXPECT_THAT(scratch.names(), ElementsAre("bin"));
+    EXPECT_THROW(require_encoder(format, patience), EncoderError);
+  }
 }
 
 TEST(Encoder, ThatFailsAtTheEndIsTold) {

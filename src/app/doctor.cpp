@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "base/child_process.h"
+#include "base/disk_space.h"
+#include "figure/gnuplot.h"
+#include "gl/backend.h"
+#include "movie/encoder.h"
+
+namespace twrench {
+namespace {
+
+/// One thing of the machine.
+struct Finding {
+  std::string name;
+  std::string used_for;
+  std::string found;   ///< what there is; empty where it is missing
+  std::string why;     ///< what is wrong, where it is missing
+  std::string remedy;  ///< likewise
+
+  bool is_there() const { return !found.empty(); }
+};
+
+/// What `look` finds, or the Error that it throws.
+Finding examine(std::string name, std::string used_for, const std::function<std::string()>& look) {
+  Finding finding{std::move(name), std::move(used_for), {}, {}, {}};
+  try {
+    finding.found = look();
+  } catch (const Error& error) {
+    finding.why = error.what();
+    finding.remedy = error.remedy();
+  }
+  return finding;
+}
+
+std::vector<Finding> examine_backends() {
+  std::vector<Finding> findings;
+  for (const gl::BackendReport& report : gl::backends()) {
+    const std::size_t line = report.why_not.find('\n');
+    findings.push_back({"OpenGL by " + report.name, "drawing", report.renderer,
+                        report.why_not.substr(0, line),
+                        line == std::string::npos ? "" : report.why_not.substr(line + 1)});
+  }
+  return findings;
+}
+
+/// The first line of what ffmpeg says when it is asked for nothing.
+std::string ffmpeg_version() {
+  auto ffmpeg = start_program<EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
+  ffmpeg.wait();
+  const std::string& said = ffmpeg.error_output();
+  const std::string line = said.substr(0, said.find('\n'));
+  return line.empty() ? "it does not say its version" : line;
+}
+
+std::string figure_formats() {
+  for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) require_gnuplot(path);
+  return "writes SVG, PDF and PNG";
+}
+
+struct Diagnosis {
+  std::vector<Finding> backends;  ///< one is enough
+  std::vector<Finding> encoder;   ///< all are needed
+  std::vector<Finding> others;
+
+  ExitCode code() const {
+    const auto is_there = [](const Finding& finding) { return finding.is_there(); };
+    if (std::ranges::none_of(backends, is_there)) return ExitCode::no_gl;
+    return std::ranges::all_of(encoder, is_there) ? ExitCode::done : ExitCode::encoder;
+  }
+
+  std::vector<Finding> all() const {
+    std::vector<Finding> findings = backends;
+    findings.insert(findings.end(), encoder.begin(), encoder.end());
+    findings.insert(findings.end(), others.begin(), others.end());
+    return findings;
+  }
+};
+
+Diagnosis diagnose() {
+  constexpr VideoFormat usual{1920, 1080, 60};
+  Diagnosis diagnosis;
+  diagnosis.backends = examine_backends();
+  diagnosis.encoder.push_back(examine("ffmpeg", "films", &ffmpeg_version));
+  diagnosis.encoder.push_back(examine("ffmpeg's libx264", "films: it encodes H.264", [&] {
+    require_encoder(usual);
+    return "it made a tiny film";
+  }));
+  diagnosis.others.push_back(
+      examine("gnuplot", "figures: plot, study --plot; films do without", &figure_formats));
+  diagnosis.others.push_back(examine("disk", "frames and films, here in out/", [] {
+    return format_bytes(static_cast<double>(free_space("out"))) + " free";
+  }));
+  diagnosis.others.push_back(examine("processors", "drawing and compressing at once", [] {
+    return fmt::format("{}", std::thread::hardware_concurrency());
+  }));
+  return diagnosis;
+}
+
+std::string as_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Finding& finding : diagnosis.all()) {
+    text += fmt::format("{:<18} {:<8} {}\n", finding.name, finding.is_there() ? "found" : "missing",
+                        finding.is_there() ? finding.found : finding.why);
+    if (finding.is_there()) continue;
+    text += fmt::format("{:<27} used for {}\n", "", finding.used_for);
+    if (!finding.remedy.empty()) text += fmt::format("{:<27} {}\n", "", finding.remedy);
+  }
+  return text + (diagnosis.code() == ExitCode::done
+                     ? "The main job, twrench render, can run.\n"
+                     : "The main job, twrench render, cannot run.\n");
+}
+
+std::string as_json(const Diagnosis& diagnosis) {
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  for (const Finding& finding : diagnosis.all()) {
+    findings.push_back({{"name", finding.name},
+                        {"used_for", finding.used_for},
+                        {"is_there", finding.is_there()},
+                        {"found", finding.found},
+                        {"why", finding.why},
+                        {"remedy", finding.remedy}});
+  }
+  const nlohmann::ordered_json whole{{"can_render", diagnosis.code() == ExitCode::done},
+                                     {"findings", findings}};
+  return whole.dump(2) + "\n";
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app, ExitCode& code) {
+  CLI::App* command = app.add_subcommand(
+      "doctor", "What of this machine can be used, and a remedy for what is missing");
+  command->footer("Example: twrench doctor\nExit code 0 when twrench render can run.");
+  const auto format = std::make_shared<std::string>("text");
+  command->add_option("--format", *format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->callback([format, &code] {
+    const Diagnosis diagnosis = diagnose();
+    write_output("-", *format == "json" ? as_json(diagnosis) : as_text(diagnosis));
+    code = diagnosis.code();
+  });
+}
+
+}  // namespace twrench

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace twrench {
+
+/// What is free for us, in bytes, where the folder is or, while it is not made yet, would be. Where
+/// the system does not say, as much as can be.
+std::uintmax_t free_space(const std::filesystem::path& folder);
+
+/// Whether two folders share their space. Not known of one that lies nowhere: false.
+bool on_same_disk(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// "1.5 GB"
+std::string format_bytes(double bytes);
+
+}  // namespace twrench

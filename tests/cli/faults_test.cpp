@@ -1,0 +1,276 @@
+// What befalls long runs: each fault ends in one clear line and the right exit code, the frames so
+// far are whole, and nothing is left of what is not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "base/sha256.h"
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// 200 frames, which take most of a second.
+const std::string bare_film = "render --size 160x90 --fps 10 --speed 6 --duration 120 ";
+const std::string film = bare_film + "--progress none --frames-dir f ";
+const std::string frames = film + "--no-video ";
+
+/// What a user sees of a failure, and a folder of frames after it.
+void expect_told(const Outcome& run, int code, const std::string& message) {
+  EXPECT_EQ(run.code, code) << run.err;
+  EXPECT_THAT(run.err, StartsWith("twrench: error: "));
+  EXPECT_THAT(run.err, HasSubstr(message));
+  EXPECT_LE(std::ranges::count(run.err, '\n'), 2) << run.err;
+}
+
+/// Each frame of which the manifest tells is the file that it tells of. Returns how many.
+std::size_t count_whole_frames(const fs::path& folder) {
+  const json manifest = json::parse(text_of(folder / "manifest.json"));
+  for (const json& frame : manifest["frames"]) {
+    const fs::path file = folder / frame["file"].get<std::string>();
+    EXPECT_EQ(sha256_hex(read_file(file, 1 << 24)), frame["sha256"]) << file;
+  }
+  return manifest["frames"].size();
+}
+
+std::size_t count_temporaries(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+        return entry.path().filename().string().starts_with(".");
+      }));
+}
+
+void put_program(const ScratchFolder& folder, const std::string& name, const std::string& script) {
+  fs::create_directories(folder / "bin");
+  write_file_atomically(folder / ("bin/" + name), "#!/bin/sh\n" + script + "\n");
+  fs::permissions(folder / ("bin/" + name), fs::perms::owner_all);
+}
+
+const std::string with_bin = "PATH=\"$PWD/bin:$PATH\" ";
+
+/// Runs the commands in a file system of so much room, mounted at d, and copies what is there in
+/// the end to `after`. Not everywhere may one mount: then the outcome's code is -1.
+Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
+                          const std::string& commands) {
+  if (run_shell(folder, "unshare -rm mount -t tmpfs tmpfs /tmp").code != 0) return {};
+  return run_shell(
+      folder, "mkdir d && export TWRENCH && unshare -rm sh -c 'mount -t tmpfs -o size=" + size +
+                  " tmpfs d && { " + commands + "; }; code=$?; cp -r d after; exit $code'");
+}
+
+TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
+  const ScratchFolder folder;
+  const Outcome run = run_on_small_disk(
+      folder, "500k", "cd d && \"$TWRENCH\" " + frames + "; code=$?; cd ..; (exit $code)");
+  if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
+  expect_told(run, 5, "the run is estimated to need");
+  EXPECT_THAT(run.err, HasSubstr("free some space"));
+  EXPECT_FALSE(fs::exists(folder / "after/f"));
+}
+
+// What the estimate cannot know: another program takes the space.
+TEST(Faults, ADiskThatFillsUpMidway) {
+  const ScratchFolder folder;
+  const Outcome run = run_on_small_disk(
+      folder, "6m",
+      "cd d && { until [ -e f/frame_000020.png ]; do sleep 0.01; done; cat /dev/zero >big; } "
+      "2>/dev/null & cd d && \"$TWRENCH\" " +
+          frames + "; code=$?; wait; cd ..; (exit $code)");
+  if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
+  expect_told(run, 5, "No space left on device");
+  count_whole_frames(folder / "after/f");
+  EXPECT_TRUE(fs::exists(folder / "after/f/frame_000020.png"));
+  EXPECT_EQ(count_temporaries(folder / "after/f"), 0U);
+}
+
+// A limit on the size of a file stands for a disk that the film fills.
+TEST(Faults, AFilmThatOutgrowsItsDisk) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(
+      folder, "ulimit -f 20; trap '' XFSZ; \"$TWRENCH\" " + film + "--no-frames -o v.mp4");
+  EXPECT_THAT(run.code, AnyOf(4, 5)) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("v.mp4"));
+  EXPECT_FALSE(fs::exists(folder / "v.mp4"));
+  EXPECT_EQ(count_temporaries(folder.path()), 0U);
+}
+
+TEST(Faults, AManifestThatCannotBeWritten) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(folder, "ulimit -f 100; trap '' XFSZ; \"$TWRENCH\" " + frames);
+  expect_told(run, 5, "manifest.json");  // the frames are smaller
+  EXPECT_EQ(count_temporaries(folder / "f"), 0U);
+  EXPECT_TRUE(fs::exists(folder / "f/frame_000199.png"));
+}
+
+TEST(Faults, TheFolderIsRemovedMidway) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(
+      folder,
+      "{ until [ -e f/frame_000010.png ]; do sleep 0.01; done; mv f g; } & \"$TWRENCH\" " + frames);
+  expect_told(run, 5, "No such file or directory");
+  EXPECT_EQ(count_temporaries(folder / "g"), 0U);
+}
+
+TEST(Faults, TheFolderBecomesReadOnlyMidway) {
+  const ScratchFolder folder;
+  const Outcome run = run_on_small_disk(folder, "60m",
+                                        "cd d && { until [ -e f/frame_000010.png ]; do sleep 0.01; "
+                                        "done; mount -o remount,ro \"$PWD\"; } & "
+                                        "cd d && \"$TWRENCH\" " +
+                                            frames + "; code=$?; wait; cd ..; (exit $code)");
+  if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
+  expect_told(run, 5, "Read-only file system");
+  count_whole_frames(folder / "after/f");
+}
+
+TEST(Faults, FfmpegThatFailsAtOnceIsMissedBeforeTheFirstFrame) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"echo \"Unknown encoder 'libx264'\" >&2; exit 1", "Unknown encoder"},
+      {"kill -SEGV $$", "exit status 139"}};
+  for (const auto& [script, message] : faults) {
+    const ScratchFolder folder;
+    put_program(folder, "ffmpeg", script);
+    expect_told(run_twrench(folder, film, with_bin), 4, message);
+    EXPECT_FALSE(fs::exists(folder / "f"));
+  }
+}
+
+// The drivers are found by name; these are in their place.
+TEST(Faults, NoUsableOpenGlLibrary) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "lib");
+  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+    write_file_atomically(folder / ("lib/" + std::string(name)), "not a library");
+  }
+  const Outcome run = run_twrench(folder, frames, "LD_LIBRARY_PATH=\"$PWD/lib\" ");
+  if (run.code == 0) GTEST_SKIP() << "the library is found elsewhere";
+  expect_told(run, 3, "OpenGL");
+  EXPECT_THAT(run.err, HasSubstr("apt-get install"));
+  EXPECT_FALSE(fs::exists(folder / "f"));
+}
+
+TEST(Faults, AnOpenGlWithoutACoreProfile) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, frames, "MESA_GL_VERSION_OVERRIDE=2.1 ");
+  expect_told(run, 3, "core profile");
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
+TEST(Faults, TooLittleMemory) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(
+      folder,
+      "ulimit -v 1500000; \"$TWRENCH\" render --size 8192x8192 --samples 4 --no-video --frames 0");
+  EXPECT_THAT(run.code, AnyOf(3, 70)) << run.err;
+  EXPECT_THAT(run.err, StartsWith("twrench: error: "));
+  EXPECT_THAT(run.err, HasSubstr("fewer"));
+  EXPECT_FALSE(fs::exists(folder / "out/dzhanibekov/frame_000000.png"));
+}
+#endif
+
+TEST(Faults, NobodyListens) {
+  const ScratchFolder folder;
+  const std::string shown =
+      "\"$TWRENCH\" " + bare_film + "--no-video --progress bar --frames-dir f ";
+  for (const char* listener :
+       {"2>&1 | true", "2>&1 | head -c 10 >/dev/null", ">&- 2>&-", "2>/dev/full"}) {
+    run_shell(folder, "{ " + shown + "; echo $? >code; } " + listener);
+    EXPECT_EQ(text_of(folder / "code"), "0\n") << listener;
+  }
+  EXPECT_EQ(count_whole_frames(folder / "f"), 200U);
+  run_shell(folder, "{ \"$TWRENCH\" simulate; echo $? >code; } | true");
+  EXPECT_EQ(text_of(folder / "code"), "5\n");
+}
+
+TEST(Faults, ALocaleWithDecimalCommas) {
+  const ScratchFolder folder;
+  const std::string numbers = "simulate --times 0.5,1.5";
+  EXPECT_EQ(run_twrench(folder, numbers, "LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 ").out,
+            run_twrench(folder, numbers).out);
+}
+
+TEST(Faults, APathWithSpacesQuotesAndUtf8) {
+  const ScratchFolder folder;
+  const std::string name = "-it's a \"film\" %d é";
+  const std::string quoted = "'-it'\\''s a \"film\" %d é'";
+  const Outcome run =
+      run_twrench(folder, bare_film + "--frames 0-3 --progress none --frames-dir=" + quoted +
+                              " --output=" + quoted + ".mp4");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(count_whole_frames(folder / name), 4U);
+  EXPECT_TRUE(fs::exists(folder / (name + ".mp4")));
+  EXPECT_EQ(run_twrench(folder, "encode --output=concat:x.mp4 -- " + quoted).code, 0);
+  EXPECT_TRUE(fs::exists(folder / "concat:x.mp4"));
+}
+
+TEST(Faults, NoHomeToWriteTo) {
+  const ScratchFolder folder;
+  EXPECT_EQ(
+      run_twrench(folder, frames + "--frames 0-3", "HOME=/proc XDG_CACHE_HOME=/proc TMPDIR=/proc ")
+          .code,
+      0);
+}
+
+// What a manifest names is a file of its folder, and what is a link of another's is not written to.
+TEST(Hostile, AManifestLeadsNowhereElse) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, frames + "--frames 0-1").code, 0);
+  const std::string manifest = text_of(folder / "f/manifest.json");
+  for (const char* path : {"../secret.png", "/etc/passwd", "..", "a/b.png", ""}) {
+    std::string changed = manifest;
+    changed.replace(changed.find("frame_000001.png"), 16, path);
+    write_file_atomically(folder / "f/manifest.json", changed);
+    expect_told(run_twrench(folder, "encode f -o v.mp4 --progress none"), 5,
+                "a file's name without a path");
+  }
+}
+
+TEST(Hostile, ALinkInAFramesPlaceIsReplacedNotFollowed) {
+  const ScratchFolder folder;
+  write_file_atomically(folder / "precious", "untouched");
+  fs::create_directory(folder / "f");
+  fs::create_symlink("../precious", folder / "f/frame_000000.png");
+  ASSERT_EQ(run_twrench(folder, frames + "--frames 0 --overwrite").code, 0);
+  EXPECT_EQ(text_of(folder / "precious"), "untouched");
+  EXPECT_FALSE(fs::is_symlink(folder / "f/frame_000000.png"));
+}
+
+TEST(Doctor, SaysWhatIsThere) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "doctor");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("llvmpipe"));
+  EXPECT_THAT(run.out, HasSubstr("can run."));
+  EXPECT_TRUE(json::parse(run_twrench(folder, "doctor --format json").out)["can_render"]);
+}
+
+TEST(Doctor, SaysWhatIsMissingAndTheRemedy) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "doctor --format json", "PATH=/nowhere ");
+  EXPECT_EQ(run.code, 4);
+  const json found = json::parse(run.out);
+  EXPECT_FALSE(found["can_render"]);
+  EXPECT_THAT(run.out, HasSubstr("apt-get install ffmpeg"));
+  EXPECT_EQ(run_twrench(folder, "doctor", "MESA_GL_VERSION_OVERRIDE=2.1 ").code, 3);
+}
+
+TEST(Progress, AsOpenJobDescriptionReadsIt) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, bare_film + "--no-video --frames 0-4 --progress openjd");
+  EXPECT_THAT(run.out, HasSubstr("openjd_progress: 100.0\nopenjd_status: 5 of 5 frames"));
+  const Outcome failed = run_twrench(folder, "encode nowhere -o v.mp4 --progress openjd");
+  EXPECT_EQ(failed.code, 5);
+  EXPECT_THAT(failed.out, StartsWith("openjd_fail: cannot use nowhere: "));
+}
+
+}  // namespace
+}  // namespace twrench
