@@ -43,7 +43,8 @@ double seconds_each(Work&& work) {
 struct Score {
   const Candidate* candidate;
   double least_error = std::numeric_limits<double>::infinity();
-  std::array<std::optional<double>, level_count> parameter{};  ///< the cheapest that reaches a level
+  std::array<std::optional<double>, level_count>
+      parameter{};  ///< the cheapest that reaches a level
   std::array<double, level_count> seconds{};
 };
 
@@ -89,9 +90,10 @@ double exact_samples(const Problem& problem, int count, int rounds) {
   double best = std::numeric_limits<double>::infinity(), sum = 0;
   for (int round = 0; round < rounds; ++round) {
     best = std::min(best, seconds_each([&] {
-      const ExactMotion motion(problem.body);
-      for (int i = 1; i <= count; ++i) sum += motion.at(problem.t_end * i / count).X(0, 0);
-    }));
+                      const ExactMotion motion(problem.body);
+                      for (int i = 1; i <= count; ++i)
+                        sum += motion.at(problem.t_end * i / count).X(0, 0);
+                    }));
   }
   return std::isnan(sum) ? sum : best;  // so that the samples are used
 }

@@ -36,7 +36,8 @@ Candidate controlled(const char* name, Make make) {
           [make](const Problem& problem, double tolerance) {
             const System<Form> system{Form(problem.body)};
             typename Form::State y = system.form.start;
-            odeint::integrate_adaptive(make(tolerance), std::cref(system), y, 0.0, problem.t_end, 0.1);
+            odeint::integrate_adaptive(make(tolerance), std::cref(system), y, 0.0, problem.t_end,
+                                       0.1);
             return Form::attitude(y.data());
           }};
 }

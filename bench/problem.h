@@ -56,7 +56,8 @@ struct VelocityForm {
   static constexpr const char* name = "omega, q";
   using State = std::array<double, size>;
 
-  explicit VelocityForm(const FreeBody& body) : start{body.omega[0], body.omega[1], body.omega[2], 1} {
+  explicit VelocityForm(const FreeBody& body)
+      : start{body.omega[0], body.omega[1], body.omega[2], 1} {
     const Eigen::Vector3d I = body.inertia.diagonal();
     euler = {(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]};
   }

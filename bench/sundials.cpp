@@ -1,9 +1,8 @@
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
+#include <fmt/format.h>
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
-
-#include <fmt/format.h>
 
 #include <memory>
 #include <sundials/sundials_context.hpp>
@@ -55,7 +54,8 @@ Eigen::Matrix3d cvode_adams(const Problem& problem, double tolerance) {
   CVodeSStolerances(memory, tolerance, tolerance);
   CVodeSetUserData(memory, &form);
   CVodeSetMaxNumSteps(memory, most_steps);
-  CVodeSetErrHandlerFn(memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
+  CVodeSetErrHandlerFn(
+      memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
   CVodeSetStopTime(memory, problem.t_end);
   SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y.get(), 0, context());
   CVodeSetNonlinearSolver(memory, solver);
@@ -75,7 +75,8 @@ Eigen::Matrix3d arkode_erk(const Problem& problem, double tolerance, int order) 
   ERKStepSStolerances(memory, tolerance, tolerance);
   ERKStepSetUserData(memory, &form);
   ERKStepSetMaxNumSteps(memory, most_steps);
-  ERKStepSetErrHandlerFn(memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
+  ERKStepSetErrHandlerFn(
+      memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
   ERKStepSetStopTime(memory, problem.t_end);
   double t = 0;
   const int flag = ERKStepEvolve(memory, problem.t_end, y.get(), &t, ARK_NORMAL);
@@ -85,8 +86,8 @@ Eigen::Matrix3d arkode_erk(const Problem& problem, double tolerance, int order) 
 
 template <class Form>
 void add(std::vector<Candidate>& list) {
-  list.push_back({"SUNDIALS", fmt::format("CVODE Adams ({})", Form::name), tolerances(),
-                  cvode_adams<Form>});
+  list.push_back(
+      {"SUNDIALS", fmt::format("CVODE Adams ({})", Form::name), tolerances(), cvode_adams<Form>});
   for (const int order : {4, 5, 6, 8}) {
     list.push_back({"SUNDIALS", fmt::format("ARKODE ERK order {} ({})", order, Form::name),
                     tolerances(), [order](const Problem& problem, double tolerance) {

@@ -121,7 +121,7 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
 Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double h) {
   TaylorSeries series(body, method);
   series.expand(series.state_of(X, body_momentum(body, false, X)));
-  return {series.sample(h, series.at(h)).X, series.last_term(h), method.order};
+  return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 
 /// The motion is the same at all times: it starts anew from the velocity at X.

@@ -131,14 +131,19 @@ double TaylorSeries::term(std::size_t k) const {
   return std::sqrt(2 * (squares[0] + squares[1]));
 }
 
-double TaylorSeries::last_term(double h) const {
-  return term(order_) * std::pow(std::abs(h) / unit_, static_cast<double>(order_));
+double TaylorSeries::last_terms(double h) const {
+  const double s = std::abs(h) / unit_;
+  const double power = std::pow(s, static_cast<double>(order_ - 1));
+  return std::max(term(order_ - 1), term(order_) * s) * power;
 }
 
 double TaylorSeries::reach(double tolerance) const {
   const double order = static_cast<double>(order_);
+  const double before = term(order_ - 1), last = term(order_);
+  double s = std::pow(tolerance / before, 1 / (order - 1));
+  if (last * s > before) s = std::pow(tolerance / last, 1 / order);
   // No angle turns by more than s in the time s, and s^k/k! falls from k = s on.
-  return unit_ * std::min(std::pow(tolerance / term(order_), 1 / order), 0.4 * order);
+  return unit_ * std::min(s, 0.4 * order);
 }
 
 }  // namespace twrench

@@ -36,11 +36,12 @@ class TaylorSeries {
   /// errors grow, near the separatrix, is across the surfaces of equal energy.
   State at(double h) const;
 
-  /// What the terms of highest order add to X h seconds later, in the Frobenius norm.
-  double last_term(double h) const;
+  /// The larger of what the terms of the last two orders add to X h seconds later, in the Frobenius
+  /// norm. Two, because motions with a symmetry in time have every other coefficient zero.
+  double last_terms(double h) const;
 
-  /// The longest h > 0, s, whose last term is within `tolerance`: known before the step is taken,
-  /// so that none is rejected. After Jorba and Zou, Experimental Mathematics 14 (2005).
+  /// The longest h > 0, s, for which last_terms(h) is within `tolerance`: known before the step is
+  /// taken, so that none is rejected. After Jorba and Zou, Experimental Mathematics 14 (2005).
   double reach(double tolerance) const;
 
  private:
@@ -52,11 +53,11 @@ class TaylorSeries {
   Eigen::Vector3d with_initial_energy(const Eigen::Vector3d& mu) const;
 
   std::size_t order_;
-  Eigen::Matrix3d axes_;          ///< body_from_principal
-  double unit_ = 0;               ///< of time, s: I_1/G
-  Eigen::Vector3d velocity_;      ///< omega = velocity * mu, entry by entry, per unit of time
-  Eigen::Vector3d excess_;        ///< of eq. (E1): D_2/G^2 = excess . mu^2
-  double energy_ = 0;             ///< D_2/G^2 at t = 0
+  Eigen::Matrix3d axes_;      ///< body_from_principal
+  double unit_ = 0;           ///< of time, s: I_1/G
+  Eigen::Vector3d velocity_;  ///< omega = velocity * mu, entry by entry, per unit of time
+  Eigen::Vector3d excess_;    ///< of eq. (E1): D_2/G^2 = excess . mu^2
+  double energy_ = 0;         ///< D_2/G^2 at t = 0
   State start_;
   std::array<Pair, capacity> m12_, m3psi_;  ///< coefficients of (mu_1, mu_2) and (mu_3, psi)
 };

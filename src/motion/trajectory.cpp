@@ -96,7 +96,8 @@ class Walk {
       if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
       const double t_end = t_ + length;
       length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
-      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step))) throw underflow(method_, control_, t_);
+      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step)))
+        throw underflow(method_, control_, t_);
       const Step step = take_step(body_, method_, X_, length);
       evaluations_ += step.evaluations;
       const double ratio = control_.tolerance / std::max(step.error, 1e-300);
@@ -152,7 +153,7 @@ class TaylorWalk {
     const Matrix3d before = series_.sample(t_next_, state_next_).X;
     advance();
     const double length = t_next_ - t_;
-    return {t_, length, before, series_.sample(t_next_, state_next_).X, series_.last_term(length)};
+    return {t_, length, before, series_.sample(t_next_, state_next_).X, series_.last_terms(length)};
   }
 
   std::int64_t steps() const { return steps_; }
