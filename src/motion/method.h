@@ -72,7 +72,7 @@ struct Method {
   int order;                 ///< observed on SO(3), which may be less than the tableau's own;
                              ///< 0 for the closed form, whose error knows no step
   int tableau_order;         ///< in a linear space; p in the step control
-  bool conserves_energy;     ///< to round-off, whatever the step; of `taylor` see taylor.cpp
+  bool conserves_energy;     ///< to round-off, whatever the step (`taylor`: to a tolerance of 1e-8)
   bool reversible;           ///< a step of -h undoes a step of h, to round-off
   std::string_view source;   ///< where the specification or the literature prints it
   std::string_view summary;  ///< one line for people

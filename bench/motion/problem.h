@@ -11,12 +11,12 @@
 
 namespace twrench::bench {
 
-/// A motion whose end is known to 25 digits. The inertia is diagonal; X(0) = Id.
+/// A motion whose end is known. The inertia is diagonal; X(0) = Id.
 struct Problem {
   std::string name;
   FreeBody body;
   double t_end;           ///< s
-  Eigen::Matrix3d X_end;  ///< the reference
+  Eigen::Matrix3d X_end;  ///< the truth
 };
 
 /// An integrator, and the parameters (tolerances or numbers of steps) it is tried with, dearer ones
@@ -36,6 +36,9 @@ std::vector<Candidate> odeint_candidates();
 std::vector<Candidate> sundials_candidates();
 std::vector<Candidate> gsl_candidates();
 std::vector<Candidate> own_candidates();
+
+/// Prints what ten thousand samples along the way cost.
+void compare_samples(const Problem& problem, int rounds);
 
 /// The unit quaternion q = (w, x, y, z) in space_from_body(q), normalised first.
 inline Eigen::Matrix3d rotation(const double* q) {
