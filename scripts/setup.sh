@@ -3,6 +3,7 @@
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
 #   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
+#   setup.sh bench    to build its benchmarks
 # When nothing is missing it says nothing and calls neither apt nor sudo.
 set -euo pipefail
 
@@ -22,8 +23,9 @@ case "${1-}" in
   render) ;;
   test) packages+=("${test_packages[@]}") ;;
   tidy) packages+=("${test_packages[@]}" clang-tidy-14 clang-14 libclang-rt-14-dev) ;;
+  bench) packages+=(libbenchmark-dev libgsl-dev libsundials-dev) ;;
   *)
-    echo "usage: $0 render|test|tidy" >&2
+    echo "usage: $0 render|test|tidy|bench" >&2
     exit 2
     ;;
 esac

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>

@@ -83,8 +83,7 @@ void Progress::draw(int done, int total, double seconds) const {
 }
 
 void Progress::note(const std::string& text) const {
-  if (style_ == Style::bar || style_ == Style::plain)
-    fmt::print(stderr, "twrench: note: {}\n", text);
+  if (style_ == Style::bar || style_ == Style::plain) say("twrench: note: {}\n", text);
 }
 
 void Progress::finish() {

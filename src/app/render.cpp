@@ -147,7 +147,8 @@ VideoFormat video_format(const Scene& scene) {
 std::future<void> try_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return {};
   encoder_arguments(video_format(scene));  // what is wrong with the size
-  return std::async(std::launch::async, [format = video_format(scene)] { require_encoder(format); });
+  return std::async(std::launch::async,
+                    [format = video_format(scene)] { require_encoder(format); });
 }
 
 /// The encoder, known to work; null with --no-video.
@@ -278,8 +279,7 @@ void render(const Options& options) {
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);
   if (!options.timing.empty()) {
-    say("{}\n",
-               timing_report(times, seconds, frames.size(), options.timing == "json"));
+    say("{}\n", timing_report(times, seconds, frames.size(), options.timing == "json"));
   }
 }
 

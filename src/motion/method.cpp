@@ -77,6 +77,9 @@ constexpr Method all[] = {
      "commutator-free: products of two exponentials"},
     {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
      "five implicit trapezoids a step; keeps the energy to round-off"},
+    {"taylor", Taylor{24}, 24, 24, true, false,
+     "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
+     "Taylor series of momentum and one angle, adaptive; keeps the energy; the fastest"},
     {"exact", ClosedForm{}, 0, 0, true, true,
      "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
      "the motion in closed form, by elliptic and theta functions; the same cost at any t"},
@@ -86,7 +89,7 @@ constexpr Method all[] = {
 
 bool Method::adaptive() const {
   const auto* rk = std::get_if<RungeKutta>(&scheme);
-  return rk != nullptr && rk->tableau.embedded_pair;
+  return std::holds_alternative<Taylor>(scheme) || (rk != nullptr && rk->tableau.embedded_pair);
 }
 
 bool Method::linear() const {

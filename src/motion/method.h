@@ -52,11 +52,18 @@ struct ImplicitTrapezoid {
 /// rotation about its axis: half of the first two, the third, and back.
 struct StrangSplitting {};
 
+inline constexpr std::size_t largest_taylor_order = 30;
+
+/// The Taylor series of the motion, motion/taylor.h: its last terms say how far it holds.
+struct Taylor {
+  int order;
+};
+
 /// The solution itself, motion/exact.h; a step of it, where one is asked for, has any length.
 struct ClosedForm {};
 
-using Scheme =
-    std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, ClosedForm>;
+using Scheme = std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, Taylor,
+                            ClosedForm>;
 
 /// A method of integration: data, with its citation. One stepper runs them all.
 struct Method {
@@ -65,12 +72,12 @@ struct Method {
   int order;                 ///< observed on SO(3), which may be less than the tableau's own;
                              ///< 0 for the closed form, whose error knows no step
   int tableau_order;         ///< in a linear space; p in the step control
-  bool conserves_energy;     ///< to round-off, whatever the step
+  bool conserves_energy;     ///< to round-off, whatever the step (`taylor`: to a tolerance of 1e-8)
   bool reversible;           ///< a step of -h undoes a step of h, to round-off
   std::string_view source;   ///< where the specification or the literature prints it
   std::string_view summary;  ///< one line for people
 
-  /// It chooses its own steps, by an embedded pair.
+  /// It chooses its own steps.
   bool adaptive() const;
   /// It leaves SO(3).
   bool linear() const;

@@ -5,6 +5,7 @@
 
 #include "math/so3.h"
 #include "motion/exact.h"
+#include "motion/taylor.h"
 
 namespace twrench {
 namespace {
@@ -115,6 +116,12 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
     end *= so3::exp(u);
   }
   return {end, 0.0, 5};
+}
+
+Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double h) {
+  TaylorSeries series(body, method);
+  series.expand(series.state_of(X, body_momentum(body, false, X)));
+  return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 
 /// The motion is the same at all times: it starts anew from the velocity at X.

@@ -15,7 +15,8 @@ Eigen::Vector3d angular_velocity(const FreeBody& body, const Method& method,
 /// One step.
 struct Step {
   Eigen::Matrix3d X;
-  double error;     ///< E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5; else 0.
+  double error;     ///< E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5; last_terms
+                    ///< of a series; else 0.
                     ///< Infinite where h is too long for the method: then X means nothing.
   int evaluations;  ///< of omega
 };

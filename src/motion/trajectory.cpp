@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "motion/exact.h"
 #include "motion/stepper.h"
+#include "motion/taylor.h"
 
 namespace twrench {
 namespace {
@@ -22,6 +23,18 @@ using Eigen::Matrix3d;
 constexpr double safety = 0.8;
 constexpr double least_factor = 0.2;
 constexpr double largest_factor = 5.0;
+
+UsageError out_of_steps(const Method& method, const StepControl& control, double t) {
+  return {fmt::format("method {}", method.name),
+          fmt::format("more than {} steps at t = {} s", control.max_steps, t),
+          "take a larger --tolerance or a shorter --duration"};
+}
+
+UsageError underflow(const Method& method, const StepControl& control, double t) {
+  return {fmt::format("method {}", method.name),
+          fmt::format("the step underflows at t = {} s with tolerance {}", t, control.tolerance),
+          "take a larger --tolerance, or a slower motion"};
+}
 
 /// Walks along the method's own steps t_0 = 0, t_1, ... in the direction of `sign`.
 class Walk {
@@ -55,7 +68,7 @@ class Walk {
     if (method_.adaptive()) {
       step_adaptively();
     } else {
-      count_step();
+      ++steps_;  // require_possible has seen that there are not too many
       X_next_ = fixed_step(next_length_);
       t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
     }
@@ -80,10 +93,11 @@ class Walk {
   void step_adaptively() {
     double length = next_length_;
     for (int attempt = 0;; ++attempt) {
-      count_step();
+      if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
       const double t_end = t_ + length;
       length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
-      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step))) throw underflow();
+      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step)))
+        throw underflow(method_, control_, t_);
       const Step step = take_step(body_, method_, X_, length);
       evaluations_ += step.evaluations;
       const double ratio = control_.tolerance / std::max(step.error, 1e-300);
@@ -108,20 +122,6 @@ class Walk {
                      "take a shorter --step, or a method that stays on SO(3)");
   }
 
-  void count_step() {
-    if (++steps_ <= control_.max_steps) return;
-    throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("more than {} steps at t = {} s", control_.max_steps, t_),
-                     "take a longer --step, a larger --tolerance or a shorter --duration");
-  }
-
-  UsageError underflow() const {
-    return {
-        fmt::format("method {}", method_.name),
-        fmt::format("the step underflows at t = {} s with tolerance {}", t_, control_.tolerance),
-        "take a larger --tolerance, or a slower motion"};
-  }
-
   const FreeBody& body_;
   const Method& method_;
   const StepControl& control_;
@@ -132,6 +132,51 @@ class Walk {
   double t_ = 0.0, t_next_ = 0.0;
   double error_ = 0.0;  ///< E of the step from t_ to t_next_
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
+};
+
+/// Walks from series to series: each serves all times as far as it reaches.
+class TaylorWalk {
+ public:
+  TaylorWalk(const FreeBody& body, const Method& method, const StepControl& control, double sign)
+      : method_(method),
+        control_(control),
+        sign_(sign),
+        series_(body, std::get<Taylor>(method.scheme)),
+        state_next_(series_.state_of(Matrix3d::Identity(), body.momentum)) {}
+
+  Sample sample_at(double t) {
+    while (steps_ == 0 || std::abs(t) > std::abs(t_next_)) advance();
+    return series_.sample(t, t == t_next_ ? state_next_ : series_.at(t - t_));
+  }
+
+  OwnStep next_step() {
+    const Matrix3d before = series_.sample(t_next_, state_next_).X;
+    advance();
+    const double length = t_next_ - t_;
+    return {t_, length, before, series_.sample(t_next_, state_next_).X, series_.last_terms(length)};
+  }
+
+  std::int64_t steps() const { return steps_; }
+  std::int64_t evaluations() const { return steps_ * method_.order; }
+
+ private:
+  void advance() {
+    if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_next_);
+    series_.expand(state_next_);
+    t_ = t_next_;
+    const double t_end = t_ + sign_ * series_.reach(control_.tolerance);
+    if (!(std::abs(t_end) > std::abs(t_))) throw underflow(method_, control_, t_);
+    state_next_ = series_.at(t_end - t_);
+    t_next_ = t_end;
+  }
+
+  const Method& method_;
+  const StepControl& control_;
+  double sign_;
+  TaylorSeries series_;
+  std::int64_t steps_ = 0;
+  double t_ = 0.0, t_next_ = 0.0;
+  TaylorSeries::State state_next_;
 };
 
 /// The closed form goes to each time at once.
@@ -156,25 +201,33 @@ void visit_exact_steps(const FreeBody& body, double step, double t_end,
   }
 }
 
-void require_tolerance(const Method& method, double tolerance) {
-  if (!method.adaptive() || tolerance >= least_tolerance) return;
-  throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
-                                            tolerance, least_tolerance));
+/// What can be seen before the first step to t_end, s.
+void require_possible(const Method& method, const StepControl& control, double t_end) {
+  if (method.adaptive()) {
+    if (control.tolerance >= least_tolerance) return;
+    throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
+                                              control.tolerance, least_tolerance));
+  }
+  const double steps = std::abs(t_end) / control.step;
+  if (!(steps > static_cast<double>(control.max_steps))) return;
+  throw UsageError(fmt::format("method {}", method.name),
+                   fmt::format("{:.3g} steps of {} s to t = {} s are more than {}", steps,
+                               control.step, t_end, control.max_steps),
+                   "take a longer --step or a shorter --duration");
 }
 
-}  // namespace
-
-Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
-                      std::span<const double> times) {
-  if (std::holds_alternative<ClosedForm>(method.scheme)) return exact_trajectory(body, times);
-  require_tolerance(method, control.tolerance);
+/// Walks of that kind to all times ahead and to all times back.
+template <class Kind>
+Trajectory walk(const FreeBody& body, const Method& method, const StepControl& control,
+                std::span<const double> times) {
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
+  if (!order.empty()) require_possible(method, control, times[order.back()]);
   Trajectory result;
   result.samples.resize(times.size());
-  Walk forward(body, method, control, 1.0);
-  Walk backward(body, method, control, -1.0);
+  Kind forward(body, method, control, 1.0);
+  Kind backward(body, method, control, -1.0);
   for (const std::size_t i : order) {
     result.samples[i] = (times[i] < 0.0 ? backward : forward).sample_at(times[i]);
   }
@@ -183,17 +236,33 @@ Trajectory trajectory(const FreeBody& body, const Method& method, const StepCont
   return result;
 }
 
+}  // namespace
+
+Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
+                      std::span<const double> times) {
+  if (std::holds_alternative<ClosedForm>(method.scheme)) return exact_trajectory(body, times);
+  return std::holds_alternative<Taylor>(method.scheme)
+             ? walk<TaylorWalk>(body, method, control, times)
+             : walk<Walk>(body, method, control, times);
+}
+
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const OwnStep&)>& visit) {
   if (std::holds_alternative<ClosedForm>(method.scheme)) {
     return visit_exact_steps(body, control.step, t_end, visit);
   }
-  require_tolerance(method, control.tolerance);
-  Walk walk(body, method, control, 1.0);
-  for (double t = 0.0; t < t_end;) {
-    const OwnStep step = walk.next_step();
-    visit(step);
-    t = step.t + step.length;
+  require_possible(method, control, t_end);
+  const auto visit_all = [&](auto walk) {
+    for (double t = 0.0; t < t_end;) {
+      const OwnStep step = walk.next_step();
+      visit(step);
+      t = step.t + step.length;
+    }
+  };
+  if (std::holds_alternative<Taylor>(method.scheme)) {
+    visit_all(TaylorWalk(body, method, control, 1.0));
+  } else {
+    visit_all(Walk(body, method, control, 1.0));
   }
 }
 

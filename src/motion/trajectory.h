@@ -45,7 +45,7 @@ struct OwnStep {
   double t;                       ///< s, where it begins
   double length;                  ///< s
   Eigen::Matrix3d before, after;  ///< X at both ends
-  double error;                   ///< E of an embedded pair; else 0
+  double error;                   ///< E of an adaptive method; else 0
 };
 
 /// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that

@@ -58,8 +58,9 @@ TEST_P(Conservation, OrthogonalityAndMomentumUnlessLinear) {
 }
 
 TEST_P(Conservation, ReversibleWhereClaimedAndOnlyThere) {
-  const Matrix3d X = take_step(body_, GetParam(), Matrix3d::Identity(), 0.2).X;
-  const Matrix3d back = take_step(body_, GetParam(), X, -0.2).X;
+  const double h = GetParam().order > 4 ? 2 : 0.2;  // where it has an error to see
+  const Matrix3d X = take_step(body_, GetParam(), Matrix3d::Identity(), h).X;
+  const Matrix3d back = take_step(body_, GetParam(), X, -h).X;
   const double missed = (back - Matrix3d::Identity()).norm();
   if (GetParam().reversible) {
     EXPECT_LE(missed, 2e-15);

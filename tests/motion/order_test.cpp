@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/every_method.h"
+#include "motion/exact.h"
 #include "motion/reference.h"
 #include "motion/stepper.h"
 
@@ -28,6 +29,7 @@ class MethodOrder : public testing::TestWithParam<Method> {};
 TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const Method& method = GetParam();
   if (method.order == 0) GTEST_SKIP() << "no step, no order";
+  if (method.order > 4) GTEST_SKIP() << "no slope over so many steps; see TaylorOrder";
   // From where the slope is asymptotic, to where round-off flattens it.
   const int coarsest = method.order == 1 ? 6400 : 800;
   constexpr double round_off = 1e-12;
@@ -50,6 +52,32 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MethodOrder, every_method(), method_test_name);
+
+/// The order at which a series is cut, and a step, s, whose error is well above round-off.
+class TaylorOrder : public testing::TestWithParam<std::pair<int, double>> {};
+
+// An order so high shows between round-off and the pole of the motion only in single steps: the
+// error of one goes as h^(order + 1). The recurrence does not know where it will be cut.
+TEST_P(TaylorOrder, IsTheSlopeOfTheLocalError) {
+  const auto [order, h] = GetParam();
+  Method method = find_method("taylor");
+  std::get<Taylor>(method.scheme).order = order;
+  const FreeBody wrench = reference_case("wrench-a").body;
+  const auto error = [&](double length) {
+    const Step step = take_step(wrench, method, Eigen::Matrix3d::Identity(), length);
+    const double truth = (step.X - ExactMotion(wrench).at(length).X).norm();
+    EXPECT_GT(step.error, truth) << length;  // the last term is larger than all that are dropped
+    return truth;
+  };
+  const double slope = std::log2(error(h) / error(h / std::sqrt(2.0))) / 0.5;
+  std::printf("taylor cut at %d: order %.3f\n", order, slope - 1);
+  EXPECT_GT(slope, order + 0.9);
+  EXPECT_LT(slope, order + 1.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cut, TaylorOrder,
+                         testing::Values(std::pair{2, 0.5}, std::pair{4, 0.5}, std::pair{8, 1.0},
+                                         std::pair{10, 1.7}, std::pair{24, 5.6}));
 
 // The figures published for the printed RK4 and RKF45 (its 5th-order row aside) at 100 to 800
 // steps.

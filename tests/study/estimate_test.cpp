@@ -52,6 +52,26 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
   }
 }
 
+// The last term bounds all that are dropped: the series keeps its tolerance with no factor at all.
+TEST(Estimate, TaylorKeepsItsTolerance) {
+  constexpr double round_off = 1e-14;
+  RandomBodies random;
+  std::vector<FreeBody> bodies;
+  for (const ReferenceCase& c : reference_cases()) bodies.push_back(c.body);
+  for (int n = 0; n < 300; ++n) {
+    const Vector3d moments = random.moments();
+    bodies.push_back(free_body(moments.asDiagonal(), random.omega()));
+  }
+  for (const FreeBody& body : bodies) {
+    for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
+      EXPECT_LT(quality(body, "taylor", tolerance).largest_error, tolerance + round_off)
+          << tolerance << "\n"
+          << body.inertia << "\n"
+          << body.omega;
+    }
+  }
+}
+
 // Both rows of the printed pair lack the same term, (h^3/12) omega x omega', which their difference
 // therefore cannot see: the true error is a thousand times what was asked for, and more the less is
 // asked for.

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# integrators.sh [ROUNDS]: CPU time of our integrators beside other libraries', all in one program,
+# then of the hot functions one by one. Installs what is missing. More rounds, steadier numbers.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+scripts/setup.sh bench
+mkdir -p build/release
+if ! { cmake --preset release -DTWRENCH_BENCH=ON && ninja -C build/release integrators motion_functions; } \
+  >build/release/bench.log 2>&1; then
+  tail -n 20 build/release/bench.log >&2
+  exit 1
+fi
+build/release/bin/integrators "${1:-15}"
+echo
+build/release/bin/motion_functions

@@ -1,0 +1,76 @@
+// What one call of the hot functions of a motion costs.
+#include <benchmark/benchmark.h>
+
+#include "math/so3.h"
+#include "motion/exact.h"
+#include "motion/stepper.h"
+#include "motion/taylor.h"
+#include "motion/trajectory.h"
+
+namespace twrench {
+namespace {
+
+/// Tumbling about its intermediate axis.
+FreeBody tumbler() { return free_body(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02}); }
+
+void exponential(benchmark::State& state) {
+  Eigen::Vector3d u(0.01, -0.02, 0.03);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(u);
+    benchmark::DoNotOptimize(so3::exp(u));
+  }
+}
+BENCHMARK(exponential);
+
+void step(benchmark::State& state, const char* name) {
+  const FreeBody body = tumbler();
+  const Method& method = find_method(name);
+  Eigen::Matrix3d X = Eigen::Matrix3d::Identity();
+  for (auto _ : state) X = take_step(body, method, X, 0.01).X;
+  benchmark::DoNotOptimize(X);
+}
+BENCHMARK_CAPTURE(step, rk4, "rk4");
+BENCHMARK_CAPTURE(step, rkmk4, "rkmk4");
+BENCHMARK_CAPTURE(step, rkmk45, "rkmk45");
+
+/// A step as a trajectory takes it.
+void taylor_step(benchmark::State& state) {
+  const FreeBody body = tumbler();
+  TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
+  TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum);
+  for (auto _ : state) {
+    series.expand(at);
+    at = series.at(series.reach(1e-10));
+  }
+  benchmark::DoNotOptimize(at);
+}
+BENCHMARK(taylor_step);
+
+void taylor_sample(benchmark::State& state) {
+  const FreeBody body = tumbler();
+  TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
+  series.expand(series.state_of(Eigen::Matrix3d::Identity(), body.momentum));
+  double t = 0;
+  for (auto _ : state) {
+    t = t < 1 ? t + 1e-3 : 0;
+    benchmark::DoNotOptimize(series.sample(t, series.at(t)));
+  }
+}
+BENCHMARK(taylor_sample);
+
+void exact_sample(benchmark::State& state) {
+  const ExactMotion motion(tumbler());
+  double t = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(motion.at(t += 0.01));
+}
+BENCHMARK(exact_sample);
+
+/// What it costs to begin.
+void exact_set_up(benchmark::State& state) {
+  const FreeBody body = tumbler();
+  for (auto _ : state) benchmark::DoNotOptimize(ExactMotion(body));
+}
+BENCHMARK(exact_set_up);
+
+}  // namespace
+}  // namespace twrench
