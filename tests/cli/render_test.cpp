@@ -88,9 +88,9 @@ TEST(Render, DecodedFramesAreThePngFrames) {
     std::snprintf(name, sizeof name, "decoded_%06d.png", i + 1);
     const auto difference = compare(read_png(folder / name), png, 24);
     ASSERT_TRUE(difference.has_value());
-    // A film keeps a quarter of the colour and rounds the rest; a wrong matrix or range is off by
-    // far more than this everywhere.
-    EXPECT_LE(difference->mean, 1.0) << i;
+    // A film keeps a quarter of the colour, which thin coloured lines feel, and rounds the rest; a
+    // wrong matrix or range is off by far more than this everywhere.
+    EXPECT_LE(difference->mean, 1.3) << i;
     EXPECT_LE(difference->share, 0.02) << i;
   }
 }

@@ -18,9 +18,10 @@ TEST(StudyCommand, OfEveryMethodByDefault) {
   EXPECT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["scene"], "stable-y");
-  EXPECT_EQ(document["methods"].size(), 13U);
+  EXPECT_EQ(document["methods"].size(), 14U);
   for (const json& m : document["methods"]) {
-    if (m["order"] == 0) continue;
+    // The closed form has none, and the series' errors are round-off at every tolerance.
+    if (m["order"] == 0 || m["method"] == "taylor") continue;
     EXPECT_NEAR(m["order_seen"].get<double>(), m["order"].get<double>(), 0.3) << m["method"];
   }
 }
