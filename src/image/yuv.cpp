@@ -78,7 +78,7 @@ void Yuv420::update_chroma(const Image& image, const Area& area) {
       columns_[static_cast<std::size_t>(i)] = upper[i] + lower[i];
     }
     for (int c = first; c <= last; ++c) {
-      const int* const here = &columns_[static_cast<std::size_t>(6 * c)];
+      const int* const here = &columns_[6 * static_cast<std::size_t>(c)];
       const int* const before = c == 0 ? here : here - 3;
       const int* const after = 2 * c + 1 == width_ ? here : here + 3;
       const auto sum = [&](int i) { return before[i] + 2 * here[i] + after[i]; };
