@@ -19,9 +19,9 @@ Camera camera_at(const CameraPath& path, const Layout::Pane& pane, double radius
   return widened(camera, pane.focus, pane.area);
 }
 
-/// cm: facets that cannot be told from the shape, a fifth of a pixel in the picture's middle.
+/// cm: facets that cannot be told from the shape, a seventh of a pixel in the picture's middle.
 double tolerance(const Camera& camera, int height) {
-  return 0.2 * 2 * camera.distance / (camera.projection(1, 1) * height);
+  return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
 }  // namespace
