@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bevel_share = 0.05;
+constexpr double bevel_share = 0.04;
 constexpr double quarter = std::numbers::pi / 2;
 
 // The least chords of a quarter turn, however small the picture: the normals between are linear.

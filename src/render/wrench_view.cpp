@@ -36,9 +36,9 @@ CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverl
   return path;
 }
 
-/// cm: facets that cannot be told from the shape, a fifth of a pixel in the picture's middle.
+/// cm: facets that cannot be told from the shape, a seventh of a pixel in the picture's middle.
 double tolerance(const Camera& camera, int height) {
-  return 0.2 * 2 * camera.distance / (camera.projection(1, 1) * height);
+  return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
 }  // namespace
