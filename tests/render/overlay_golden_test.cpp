@@ -1,0 +1,153 @@
+// What is laid over the body, without it, held against images that were looked at and found right.
+// An image that ought to change is written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be
+// looked at and committed with its reason.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+#include "base/file.h"
+#include "image/compare.h"
+#include "image/png.h"
+#include "render/component_panel.h"
+#include "render/hud.h"
+#include "render/label_painter.h"
+#include "render/overlay_scene.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OverlayGolden {
+  const char* name;
+  Scene scene;
+};
+
+void PrintTo(const OverlayGolden& golden, std::ostream* out) { *out << golden.name; }
+
+std::vector<OverlayGolden> goldens() {
+  const auto film = [](int width, int height, Theme theme = Theme::studio) {
+    Scene scene = film_of(width, height);
+    scene.motion.method = "exact";
+    scene.motion.duration = 48;
+    scene.look.theme = theme;
+    return scene;
+  };
+  Scene mono = film(640, 360);
+  mono.overlay.font = "mono";
+  Scene paper = film(480, 480, Theme::paper);
+  paper.overlay.show.erase(Feature::sphere);
+  Scene compared = film(854, 480);
+  compared.overlay.compare = {"lie-euler", "rk4", "exact"};
+  compared.motion.control.step = 0.1;
+  Scene in_rows = film(360, 640);
+  in_rows.overlay.compare = {"euler", "strang"};
+  in_rows.motion.control.step = 0.1;
+  Scene quad = film(640, 360);
+  quad.overlay.view = View::quad;
+  return {{"overlay", film(854, 480)},       {"overlay-portrait", film(360, 640)},
+          {"overlay-small", film(320, 180)}, {"overlay-mono", mono},
+          {"overlay-paper", paper},          {"overlay-quad", quad},
+          {"overlay-compare", compared},     {"overlay-compare-rows", in_rows}};
+}
+
+/// In the middle of the film, as its methods have it; then `change` is made.
+Moment middle(const OverlayScene& film, const std::function<void(Instant&)>& change) {
+  Moment moment = film.timeline.moment(0);
+  for (std::size_t i = 0; i < moment.instants.size(); ++i) {
+    const Take& take = film.timeline.takes()[i];
+    Instant& instant = moment.instants[i];
+    instant.sample = take.whole[take.whole.size() / 2];
+    instant.diagnostics = diagnose(take.body, take.initial_energy, instant.sample);
+    // Round-off is another number elsewhere.
+    if (take.method->name == "exact") instant.diagnostics = {0, -1.2e-15, 3.4e-16, 0};
+    if (take.method->name == "strang") instant.diagnostics.orthogonality_error = 0;
+    if (take.method->name == "rk4") instant.diagnostics.orthogonality_error = 5e-15;
+    if (take.method->name == "lie-euler") instant.diagnostics.orthogonality_error = 6e-15;
+    instant.flips = 2;
+    change(instant);
+  }
+  return moment;
+}
+
+Image drawn(
+    const Scene& scene, const std::function<void(Instant&)>& change = [](Instant&) {}) {
+  const OverlayScene film(scene);
+  const auto& takes = film.timeline.takes();
+  const Moment moment = middle(film, change);
+  Image image(scene.film.width, scene.film.height, 3);
+  image.pixels.assign(image.pixels.size(), 110);  // what a panel darkens or brightens
+  const auto lay = [&](const std::vector<Layer>& layers) {
+    for (const Layer& layer : layers) lay_over(image, layer);
+  };
+  if (film.layout.components) {
+    lay(ComponentPanel(film.scene, takes, film.layout, film.typeface, film.colors).draw(moment));
+  }
+  Hud hud(film.scene, takes, film.layout, film.typeface, film.colors);
+  lay(hud.draw(moment));
+  const LabelPainter painter(film.typeface.regular, film.layout.text.figure, film.colors.panel,
+                             {0, 0, image.width, image.height}, hud.extents());
+  const Area& focus = film.layout.panes[0].focus;
+  const Eigen::Vector2d end(focus.x + focus.width / 2.0, focus.y + focus.height / 2.0);
+  lay(painter.paint({{"L", end, {1, 0}, film.colors.momentum},
+                     {"ω", end, {0.9, 0.4}, film.colors.omega},
+                     {"x₁", {0, 0}, {0, -1}, film.colors.axis[0]}}));
+  return image;
+}
+
+/// Releases of Cairo and of compilers may round a coverage differently, which is no more than a few
+/// levels of 255; one figure that is another changes a dozen pixels by far more.
+bool alike(const Image& a, const Image& b) {
+  constexpr int threshold = 24;
+  constexpr double most_pixels = 6;
+  const auto difference = compare(a, b, threshold);
+  return difference && difference->share * a.width * a.height <= most_pixels;
+}
+
+class OverlayGoldenImage : public testing::TestWithParam<OverlayGolden> {
+ protected:
+  static fs::path path() {
+    return fs::path(TWRENCH_TESTS_DIR) / "golden" / (std::string(GetParam().name) + ".png");
+  }
+};
+
+TEST_P(OverlayGoldenImage, IsDrawn) {
+  const Image actual = drawn(GetParam().scene);
+  if (std::getenv("TWRENCH_UPDATE_GOLDENS") != nullptr) {
+    write_file_atomically(path(), encode_png(actual));
+    return;
+  }
+  if (alike(actual, read_png(path()))) return;
+  const fs::path folder(TWRENCH_SCRATCH);
+  const fs::path seen = folder / (std::string(GetParam().name) + "-actual.png");
+  make_folder(folder);
+  write_file_atomically(seen, encode_png(actual));
+  ADD_FAILURE() << "other than " << path() << "; see " << seen;
+}
+
+// What the thresholds must not let pass.
+TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
+  const Image golden = read_png(path());
+  EXPECT_FALSE(alike(drawn(GetParam().scene, [](Instant& i) { i.sample.t += 0.1; }), golden));
+  EXPECT_FALSE(alike(drawn(GetParam().scene, [](Instant& i) { i.diagnostics.energy_drift = 7e-3; }),
+                     golden));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
+                         [](const auto& param) {
+                           std::string name(param.param.name);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(ComponentsInTheGoldens, ShowATransposedPose) {
+  const Scene scene = goldens()[0].scene;
+  EXPECT_FALSE(
+      alike(drawn(scene, [](Instant& i) { i.sample.X.transposeInPlace(); }), drawn(scene)));
+}
+
+}  // namespace
+}  // namespace twrench
