@@ -3,6 +3,7 @@
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
 #   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
+#   setup.sh coverage to count the lines that the tests run, and to run them under valgrind
 # When nothing is missing it says nothing and calls neither apt nor sudo.
 set -euo pipefail
 
@@ -20,8 +21,9 @@ case "${1-}" in
   render) ;;
   test) packages+=("${test_packages[@]}") ;;
   tidy) packages+=("${test_packages[@]}" clang-tidy-14 clang-14 libclang-rt-14-dev) ;;
+  coverage) packages+=("${test_packages[@]}" gcovr valgrind) ;;
   *)
-    echo "usage: $0 render|test|tidy" >&2
+    echo "usage: $0 render|test|tidy|coverage" >&2
     exit 2
     ;;
 esac
