@@ -3,7 +3,8 @@
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
 #   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
-#   setup.sh bench    to build its benchmarks
+#   setup.sh bench    to build its benchmarks, and the rival to run beside it
+#   setup.sh coverage to count the lines that the tests run, and to run them under valgrind
 # When nothing is missing it says nothing and calls neither apt nor sudo.
 set -euo pipefail
 
@@ -23,9 +24,10 @@ case "${1-}" in
   render) ;;
   test) packages+=("${test_packages[@]}") ;;
   tidy) packages+=("${test_packages[@]}" clang-tidy-14 clang-14 libclang-rt-14-dev) ;;
-  bench) packages+=(libbenchmark-dev libgsl-dev libsundials-dev) ;;
+  bench) packages+=(libbenchmark-dev libgsl-dev libsundials-dev python3-vtk9 xvfb xauth) ;;
+  coverage) packages+=("${test_packages[@]}" gcovr valgrind) ;;
   *)
-    echo "usage: $0 render|test|tidy|bench" >&2
+    echo "usage: $0 render|test|tidy|bench|coverage" >&2
     exit 2
     ;;
 esac

@@ -21,14 +21,6 @@ bool has_frames(const std::filesystem::path& folder) {
   });
 }
 
-/// Whether the run that the manifest is of draws some of these frames.
-bool draws_any(const Manifest& head, const std::vector<int>& frames) {
-  const std::vector<int> drawn =
-      frames_of_shard(parse_frame_range(head.range, max_frame_count), head.shard);
-  return std::ranges::any_of(drawn,
-                             [&](int frame) { return std::ranges::binary_search(frames, frame); });
-}
-
 }  // namespace
 
 EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
@@ -44,6 +36,15 @@ EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
   } else if (has_any_frames && manifests.empty()) {
     objection_ = "has frames without a manifest";
   }
+}
+
+bool EarlierRun::draws_any(const Manifest& head, const std::vector<int>& frames) {
+  if (head.range != last_range_) {
+    last_range_ = head.range;
+    last_frames_ = parse_frame_range(head.range, max_frame_count);
+  }
+  return std::ranges::any_of(frames_of_shard(last_frames_, head.shard),
+                             [&](int frame) { return std::ranges::binary_search(frames, frame); });
 }
 
 void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& film,

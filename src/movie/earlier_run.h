@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "movie/manifest.h"
@@ -35,12 +36,16 @@ class EarlierRun {
  private:
   void look_at(const std::filesystem::path& manifest, const Manifest& film,
                const std::vector<int>& frames);
+  /// Whether the run that the manifest is of draws some of these frames.
+  bool draws_any(const Manifest& head, const std::vector<int>& frames);
 
   std::filesystem::path folder_;
   std::string objection_;
   std::vector<std::filesystem::path> foreign_;
   std::vector<FrameRecord> own_;
   std::map<int, FrameRecord> by_number_;  ///< of this film
+  std::string last_range_;                ///< of a manifest: all shards have the same
+  std::vector<int> last_frames_;          ///< what it selects
 };
 
 }  // namespace twrench

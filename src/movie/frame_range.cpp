@@ -56,12 +56,10 @@ std::optional<Run> parse_run(std::string_view text) {
   return Run{*first, *last, *step};
 }
 
-}  // namespace
-
-std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
+std::vector<Run> parse_runs(std::string_view range, int frame_count) {
   const std::string what = fmt::format("frames '{}'", range);
-  std::vector<bool> selected;  // as long as the greatest number asks for
-  std::int64_t named = 0;      // frames, each as often as it is named
+  std::vector<Run> runs;
+  std::int64_t named = 0;  // frames, each as often as it is named
   for (bool more = true; more;) {
     more = range.find(',') != std::string_view::npos;
     const std::string_view part = take_until(range, ',');
@@ -80,9 +78,21 @@ std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
       throw UsageError(what,
                        fmt::format("it names more than {} frames, many of them again", most_named));
     }
-    const auto length = static_cast<std::size_t>(run->last) + 1;
+    runs.push_back(*run);
+  }
+  return runs;
+}
+
+}  // namespace
+
+void check_frame_range(std::string_view range, int frame_count) { parse_runs(range, frame_count); }
+
+std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
+  std::vector<bool> selected;  // as long as the greatest number asks for
+  for (const Run& run : parse_runs(range, frame_count)) {
+    const auto length = static_cast<std::size_t>(run.last) + 1;
     selected.resize(std::max(selected.size(), length));
-    for (std::int64_t frame = run->first; frame <= run->last; frame += run->step) {
+    for (std::int64_t frame = run.first; frame <= run.last; frame += run.step) {
       selected[static_cast<std::size_t>(frame)] = true;
     }
   }

@@ -16,6 +16,9 @@ constexpr int max_frame_count = 10'000'000;
 /// Throws UsageError, naming the part that is wrong and what is allowed.
 std::vector<int> parse_frame_range(std::string_view range, int frame_count);
 
+/// Throws as parse_frame_range, and takes no time for the frames themselves.
+void check_frame_range(std::string_view range, int frame_count);
+
 /// The RANGE that names exactly these ascending frames: "0-3,7".
 std::string format_frame_range(std::span<const int> frames);
 

@@ -144,8 +144,10 @@ Json parse_json(std::string_view text, const std::string& name, std::vector<Fram
 /// Throws unless the frames are some of the range's, ascending. `place` is what is left of them:
 /// whatever is no object.
 void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
-                  const std::vector<int>& range) {
+                  const std::string& range_text) {
   if (place.size_of_array() != 0) place.item(0).fail("an object");
+  if (frames.empty()) return;  // a head: its range may be of a million frames
+  const std::vector<int> range = parse_frame_range(range_text, max_frame_count);
   auto asked = range.begin();
   for (std::size_t i = 0; i < frames.size(); ++i) {
     asked = std::find(asked, range.end(), frames[i].frame);
@@ -156,12 +158,15 @@ void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
   }
 }
 
-std::vector<int> frame_range(const Place& place) {
+/// The range in the manifest, which is one.
+std::string frame_range(const Place& place) {
+  std::string range = place.text();
   try {
-    return parse_frame_range(place.text(), max_frame_count);
+    check_frame_range(range, max_frame_count);
   } catch (const UsageError&) {
     place.fail("a range of frames");
   }
+  return range;
 }
 
 Shard shard_of(const Place& root) {
@@ -226,7 +231,8 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
   if (size.size_of_array() != 2) {
     size.fail("[width, height]");
   }
-  check_frames(frames, root.key("frames"), frame_range(root.key("range")));
+  const std::string range = frame_range(root.key("range"));
+  check_frames(frames, root.key("frames"), range);
   return {.version = root.key("version").text(),
           .scene = root.key("scene").value(),
           .renderer = root.key("renderer").text(),
@@ -234,7 +240,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
           .height = size.item(1).integer(1, max_image_side),
           .fps = positive(root.key("fps")),
           .encoder = texts(root.key("encoder")),
-          .range = root.key("range").text(),
+          .range = range,
           .shard = shard_of(root),
           .frames = std::move(frames)};
 }
