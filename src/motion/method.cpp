@@ -77,7 +77,7 @@ constexpr Method all[] = {
      "commutator-free: products of two exponentials"},
     {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
      "five implicit trapezoids a step; keeps the energy to round-off"},
-    {"taylor", Taylor{24}, 24, 24, true, false,
+    {"taylor", Taylor{20}, 20, 20, true, false,
      "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
      "Taylor series of momentum and one angle, adaptive; keeps the energy; the fastest"},
     {"exact", ClosedForm{}, 0, 0, true, true,
