@@ -14,7 +14,7 @@ struct FilmGolden {
   const char* name;
   std::set<Feature> show;
   View view = View::wrench;
-  int frame = 250;
+  int frame = 590;
   Eigen::Vector3d omega{1, 0.05, 0};
   double elevation = 0.245;
 };
@@ -28,7 +28,7 @@ std::vector<FilmGolden> goldens() {
       {"film-arrows", {momentum, omega}},
       {"film-trail", {trail}},
       {"film-plane", {momentum, omega, trail, plane}, View::wrench, 600},
-      {"film-from-above", {axes, momentum, plane}, View::wrench, 120, {1, 0.05, 0}, 1.5707963},
+      {"film-from-above", {axes, momentum, plane}, View::wrench, 590, {1, 0.05, 0}, 1.5707963},
       {"film-insets", {momentum, omega, trail, sphere, poinsot}, View::wrench, 600},
       {"film-momentum", {trail}, View::momentum, 280},
       {"film-momentum-stable", {trail}, View::momentum, 280, {0.2, 0.1, -1}},
