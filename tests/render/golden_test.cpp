@@ -21,6 +21,7 @@ struct Golden {
   const char* name;
   Scene scene;
   Matrix3d X;
+  std::set<Feature> features = {};
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
@@ -37,6 +38,12 @@ Scene mixed_body() {
                      {Ellipsoid{{1.5, 1, 0.8}}, 5, {-3, -1, 0.5}, Matrix3d::Identity()}});
 }
 
+Scene with_theme(Theme theme) {
+  Scene scene = t_wrench(320, 180);
+  scene.look.theme = theme;
+  return scene;
+}
+
 std::vector<Golden> goldens() {
   Scene transparent = t_wrench(240, 240);
   transparent.look.transparent = true;
@@ -47,7 +54,10 @@ std::vector<Golden> goldens() {
   painted.look.roughness = 0.6;
   Scene moments = t_wrench(320, 180);
   moments.body = {{}, Vector3d(3, 5, 7)};
+  Scene blurred = t_wrench(320, 180);
+  blurred.look.motion_blur = 6;
   const Matrix3d Id = Matrix3d::Identity();
+  const Matrix3d tumbling = so3::exp(Vector3d(0.7, -0.9, 0.4));
   return {
       {"wrench", t_wrench(320, 180), Id},
       {"wrench-tumbling", t_wrench(320, 180), so3::exp(Vector3d(0.7, -0.9, 0.4))},
@@ -61,13 +71,17 @@ std::vector<Golden> goldens() {
       {"ellipsoid", with_parts({{Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Id}}),
        so3::exp(Vector3d(0.9, 0.7, 0.3))},
       {"mixed", mixed_body(), so3::exp(Vector3d(0.4, 0.6, -0.2))},
+      {"floor", with_theme(Theme::studio), tumbling, {Feature::floor}},
+      {"paper", with_theme(Theme::paper), tumbling, {Feature::floor}},
+      {"space", with_theme(Theme::space), tumbling, {Feature::floor}},
+      {"motion-blur", blurred, tumbling},
       {"moments-alone", moments, so3::exp(Vector3d(-0.6, 0.5, 0.4))},
   };
 }
 
 Image drawn(const Golden& golden, const Matrix3d& X) {
   const auto context = gl::make_osmesa_context();
-  return PoseRenderer(*context, golden.scene).draw(X);
+  return PoseRenderer(*context, golden.scene, golden.features).draw(X);
 }
 
 class GoldenImage : public testing::TestWithParam<Golden> {};
