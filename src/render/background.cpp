@@ -44,8 +44,11 @@ void add_stars(Image& image, int count) {
     const double x = uniform() * image.width;
     const double y = uniform() * image.height;
     const double brightness = std::pow(uniform(), 5.0);  // few are bright
-    const double radius = std::max(0.8, image.height / 1080.0 * (0.75 + 0.6 * brightness));
-    const Array3d color = (40 + 190 * brightness) * Array3d(1, 0.94 + 0.06 * uniform(), 1);
+    const double true_radius = image.height / 1080.0 * (0.75 + 0.6 * brightness);
+    const double radius = std::max(0.8, true_radius);
+    // Wider than true, a star is fainter.
+    const Array3d color = (40 + 190 * brightness) * std::min(1.0, true_radius / radius) *
+                          Array3d(1, 0.94 + 0.06 * uniform(), 1);
     const int reach = static_cast<int>(std::ceil(3 * radius));
     for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row) {
       for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +15,8 @@ using Eigen::Vector3d;
 constexpr int levels = 4;         // around each end of an axis
 constexpr int around = 240;       // points of a curve
 constexpr double lifted = 1.002;  // curves, off the facets of the sphere
-constexpr double axis_end = 1.28, reach = 1.17;
+constexpr double axis_end = 1.28;
+constexpr double named = 1.12;  // times that, the end of the axis' name
 
 /// The picture's axes, right-handed, x to the right: that of least moment is up, and the
 /// intermediate one towards the viewer.
@@ -54,8 +56,10 @@ Camera MomentumView::camera(double film_time) const {
   const double elevation = std::atan2(from.y(), std::hypot(from.x(), from.z()));
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
   constexpr double field_of_view = 0.5;
-  return widened(frame_sphere({direction_of(azimuth, elevation), field_of_view, aspect, reach}),
-                 pane_.focus, pane_.area);
+  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
+  // Seen from any azimuth, as the camera may go around: only the axis that is up can stick out.
+  framing.distance = distance_to_see(framing, std::array{Vector3d(0, named * axis_end, 0)});
+  return widened(frame_sphere(framing), pane_.focus, pane_.area);
 }
 
 Vector3d MomentumView::place_of(const Sample& sample) const {

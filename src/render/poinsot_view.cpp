@@ -70,7 +70,7 @@ Camera PoinsotView::camera(double film_time) const {
                   radii_.maxCoeff()};
   std::vector<Vector3d> points;
   if (!at_rest()) {
-    points.emplace_back(0, momentum_end, 0);
+    points.emplace_back(0, 1.1 * momentum_end, 0);  // and its name
     for (int i = 0; i < 24; ++i) {
       const double angle = 2 * std::numbers::pi * i / 24;
       points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));

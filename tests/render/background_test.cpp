@@ -62,7 +62,7 @@ TEST(Background, HasTheSameStarsInEverySize) {
       ++stars;
       EXPECT_GT(small.pixels[static_cast<std::size_t>(y) * small.row_bytes() +
                              static_cast<std::size_t>(x) * 3],
-                30)
+                20)
           << x << " " << y;
     }
   }

@@ -3,23 +3,17 @@
 // looked at and committed with its reason.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <ostream>
 
-#include "base/file.h"
-#include "image/compare.h"
-#include "image/png.h"
 #include "render/component_panel.h"
+#include "render/golden.h"
 #include "render/hud.h"
 #include "render/label_painter.h"
 #include "render/overlay_scene.h"
 
 namespace twrench {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct OverlayGolden {
   const char* name;
@@ -100,40 +94,25 @@ Image drawn(
 
 /// Releases of Cairo and of compilers may round a coverage differently, which is no more than a few
 /// levels of 255; one figure that is another changes a dozen pixels by far more.
-bool alike(const Image& a, const Image& b) {
+bool same_words(const Image& a, const Image& b) {
   constexpr int threshold = 24;
   constexpr double most_pixels = 6;
   const auto difference = compare(a, b, threshold);
   return difference && difference->share * a.width * a.height <= most_pixels;
 }
 
-class OverlayGoldenImage : public testing::TestWithParam<OverlayGolden> {
- protected:
-  static fs::path path() {
-    return fs::path(TWRENCH_TESTS_DIR) / "golden" / (std::string(GetParam().name) + ".png");
-  }
-};
+class OverlayGoldenImage : public testing::TestWithParam<OverlayGolden> {};
 
 TEST_P(OverlayGoldenImage, IsDrawn) {
-  const Image actual = drawn(GetParam().scene);
-  if (std::getenv("TWRENCH_UPDATE_GOLDENS") != nullptr) {
-    write_file_atomically(path(), encode_png(actual));
-    return;
-  }
-  if (alike(actual, read_png(path()))) return;
-  const fs::path folder(TWRENCH_SCRATCH);
-  const fs::path seen = folder / (std::string(GetParam().name) + "-actual.png");
-  make_folder(folder);
-  write_file_atomically(seen, encode_png(actual));
-  ADD_FAILURE() << "other than " << path() << "; see " << seen;
+  expect_golden(GetParam().name, drawn(GetParam().scene), same_words);
 }
 
 // What the thresholds must not let pass.
 TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
-  const Image golden = read_png(path());
-  EXPECT_FALSE(alike(drawn(GetParam().scene, [](Instant& i) { i.sample.t += 0.1; }), golden));
-  EXPECT_FALSE(alike(drawn(GetParam().scene, [](Instant& i) { i.diagnostics.energy_drift = 7e-3; }),
-                     golden));
+  const Image golden = read_png(golden_path(GetParam().name));
+  EXPECT_FALSE(same_words(drawn(GetParam().scene, [](Instant& i) { i.sample.t += 0.1; }), golden));
+  EXPECT_FALSE(same_words(
+      drawn(GetParam().scene, [](Instant& i) { i.diagnostics.energy_drift = 7e-3; }), golden));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
@@ -146,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
 TEST(ComponentsInTheGoldens, ShowATransposedPose) {
   const Scene scene = goldens()[0].scene;
   EXPECT_FALSE(
-      alike(drawn(scene, [](Instant& i) { i.sample.X.transposeInPlace(); }), drawn(scene)));
+      same_words(drawn(scene, [](Instant& i) { i.sample.X.transposeInPlace(); }), drawn(scene)));
 }
 
 }  // namespace
