@@ -15,26 +15,25 @@ struct Need {
   double film = 0;
 };
 
+struct Shortage {
+  std::filesystem::path path;
+  double free;
+  double needed;
+};
+
 /// Where there is too little room for it, if anywhere.
-std::optional<FileError> objection(const PlannedOutput& output, const Need& need) {
+std::optional<Shortage> find_shortage(const PlannedOutput& output, const Need& need) {
   const bool shared = output.frames_folder && output.film &&
                       on_same_disk(*output.frames_folder, output.film->parent_path());
-  const auto check = [&](const std::filesystem::path& folder, double bytes,
-                         const std::string& path) -> std::optional<FileError> {
-    const auto free = static_cast<double>(free_space(folder));
-    if (bytes <= free) return std::nullopt;
-    return FileError("cannot write " + path,
-                     fmt::format("{} are free there, and the run is estimated to need {}",
-                                 format_bytes(free), format_bytes(bytes)),
-                     "free some space, choose another disk, a smaller --size or fewer --frames");
-  };
   if (output.frames_folder) {
-    const double bytes = need.frames + (shared ? need.film : 0);
-    if (auto error = check(*output.frames_folder, bytes, output.frames_folder->string())) {
-      return error;
-    }
+    const auto free = static_cast<double>(free_space(*output.frames_folder));
+    const double needed = need.frames + (shared ? need.film : 0);
+    if (needed > free) return Shortage{*output.frames_folder, free, needed};
   }
-  if (output.film) return check(output.film->parent_path(), need.film, output.film->string());
+  if (output.film) {
+    const auto free = static_cast<double>(free_space(output.film->parent_path()));
+    if (need.film > free) return Shortage{*output.film, free, need.film};
+  }
   return std::nullopt;
 }
 
@@ -47,10 +46,15 @@ void require_space(const PlannedOutput& output, const std::function<Image()>& dr
   constexpr double film_bytes_a_pixel = 0.25;
   const Need bound{new_frames * output.frame_pixels * png_bytes_a_pixel,
                    film_frames * output.frame_pixels * film_bytes_a_pixel};
-  if (!objection(output, bound)) return;
+  if (!find_shortage(output, bound)) return;
   const auto png = static_cast<double>(encode_png(draw_one()).size());
   const Need estimate{1.25 * png * new_frames, 0.1 * png * film_frames};
-  if (const auto error = objection(output, estimate)) throw *error;
+  if (const auto shortage = find_shortage(output, estimate)) {
+    throw FileError("cannot write " + shortage->path.string(),
+                    fmt::format("{} are free there, and the run is estimated to need {}",
+                                format_bytes(shortage->free), format_bytes(shortage->needed)),
+                    "free some space, choose another disk, a smaller --size or fewer --frames");
+  }
 }
 
 }  // namespace twrench

@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder, or the nearest above it that exists.
+/// The folder, or the nearest above it that exists. That of a name alone is this one.
 fs::path existing(const fs::path& folder) {
   std::error_code failed;
-  fs::path path = fs::absolute(folder, failed);
+  fs::path path = fs::absolute(folder.empty() ? fs::path(".") : folder, failed);
   while (!fs::exists(path, failed) && path != path.parent_path()) path = path.parent_path();
   return path;
 }
