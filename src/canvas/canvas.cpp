@@ -1,8 +1,7 @@
 #include "canvas/canvas.h"
 
-#include <cairo.h>
-
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -108,8 +107,8 @@ void Canvas::soft_panel(const Area& core, double feather, const Ink& ink) {
       const double dx = std::max({core.x - x, x - core.x - core.width, 0.0});
       const double t = std::max(0.0, 1 - std::hypot(dx, dy) / feather);
       const double alpha = ink.opacity * t * t * (3 - 2 * t);
-      const int color[]{ink.color.red, ink.color.green, ink.color.blue, 255};
-      for (int c = 0; c < 4; ++c) {
+      const std::array color{ink.color.red, ink.color.green, ink.color.blue, 255};
+      for (std::size_t c = 0; c < 4; ++c) {
         out[c] = static_cast<std::uint8_t>(std::lround(color[c] * alpha + out[c] * (1 - alpha)));
       }
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cairo.h>
+
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,9 +10,6 @@
 #include "image/area.h"
 #include "image/image.h"
 #include "scene/color.h"
-
-using cairo_t = struct _cairo;
-using cairo_surface_t = struct _cairo_surface;
 
 namespace twrench {
 

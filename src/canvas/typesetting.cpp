@@ -19,10 +19,10 @@ Character plain(char32_t point) {
   constexpr double scale = 0.66, raised = -0.34, lowered = 0.16;
   constexpr std::u32string_view superscripts = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", subscripts = U"₀₁₂₃₄₅₆₇₈₉₊₋";
   constexpr std::u32string_view plains = U"0123456789+−";
-  if (const auto i = superscripts.find(point); i != superscripts.npos) {
+  if (const auto i = superscripts.find(point); i != std::u32string_view::npos) {
     return {plains[i], raised, scale};
   }
-  if (const auto i = subscripts.find(point); i != subscripts.npos) {
+  if (const auto i = subscripts.find(point); i != std::u32string_view::npos) {
     return {plains[i], lowered, scale};
   }
   return {point};

@@ -111,7 +111,8 @@ void ComponentPanel::draw_curves(Canvas& canvas, const Take& take, std::size_t i
 
 Color ComponentPanel::ink(const Plot& plot, std::size_t take) const {
   if (takes_ > 1) return take_color(colors_, take);
-  return colors_.curve[static_cast<std::size_t>(3 * plot.row + plot.column)];
+  return colors_
+      .curve[3 * static_cast<std::size_t>(plot.row) + static_cast<std::size_t>(plot.column)];
 }
 
 std::vector<Layer> ComponentPanel::draw(const Moment& moment) {

@@ -13,8 +13,10 @@ namespace {
 /// What the figures of one film have in common.
 class Figures {
  public:
-  Figures(const Scene& scene, const std::vector<Take>& takes)
-      : longest_(scene.motion.duration), resolution_(scene.film.speed / scene.film.fps) {
+  Figures(const Scene& scene, const std::vector<Take>& takes, bool compact)
+      : longest_(scene.motion.duration),
+        resolution_(scene.film.speed / scene.film.fps),
+        compact_(compact) {
     for (const Take& take : takes) flips_ = std::max(flips_, take.flip_times.size());
   }
 
@@ -23,11 +25,11 @@ class Figures {
             [self = *this](const Moment& m) { return self.text(m.instants[0].sample.t); }};
   }
   Figure energy_drift(std::size_t take) const {
-    return {"energy drift", "+8.8×10⁻¹⁸", [take](const Moment& m) {
+    return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁸", [take](const Moment& m) {
               return hud_text::drift(m.instants[take].diagnostics.energy_drift);
             }};
   }
-  Figure orthogonality(std::size_t take) const {
+  static Figure orthogonality(std::size_t take) {
     return {"off SO(3)", "8.8×10⁻¹⁸", [take](const Moment& m) {
               return hud_text::error(m.instants[take].diagnostics.orthogonality_error);
             }};
@@ -48,6 +50,7 @@ class Figures {
 
   double longest_;
   double resolution_;
+  bool compact_;
   std::size_t flips_ = 0;
 };
 
@@ -71,7 +74,7 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
          const Typeface& typeface, const OverlayColors& colors) {
   const auto& [title_size, figure_size, caption_size] = layout.text;
   const WordStyle style{typeface, colors, layout.text, layout.compact};
-  const Figures figures(scene, takes);
+  const Figures figures(scene, takes, layout.compact);
   if (layout.title) {
     require_characters(typeface.strong, scene.title);
     WordBlock& block = blocks_.emplace_back(style, *layout.title);
@@ -96,7 +99,7 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
     const Color curve = take_color(colors, i);
     block.add_line(std::string(takes[i].method->name), typeface.strong, 0.85 * title_size,
                    colors.text, layout.components ? &curve : nullptr);
-    block.add_figures({figures.energy_drift(i), figures.orthogonality(i), figures.flips(i)});
+    block.add_figures({figures.energy_drift(i), Figures::orthogonality(i), figures.flips(i)});
   }
   const Area picture{0, 0, scene.film.width, scene.film.height};
   for (WordBlock& block : blocks_) block.finish(picture);

@@ -12,14 +12,14 @@ constexpr double caption_height = 1.4;  // em of the caption above a figure
 constexpr double figure_height = 1.25;  // em
 constexpr double between = 1.3;         // em of the figure, between two of them
 
+double width_of(const std::string& text, const Font& font, double size) {
+  return size * typeset(font, text).width;
+}
+
 }  // namespace
 
 WordBlock::WordBlock(const WordStyle& style, const Area& area)
     : style_(style), area_(area), extent_{area.x, area.y, 0, 0}, y_(area.y) {}
-
-double WordBlock::width_of(const std::string& text, const Font& font, double size) const {
-  return size * typeset(font, text).width;
-}
 
 void WordBlock::extend(double right, double bottom) {
   extent_.width = std::max(extent_.width, static_cast<int>(std::ceil(right)) - extent_.x);
@@ -58,7 +58,7 @@ void WordBlock::place(const Figure& figure, double x, double y, double caption_w
   values_.push_back({figure.value, size, {x + caption_width, base}, Canvas::Align::left});
 }
 
-void WordBlock::add_figures(std::vector<Figure> figures) {
+void WordBlock::add_figures(const std::vector<Figure>& figures) {
   const auto& [title, size, caption] = style_.sizes;
   const Font& font = style_.typeface.regular;
   const double height = figure_height * size + (style_.compact ? 0 : caption_height * caption);

@@ -41,7 +41,7 @@ class WordBlock {
 
   /// Side by side in rows or, where the area is upright, below one another: the first ones, where
   /// there is no room for all.
-  void add_figures(std::vector<Figure> figures);
+  void add_figures(const std::vector<Figure>& figures);
 
   /// In the top right corner, without a caption; lines that are added later leave it room.
   void add_corner(Figure figure);
@@ -68,7 +68,6 @@ class WordBlock {
     Canvas::Align align;
   };
 
-  double width_of(const std::string& text, const Font& font, double size) const;
   void extend(double right, double bottom);
   void place(const Figure& figure, double x, double y, double caption_width);
 

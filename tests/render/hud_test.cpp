@@ -70,6 +70,23 @@ TEST(Hud, HasRoomForLongNamesInEveryPane) {
   }
 }
 
+TEST(Hud, ShowsEachMethodsDriftInTheSmallestPanes) {
+  for (const auto& [width, height] : {std::pair(320, 180), {180, 320}}) {
+    for (const std::size_t count : {2U, 3U}) {
+      Scene scene = film_of(width, height);
+      scene.overlay.compare.assign(count, "exact");
+      scene.motion.duration = 1;
+      const OverlayScene film(scene);
+      Hud hud = hud_of(film);
+      ASSERT_EQ(film.layout.legends.size(), count);
+      Moment moment = film.timeline.moment(0);
+      const auto before = hud.draw(moment);
+      moment.instants[1].diagnostics.energy_drift = 0.5;
+      EXPECT_FALSE(same(hud.draw(moment), before)) << width << "x" << height << " " << count;
+    }
+  }
+}
+
 TEST(Hud, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene film(film_of(640, 360));
   Hud hud = hud_of(film);
