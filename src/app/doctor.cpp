@@ -41,8 +41,10 @@ Finding examine(std::string name, std::string used_for, const std::function<std:
 }
 
 std::vector<Finding> examine_backends() {
+  const std::vector<gl::BackendReport> reports = gl::backends();
   std::vector<Finding> findings;
-  for (const gl::BackendReport& report : gl::backends()) {
+  findings.reserve(reports.size());
+  for (const gl::BackendReport& report : reports) {
     const std::size_t line = report.why_not.find('\n');
     findings.push_back({"OpenGL by " + report.name, "drawing", report.renderer,
                         report.why_not.substr(0, line),
