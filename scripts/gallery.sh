@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Draws the pictures of docs/gallery.md and of the README anew, each by the command that stands there.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=${TWRENCH:-build/release/bin/twrench}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# picture NAME FRAME [OPTION ...]: one frame as docs/images/NAME.jpg, at most 1280 pixels wide
+picture() {
+  local name=$1 frame=$2
+  shift 2
+  "$program" render "$@" --frames "$frame" --no-video --frames-dir "$scratch/$name" --progress none
+  convert "$scratch/$name/frame_$(printf %06d "$frame").png" -resize '1280x1280>' -quality 88 \
+    "docs/images/$name.jpg"
+}
+
+# Each line of the gallery that begins with this comment is one picture.
+sed -n 's/^<!-- picture \(.*\) -->$/\1/p' docs/gallery.md | while read -r -a words; do
+  picture "${words[@]}" </dev/null
+done
