@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "motion/exact.h"
 #include "motion/reference.h"
@@ -16,8 +17,8 @@
 namespace twrench::bench {
 namespace {
 
-constexpr double levels[] = {1e-6, 1e-9, 1e-12};
-constexpr std::size_t level_count = std::size(levels);
+constexpr std::array levels{1e-6, 1e-9, 1e-12};
+constexpr std::size_t level_count = levels.size();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// How a candidate fares on a problem.
@@ -108,10 +109,11 @@ void compare(const Problem& problem, int rounds) {
     candidates.insert(candidates.end(), list.begin(), list.end());
   }
   std::vector<Score> scores;
+  scores.reserve(candidates.size());
   for (const Candidate& candidate : candidates) scores.push_back(search(candidate, problem));
   measure(scores, problem, rounds);
   print(problem, scores);
-  std::fflush(stdout);
+  static_cast<void>(std::fflush(stdout));  // what follows takes a while
   compare_samples(problem, rounds);
 }
 
@@ -133,7 +135,7 @@ std::vector<double> step_counts() {
 
 int main(int count, char** arguments) {
   using namespace twrench::bench;
-  const int rounds = count > 1 ? std::atoi(arguments[1]) : 15;
+  const int rounds = count > 1 ? std::stoi(arguments[1]) : 15;
   compare(problem("wrench-a", 100), rounds);
   compare(problem("near-separatrix", 60), rounds);
   compare(problem("near-separatrix", 100), rounds);

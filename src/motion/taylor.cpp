@@ -138,7 +138,7 @@ double TaylorSeries::last_terms(double h) const {
 }
 
 double TaylorSeries::reach(double tolerance) const {
-  const double order = static_cast<double>(order_);
+  const auto order = static_cast<double>(order_);
   const double before = term(order_ - 1), last = term(order_);
   double s = std::pow(tolerance / before, 1 / (order - 1));
   if (last * s > before) s = std::pow(tolerance / last, 1 / order);
