@@ -193,17 +193,18 @@ fs::path frames_folder(const Options& options, const Scene& scene) {
   return options.frames_dir.empty() ? fs::path("out") / scene.name : fs::path(options.frames_dir);
 }
 
-VideoFormat video_format(const Scene& scene) {
-  return {scene.film.width, scene.film.height, scene.film.fps};
+VideoFormat video_format(const Options& options, const Scene& scene) {
+  return {scene.film.width, scene.film.height, scene.film.fps,
+          container_of(video_path(options, scene)), scene.look.transparent};
 }
 
 /// The encoder, known to work; null with --no-video.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return nullptr;
-  require_encoder(video_format(scene));
+  require_encoder(video_format(options, scene));
   const fs::path path = video_path(options, scene);
   if (path.has_parent_path()) make_folder(path.parent_path());
-  return std::make_unique<VideoEncoder>(path, video_format(scene));
+  return std::make_unique<VideoEncoder>(path, video_format(options, scene));
 }
 
 Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer) {
@@ -214,7 +215,7 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   manifest.width = scene.film.width;
   manifest.height = scene.film.height;
   manifest.fps = scene.film.fps;
-  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
+  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(options, scene));
   return manifest;
 }
 

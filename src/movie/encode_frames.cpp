@@ -59,7 +59,9 @@ void encode_frames(const std::filesystem::path& folder, const std::filesystem::p
                     "frames are missing: " + format_frame_range(missing),
                     "render them again: --frames " + manifest.range);
   }
-  const VideoFormat format{manifest.width, manifest.height, manifest.fps};
+  const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
+  const VideoFormat format{manifest.width, manifest.height, manifest.fps, container_of(output),
+                           transparent};
   require_encoder(format);
   VideoEncoder encoder(output, format);
   const int total = static_cast<int>(manifest.frames.size());

@@ -76,34 +76,35 @@ void blend_over_black(const Image& rgba, std::vector<std::uint8_t>& rgb) {
 }  // namespace
 
 std::vector<std::string> encoder_arguments(const VideoFormat& format) {
-  const auto& [width, height, fps] = format;
+  const auto& [width, height, fps, container, transparent] = format;
   if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0) {
     throw UsageError(fmt::format("a film of {}x{}", width, height),
-                     "H.264 in yuv420p needs an even width and height",
+                     "films need an even width and height",
                      fmt::format("use --size {}x{}, or --no-video for the frames alone",
                                  std::max(2, width + width % 2), std::max(2, height + height % 2)));
   }
-  // Without accurate_rnd the conversion makes colours a tenth of a level darker on average.
-  // aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first.
+  // ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
+  // conversion makes colours a tenth of a level darker on average.
   return words(
       fmt::format("-hide_banner -loglevel error -xerror -y "
-                  "-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i pipe:0 "
+                  "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} -i pipe:0 "
                   "-vf scale=in_range=pc:out_range=tv:out_color_matrix=bt709:"
-                  "flags=bicubic+accurate_rnd,format=yuv420p "
-                  "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 "
-                  "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv "
-                  "-movflags +faststart -f mp4",
-                  width, height, rational(fps)));
+                  "flags=bicubic+accurate_rnd,"
+                  "setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709 {}",
+                  format.has_alpha() ? "rgba" : "rgb24", width, height, rational(fps),
+                  codec_arguments(container, format.has_alpha())));
 }
 
 void require_encoder(const VideoFormat& format) {
   encoder_arguments(format);  // what is wrong with the size
-  const VideoFormat tiny{64, 64, format.fps};
+  VideoFormat tiny = format;
+  tiny.width = tiny.height = 64;
   ChildProcess ffmpeg = start(ffmpeg_command(encoder_arguments(tiny), {"-f", "null", "-"}));
-  ffmpeg.write(std::vector<std::uint8_t>(std::size_t{3} * 64 * 64));
+  ffmpeg.write(std::vector<std::uint8_t>((format.has_alpha() ? 4U : 3U) * 64 * 64));
   if (ffmpeg.wait() != 0) {
-    throw EncoderError("ffmpeg cannot make the film", last_words(ffmpeg.error_output()),
-                       "install one that has libx264: apt-get install ffmpeg");
+    throw EncoderError(
+        "ffmpeg cannot make the film", last_words(ffmpeg.error_output()),
+        "install one that has libx264, libvpx and prores_ks: apt-get install ffmpeg");
   }
 }
 
@@ -118,10 +119,11 @@ void VideoEncoder::write(const Image& frame) {
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("a frame of another size than the film's");
   }
-  if (frame.channels == 4) {
+  const bool blend = frame.channels == 4 && !format_.has_alpha();
+  if (blend) {
     blend_over_black(frame, opaque_);
   }
-  if (!ffmpeg_.write(frame.channels == 4 ? opaque_ : frame.pixels)) {
+  if (!ffmpeg_.write(blend ? opaque_ : frame.pixels)) {
     fail();
   }
 }

@@ -8,6 +8,7 @@
 #include "base/child_process.h"
 #include "base/file.h"
 #include "image/image.h"
+#include "movie/codec.h"
 
 namespace twrench {
 
@@ -15,10 +16,14 @@ struct VideoFormat {
   int width = 0;     ///< pixels, even
   int height = 0;    ///< pixels, even
   double fps = 0.0;  ///< frames per second
+  Container container = Container::mp4;
+  bool transparent = false;  ///< frames are RGBA, and the container is to keep their alpha
+
+  bool has_alpha() const { return transparent && keeps_alpha(container); }
 };
 
-/// ffmpeg's arguments, but for the output file: from raw RGB frames at its standard input to H.264
-/// in an MP4, yuv420p, converted to BT.709 limited range and tagged so.
+/// ffmpeg's arguments, but for the output file: from raw frames at its standard input, RGB or with
+/// alpha RGBA, to what codec_arguments() says, converted to BT.709 limited range and tagged so.
 /// Throws UsageError for odd sizes, which yuv420p cannot have, and a rate that is not one.
 std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
@@ -34,8 +39,8 @@ class VideoEncoder {
   /// to, EncoderError when ffmpeg is missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format);
 
-  /// Adds a frame, which must have the film's size. The film has no alpha: RGBA is shown over
-  /// black. Throws EncoderError when ffmpeg failed.
+  /// Adds a frame, which must have the film's size, and RGBA where it is to have alpha. Where it is
+  /// not, RGBA is shown over black. Throws EncoderError when ffmpeg failed.
   void write(const Image& frame);
 
   /// Completes the film. Throws EncoderError when ffmpeg failed, FileError.
