@@ -139,16 +139,17 @@ fs::path frames_folder(const Options& options, const Scene& scene) {
   return options.frames_dir.empty() ? fs::path("out") / scene.name : fs::path(options.frames_dir);
 }
 
-VideoFormat video_format(const Scene& scene) {
-  return {scene.film.width, scene.film.height, scene.film.fps};
+VideoFormat video_format(const Options& options, const Scene& scene) {
+  return {scene.film.width, scene.film.height, scene.film.fps,
+          container_of(video_path(options, scene)), scene.look.transparent};
 }
 
 /// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
 std::future<void> try_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return {};
-  encoder_arguments(video_format(scene));  // what is wrong with the size
+  encoder_arguments(video_format(options, scene));  // what is wrong with the size
   return std::async(std::launch::async,
-                    [format = video_format(scene)] { require_encoder(format); });
+                    [format = video_format(options, scene)] { require_encoder(format); });
 }
 
 /// The encoder, known to work; null with --no-video.
@@ -158,7 +159,7 @@ std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& 
   trial.get();
   const fs::path path = video_path(options, scene);
   if (path.has_parent_path()) make_folder(path.parent_path());
-  return std::make_unique<VideoEncoder>(path, video_format(scene));
+  return std::make_unique<VideoEncoder>(path, video_format(options, scene));
 }
 
 Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer,
@@ -172,7 +173,7 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   manifest.fps = scene.film.fps;
   manifest.range = format_frame_range(asked);
   manifest.shard = options.shard;
-  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(scene));
+  if (!options.no_video) manifest.encoder = encoder_arguments(video_format(options, scene));
   return manifest;
 }
 

@@ -67,7 +67,9 @@ std::vector<int> encode_frames(const std::filesystem::path& folder,
   const std::vector<int> missing = missing_frames(manifest, folder);
   const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
-  const VideoFormat format{manifest.width, manifest.height, manifest.fps};
+  const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
+  const VideoFormat format{manifest.width, manifest.height, manifest.fps, container_of(output),
+                           transparent};
   require_encoder(format);
   VideoEncoder encoder(output, format);
   const int total = static_cast<int>(manifest.frames.size());

@@ -11,6 +11,7 @@
 #include "image/area.h"
 #include "image/image.h"
 #include "image/yuv.h"
+#include "movie/codec.h"
 
 namespace twrench {
 
@@ -18,10 +19,14 @@ struct VideoFormat {
   int width = 0;     ///< pixels, even
   int height = 0;    ///< pixels, even
   double fps = 0.0;  ///< frames per second
+  Container container = Container::mp4;
+  bool transparent = false;  ///< frames are RGBA, and the container is to keep their alpha
+
+  bool has_alpha() const { return transparent && keeps_alpha(container); }
 };
 
 /// ffmpeg's arguments, but for the output file: from raw frames at its standard input, as
-/// Yuv420::bytes() gives them, to H.264 in an MP4, tagged as what they are.
+/// Yuv420::bytes() gives them or with alpha RGBA, to what codec_arguments() says, tagged BT.709.
 /// Throws UsageError for odd sizes, which yuv420p cannot have, and a rate that is not one.
 std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
@@ -41,8 +46,8 @@ class VideoEncoder {
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
                ChildProcess::Time patience = ChildProcess::default_patience);
 
-  /// Adds a frame, which must have the film's size. The film has no alpha: RGBA is shown over
-  /// black. Throws EncoderError when ffmpeg failed.
+  /// Adds a frame, which must have the film's size, and RGBA where it is to have alpha. Where it is
+  /// not, RGBA is shown over black. Throws EncoderError when ffmpeg failed.
   void write(const Image& frame);
 
   /// The two halves of write(). The frame may be told to be the film's still background outside the
@@ -62,6 +67,7 @@ class VideoEncoder {
   std::vector<std::string> command_;
   ChildProcess ffmpeg_;  // after the file: killed before the file is removed
   Image opaque_;         ///< an RGBA frame over black
+  std::vector<std::uint8_t> with_alpha_;  ///< RGBA, for a film that keeps alpha
   Yuv420 planes_;
   std::vector<Area> changed_before_;
 };

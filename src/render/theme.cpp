@@ -64,8 +64,8 @@ ThemeStyle studio() {
           .metallic = 1,
           .roughness = 0.34,
           .studio = dark_studio(),
-          .backdrop = {{9, 10, 13}, {46, 50, 61}, 0.22, 0},
-          .floor = FloorStyle{{46, 45, 41}, 0.7, 0.16},
+          .backdrop = {{9, 10, 13}, {46, 49, 57}, 0.22, 0},
+          .floor = FloorStyle{{44, 44, 44}, 0.7, 0.16},
           .overlay = on_dark()};
 }
 
@@ -75,7 +75,7 @@ ThemeStyle paper() {
           .roughness = 0.34,
           .studio = white_studio(),
           .backdrop = {{250, 250, 249}, {236, 236, 234}, 0.02, 0},
-          .floor = FloorStyle{{16, 16, 17}, 0.42, 0.10},
+          .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10},
           .overlay = on_paper()};
 }
 

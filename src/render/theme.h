@@ -35,7 +35,9 @@ struct Backdrop {
 };
 
 struct FloorStyle {
-  Color light;        ///< what the pool adds at its middle
+  /// What the pool adds at its middle: gray, for where a dark floor changes its hue the 8 bits of a
+  /// video's colour planes make contours.
+  Color light;
   double shadow;      ///< of the light, how much the deepest shadow takes: 0 to 1
   double reflection;  ///< of the body's mirror image, how much is seen: 0 to 1
 };

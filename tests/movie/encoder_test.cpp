@@ -194,6 +194,56 @@ TEST(Encoder, ShowsTransparentFramesOverBlack) {
   EXPECT_NEAR(decode(scratch, "film.mp4")[0], 100, 2);
 }
 
+TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
+  // Opaque at the left, half seen in the middle, clear at the right.
+  Image image(format.width, format.height, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const auto x = i / 4 % 64;
+    image.pixels[i] = 200;
+    image.pixels[i + 1] = 120;
+    image.pixels[i + 2] = 40;
+    image.pixels[i + 3] = x < 16 ? 255 : (x < 48 ? 128 : 0);
+  }
+  const ScratchFolder scratch;
+  for (const auto& [name, decoder] :
+       {std::pair{"film.webm", "-c:v libvpx-vp9"}, {"film.mov", ""}}) {
+    VideoFormat with_alpha = format;
+    with_alpha.container = container_of(name);
+    with_alpha.transparent = true;
+    require_encoder(with_alpha);
+    VideoEncoder encoder(scratch / name, with_alpha);
+    for (int i = 0; i < 3; ++i) encoder.write(image);
+    encoder.finish();
+    const std::string raw = (scratch / "film.rgba").string();
+    run_command(
+        "ffmpeg -v error -y " + std::string(decoder) + " -i 'file:" + (scratch / name).string() +
+        "' -vf scale=flags=accurate_rnd+full_chroma_int -f rawvideo -pix_fmt rgba 'file:" + raw +
+        "'");
+    const auto decoded = read_file(raw, 1'000'000);
+    ASSERT_EQ(decoded.size(), 3 * image.pixels.size()) << name;
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+      const auto x = i / 4 % 64;
+      if (x % 16 < 4 || x % 16 >= 12) continue;  // away from the edges
+      ASSERT_NEAR(decoded[i], image.pixels[i % image.pixels.size()], 4) << name << " " << i;
+    }
+  }
+}
+
+TEST(Encoder, TakesTheCodecFromTheEnding) {
+  const ScratchFolder scratch;
+  for (const auto& [name, codec] : {std::pair{"film.mov", "codec_name=h264\n"},
+                                    {"film.mkv", "codec_name=h264\n"},
+                                    {"film.webm", "codec_name=vp9\n"}}) {
+    VideoFormat opaque = format;
+    opaque.container = container_of(name);
+    VideoEncoder encoder(scratch / name, opaque);
+    encoder.write(flat({40, 80, 120}));
+    encoder.finish();
+    EXPECT_THAT(probe(scratch, name), HasSubstr(codec));
+    EXPECT_THAT(probe(scratch, name), HasSubstr("pix_fmt=yuv420p\n"));
+  }
+}
+
 TEST(Encoder, TakesRatesThatAreNotWhole) {
   const ScratchFolder scratch;
   const std::vector<std::pair<double, std::string>> rates{

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace twrench {
+
+enum class Container { mp4, mov, matroska, webm };
+
+/// By the file's ending: .mov, .mkv, .webm, and MP4 for all others.
+Container container_of(const std::filesystem::path& file);
+
+/// Whether a film in that container is made so that it keeps alpha: WebM (VP9) and MOV (ProRes
+/// 4444). The others show what is transparent over black.
+bool keeps_alpha(Container container);
+
+/// What follows the input in ffmpeg's arguments: codec and container. Opaque, H.264 or (WebM) VP9
+/// in yuv420p; with alpha, which the container must keep, VP9 in yuva420p or ProRes 4444.
+std::string codec_arguments(Container container, bool alpha);
+
+}  // namespace twrench
