@@ -37,8 +37,11 @@ void main() {
   float width = sqrt(alpha * alpha + variance);
 
   // Reflection doubles the angle of the half vector, hence 2.
-  vec3 reflected =
-      arriving(stage_position, mirrored, 0.5 / width) * reflected_share(n_v);
-  vec3 light = reflected + scattered(stage_position, n);
+  vec3 arriving_there = arriving(stage_position, mirrored, 0.5 / width);
+  // Another part there shows the room's light, dimmed by one reflection more.
+  float shade = shaded(stage_position, mirrored, 2.0 * width);
+  vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
+  vec3 light = reflected * reflected_share(n_v) + scattered(stage_position, n);
+  light *= seam(stage_position);
   color = vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
 }

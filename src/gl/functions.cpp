@@ -56,6 +56,7 @@ Functions::Functions(const Context& context) {
   load(GetAttribLocation, "glGetAttribLocation");
   load(GetUniformLocation, "glGetUniformLocation");
   load(Uniform1f, "glUniform1f");
+  load(Uniform1fv, "glUniform1fv");
   load(Uniform2fv, "glUniform2fv");
   load(Uniform3fv, "glUniform3fv");
   load(UniformMatrix3fv, "glUniformMatrix3fv");
@@ -78,6 +79,7 @@ Functions::Functions(const Context& context) {
   load(Disable, "glDisable");
   load(BlendFunc, "glBlendFunc");
   load(DepthMask, "glDepthMask");
+  load(FrontFace, "glFrontFace");
   load(ClearColor, "glClearColor");
   load(Clear, "glClear");
   load(DrawElements, "glDrawElements");

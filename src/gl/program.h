@@ -39,6 +39,7 @@ class Program {
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::mat3& value) const;
   void set(const char* name, const glm::mat4& value) const;
+  void set(const char* name, std::span<const float> values) const;
   void set(const char* name, std::span<const glm::vec2> values) const;
   void set(const char* name, std::span<const glm::vec3> values) const;
 

@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <random>
+
+#include "render/theme.h"
 
 namespace twrench {
 namespace {
@@ -21,16 +24,45 @@ double smooth_step(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
+Array3d array_of(const Color& color) { return Array3d(color.red, color.green, color.blue); }
+
 /// The sRGB colour, 0 to 255, at (u, v): u from -1 to 1 across, v from 0 at the top to 1.
-Array3d graded(double u, double v) {
-  const Array3d night(9, 10, 13);
-  const Array3d slate(46, 50, 61);
-  const Array3d pool(46, 45, 41);
-  const double floor = smooth_step(0.15, 0.85, v - 0.10 * u * u);
-  const double distance = std::hypot(u / 0.42, (v - 1.02) / 0.30);
-  const double light = std::exp(-distance * distance);
-  const double vignette = 1 - 0.22 * u * u;
-  return (night + floor * (slate - night)) * vignette + light * pool;
+Array3d graded(const Backdrop& backdrop, double u, double v) {
+  const double depth = smooth_step(0.15, 0.85, v - 0.10 * u * u);
+  const double vignette = 1 - backdrop.vignette * u * u;
+  const Array3d above = array_of(backdrop.above);
+  return (above + depth * (array_of(backdrop.below) - above)) * vignette;
+}
+
+/// Stars: soft dots two pixels and more wide, or video encoding would take them away or let them
+/// twinkle. They lie where a generator with a fixed seed puts them, whatever the size.
+void add_stars(Image& image, int count) {
+  std::mt19937 random(1);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int i = 0; i < count; ++i) {
+    const double x = uniform() * image.width;
+    const double y = uniform() * image.height;
+    const double brightness = std::pow(uniform(), 5.0);  // few are bright
+    const double true_radius = image.height / 1080.0 * (0.75 + 0.6 * brightness);
+    const double radius = std::max(0.8, true_radius);
+    // Wider than true, a star is fainter.
+    const Array3d color = (40 + 190 * brightness) * std::min(1.0, true_radius / radius) *
+                          Array3d(1, 0.94 + 0.06 * uniform(), 1);
+    const int reach = static_cast<int>(std::ceil(3 * radius));
+    for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row) {
+      for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach;
+           ++column) {
+        if (row < 0 || row >= image.height || column < 0 || column >= image.width) continue;
+        const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y) / radius;
+        std::uint8_t* p = &image.pixels[static_cast<std::size_t>(row) * image.row_bytes() +
+                                        static_cast<std::size_t>(column) * 3];
+        for (int c = 0; c < 3; ++c) {
+          const double light = p[c] + color[c] * std::exp(-distance * distance);
+          p[c] = static_cast<std::uint8_t>(std::min(light, 255.0));
+        }
+      }
+    }
+  }
 }
 
 Image flat(const Color& color, int width, int height) {
@@ -47,15 +79,17 @@ Image flat(const Color& color, int width, int height) {
 
 Image background(const Look& look, int width, int height) {
   if (look.background) return flat(*look.background, width, height);
+  const Backdrop& backdrop = style_of(look.theme).backdrop;
   Image image(width, height, 3);
   auto out = image.pixels.begin();
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const Array3d color = graded((2 * x + 1.0) / width - 1, (y + 0.5) / height);
+      const Array3d color = graded(backdrop, (2 * x + 1.0) / width - 1, (y + 0.5) / height);
       const double offset = dither(x, y);  // rounds up as often as the fraction lost would say
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
     }
   }
+  add_stars(image, backdrop.stars);
   return image;
 }
 

@@ -1,10 +1,13 @@
 #include "render/body_pass.h"
 
-#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <span>
+#include <string>
 
 #include "embedded/shaders.h"
 #include "render/glm_from_eigen.h"
@@ -12,19 +15,35 @@
 namespace twrench {
 namespace {
 
+using Eigen::Affine3d;
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+/// More would cost more at every pixel than they would show.
+constexpr std::size_t most_neighbours = 3;
+
+std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
+  std::size_t most = 0;
+  for (const auto& capsules : neighbours) most = std::max(most, capsules.size());
+  return most;
+}
 
 bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
 
 /// Whether the body scatters is compiled in, not asked at each pixel: llvmpipe takes both ways of
 /// an if, and the second doubles the work.
-gl::Program body_program(const gl::Functions& gl, const Material& material) {
+gl::Program body_program(const gl::Functions& gl, const Material& material,
+                         std::size_t neighbour_count) {
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
+  const std::string count = fmt::format("const int neighbour_count = {};", neighbour_count);
   const std::array vertex{file("body.vert")};
-  const std::array fragment{file("studio.glsl"), file("tone.glsl"),
+  const std::array fragment{gl::ShaderFile{"neighbour_count", count},
+                            file(neighbour_count > 0 ? "neighbours.glsl" : "alone.glsl"),
+                            file("studio.glsl"),
+                            file("tone.glsl"),
                             file(scatters(material) ? "matte.glsl" : "metal.glsl"),
                             file("body.frag")};
   return {gl, vertex, fragment};
@@ -61,18 +80,20 @@ Matrix4d camera_from_stage(const Camera& camera, double radius) {
 
 }  // namespace
 
-BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius,
-                   const Material& material, const Studio& studio)
+BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double tolerance,
+                   double radius, const Material& material, const Studio& studio)
     : gl_(&gl),
-      program_(body_program(gl, material)),
+      mesh_(body_mesh(parts, tolerance)),
+      neighbours_(neighbours(parts, most_neighbours)),
+      neighbour_count_(most_of_any(neighbours_)),
+      program_(body_program(gl, material, neighbour_count_)),
       array_(gl),
       vertices_(gl),
       indices_(gl),
-      index_count_(static_cast<GLsizei>(mesh.indices.size())),
       radius_(radius) {
   gl.BindVertexArray(array_.id());
-  upload(gl, GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(mesh.vertices)));
-  upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(std::span(mesh.indices)));
+  upload(gl, GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(mesh_.vertices)));
+  upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(std::span(mesh_.indices)));
   set_attribute(gl, position_attribute, offsetof(Vertex, position));
   set_attribute(gl, normal_attribute, offsetof(Vertex, normal));
 
@@ -82,17 +103,63 @@ BodyPass::BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius,
 }
 
 void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
+  gl_->FrontFace(GL_CCW);
+  draw_on_stage(camera, X, Affine3d::Identity());
+}
+
+void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double height) const {
+  Affine3d mirror = Affine3d::Identity();  // in space, in units of the stage
+  mirror(1, 1) = -1;
+  mirror(1, 3) = 2 * height / radius_;
+  const Affine3d stage_from_space(camera.camera_from_space());
+  gl_->FrontFace(GL_CW);  // a mirror turns the triangles round
+  draw_on_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
+}
+
+/// The body stays on the stage, in its light; what the camera sees is the stage moved by
+/// `seen_from_stage`, which is its own inverse.
+void BodyPass::draw_on_stage(const Camera& camera, const Matrix3d& X,
+                             const Affine3d& seen_from_stage) const {
   const Matrix3d camera_from_body = camera.camera_from_space() * X;
+  const Matrix3d stage_from_body = camera_from_body / radius_;
   program_.use();
-  program_.set("eye", glm::vec3(0, 0, static_cast<float>(camera.distance / radius_)));
+  program_.set(
+      "eye", glm_from_eigen((seen_from_stage * Vector3d(0, 0, camera.distance / radius_)).eval()));
   program_.set("clip_from_stage",
-               glm_from_eigen((camera.projection * camera_from_stage(camera, radius_)).eval()));
-  program_.set("stage_from_body", glm_from_eigen((camera_from_body / radius_).eval()));
+               glm_from_eigen((camera.projection * camera_from_stage(camera, radius_) *
+                               seen_from_stage.matrix())
+                                  .eval()));
+  program_.set("stage_from_body", glm_from_eigen(stage_from_body));
   program_.set("stage_normal_from_body", glm_from_eigen(normal_matrix(camera_from_body)));
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Enable(GL_CULL_FACE);
   gl_->BindVertexArray(array_.id());
-  gl_->DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  std::size_t begin = 0;
+  for (std::size_t part = 0; part < neighbours_.size(); ++part) {
+    const std::size_t end = mesh_.part_ends[part];
+    set_neighbours(neighbours_[part], stage_from_body);
+    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                      // GL takes an offset for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+                      reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
+    begin = end;
+  }
+}
+
+void BodyPass::set_neighbours(const std::vector<Capsule>& capsules,
+                              const Matrix3d& stage_from_body) const {
+  if (neighbour_count_ == 0) return;
+  // Where a part has fewer than the most: too small and far to be seen.
+  std::vector<glm::vec3> from(neighbour_count_, glm::vec3(0, 0, -1e4F));
+  std::vector<glm::vec3> to(neighbour_count_, glm::vec3(0, 1, -1e4F));
+  std::vector<float> radius(neighbour_count_, 1e-6F);
+  for (std::size_t i = 0; i < capsules.size(); ++i) {
+    from[i] = glm_from_eigen((stage_from_body * capsules[i].from).eval());
+    to[i] = glm_from_eigen((stage_from_body * capsules[i].to).eval());
+    radius[i] = static_cast<float>(capsules[i].radius / radius_);
+  }
+  program_.set("neighbour_from", from);
+  program_.set("neighbour_to", to);
+  program_.set("neighbour_radius", radius);
 }
 
 void BodyPass::set_material(const Material& material) const {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "gl/handle.h"
 #include "gl/program.h"
 #include "render/camera.h"
 #include "render/material.h"
 #include "render/mesh.h"
+#include "render/neighbours.h"
 #include "render/studio.h"
 
 namespace twrench {
@@ -18,25 +19,36 @@ enum BodyAttribute : GLuint { position_attribute = 0, normal_attribute = 1 };
 /// radius 1. Colour is premultiplied, with alpha 1 on the body.
 class BodyPass {
  public:
-  /// `radius` is the mesh's bounding radius about the origin, in cm.
-  BodyPass(const gl::Functions& gl, const Mesh& mesh, double radius, const Material& material,
-           const Studio& studio);
+  /// `radius` is the bounding radius of the parts about the origin, in cm; the facets of the mesh
+  /// depart from the parts by no more than `tolerance` cm.
+  BodyPass(const gl::Functions& gl, std::span<const Part> parts, double tolerance, double radius,
+           const Material& material, const Studio& studio);
 
   /// In the pose X, space_from_body, on the framebuffer that is bound.
   void draw(const Camera& camera, const Eigen::Matrix3d& X) const;
 
+  /// As a mirror shows it that lies level at y = `height` cm in space, below the camera.
+  void draw_mirrored(const Camera& camera, const Eigen::Matrix3d& X, double height) const;
+
+  const Mesh& mesh() const { return mesh_; }
   const gl::Program& program() const { return program_; }
 
  private:
   void set_material(const Material& material) const;
   void set_studio(const Studio& studio) const;
+  void set_neighbours(const std::vector<Capsule>& capsules,
+                      const Eigen::Matrix3d& stage_from_body) const;
+  void draw_on_stage(const Camera& camera, const Eigen::Matrix3d& X,
+                     const Eigen::Affine3d& seen_from_stage) const;
 
   const gl::Functions* gl_;
+  Mesh mesh_;
+  std::vector<std::vector<Capsule>> neighbours_;  // of each part
+  std::size_t neighbour_count_;                   // the most of any
   gl::Program program_;
   gl::VertexArray array_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
-  GLsizei index_count_;
   double radius_;
 };
 

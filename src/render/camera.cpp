@@ -14,7 +14,8 @@ constexpr double margin = 1.08;  // the sphere's share of air: 4 % of the pictur
 
 Matrix4d look_at_origin(const Vector3d& direction, double distance) {
   const Vector3d back = direction.normalized();
-  const bool from_the_pole = std::hypot(back.x(), back.z()) < 1e-6;
+  // At an elevation of pi/2, as near as a double comes to it, 6e-17 is left to tell the azimuth.
+  const bool from_the_pole = std::hypot(back.x(), back.z()) < 1e-18;
   const Vector3d up = from_the_pole ? Vector3d(-std::copysign(1.0, back.y()) * Vector3d::UnitZ())
                                     : Vector3d::UnitY();
   const Vector3d right = up.cross(back).normalized();

@@ -27,8 +27,8 @@ struct Framing {
 };
 
 /// The camera from which the sphere, with a small margin, touches the nearer pair of edges, so
-/// that it is whole in view at any aspect ratio. Space's y is up in the picture; seen from
-/// straight above or below, -z is.
+/// that it is whole in view at any aspect ratio. Space's y is up in the picture; seen along y
+/// itself, -z is.
 Camera frame_sphere(const Framing& framing);
 
 /// The least Framing::distance, and at least 1, from which all `points` are in view, with a margin.

@@ -96,6 +96,7 @@ class Draft {
   const Overlay& overlay_;
   Parts parts_;
   Area picture_;
+  Area safe_;
   int gap_;
   Area rest_;
   int takes_;
@@ -113,10 +114,10 @@ Draft::Draft(const Scene& scene, const Parts& parts)
   layout_.text = {std::max(12.0, 0.037 * side), std::max(10.0, 0.024 * side),
                   std::max(9.0, 0.0165 * side)};
   layout_.compact = side < 300;
-  if (std::ranges::find(parts_, true) == parts_.end()) return;
   const int x = static_cast<int>(std::ceil(safe_margin * picture_.width));
   const int y = static_cast<int>(std::ceil(safe_margin * picture_.height));
-  rest_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
+  safe_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
+  if (std::ranges::find(parts_, true) != parts_.end()) rest_ = safe_;
 }
 
 void Draft::place_words() {
@@ -237,7 +238,7 @@ void Draft::place_quarters() {
   Area last = quarter({x, y, picture_.width - x, picture_.height - y}).focus;
   cut_left(last, 0, gap_);
   cut_top(last, 0, gap_);
-  layout_.components = last;
+  layout_.components = common(last, safe_);
 }
 
 void Draft::place_views() {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/glm_from_eigen.h"
+#include "render/theme.h"
 
 namespace twrench {
 
@@ -12,15 +13,16 @@ double linear_from_srgb(double value) {
 }
 
 Material material(const Look& look) {
-  const Color srgb = look.color.value_or(Color{184, 188, 196});
-  const double metallic = look.metallic.value_or(1.0);
+  const ThemeStyle& style = style_of(look.theme);
+  const Color srgb = look.color.value_or(style.metal);
+  const double metallic = look.metallic.value_or(style.metallic);
   const Eigen::Vector3d color(linear_from_srgb(srgb.red), linear_from_srgb(srgb.green),
                               linear_from_srgb(srgb.blue));
   constexpr double dielectric = 0.04;  // F0 of a refractive index of 1.5
   const Eigen::Vector3d reflectance =
       metallic * color + (1 - metallic) * Eigen::Vector3d::Constant(dielectric);
   return {glm_from_eigen(((1 - metallic) * color).eval()), glm_from_eigen(reflectance),
-          static_cast<float>(look.roughness.value_or(0.34))};
+          static_cast<float>(look.roughness.value_or(style.roughness))};
 }
 
 }  // namespace twrench

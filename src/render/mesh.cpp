@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bevel_share = 0.05;
+constexpr double bevel_share = 0.04;
 constexpr double quarter = std::numbers::pi / 2;
 
 // The least chords of a quarter turn, however small the picture: the normals between are linear.
@@ -139,7 +139,10 @@ class MeshBuilder {
     fill(middle, last, clockwise);
   }
 
-  Mesh take() { return std::move(mesh_); }
+  Mesh take() {
+    mesh_.part_ends = {mesh_.indices.size()};
+    return std::move(mesh_);
+  }
 
  private:
   bool same_place(std::uint32_t a, std::uint32_t b) const {
@@ -181,6 +184,7 @@ Mesh body_mesh(std::span<const Part> parts, double tolerance) {
     const Mesh mesh = part_mesh(part, tolerance);
     result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     for (const std::uint32_t index : mesh.indices) result.indices.push_back(offset + index);
+    result.part_ends.push_back(result.indices.size());
   }
   return result;
 }

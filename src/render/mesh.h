@@ -19,10 +19,11 @@ struct Vertex {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<std::size_t> part_ends;  ///< in indices, the end of each part's own
 };
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by
-/// a small bevel (5 % of the smallest half dimension), so that they catch a line of light; all
+/// a small bevel (4 % of the smallest half dimension), so that they catch a line of light; all
 /// other vertices lie on the exact shape, and the facets between them depart from it by no more
 /// than `tolerance` cm. Facets finer than that cost much: thin triangles are drawn badly.
 Mesh part_mesh(const Part& part, double tolerance);

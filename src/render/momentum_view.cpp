@@ -1,6 +1,8 @@
 #include "render/momentum_view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,21 +15,22 @@ using Eigen::Vector3d;
 constexpr int levels = 4;         // around each end of an axis
 constexpr int around = 240;       // points of a curve
 constexpr double lifted = 1.002;  // curves, off the facets of the sphere
-constexpr double axis_end = 1.28, reach = 1.17;
+constexpr double axis_end = 1.28;
+constexpr double named = 1.12;  // times that, the end of the axis' name
 
-/// The picture's axes: that of least moment is up, and the intermediate one towards the viewer.
-Matrix3d view_from_principal() {
+/// The picture's axes, right-handed, x to the right: that of least moment is up, and the
+/// intermediate one towards the viewer.
+Matrix3d view_from_body(const Matrix3d& axes) {
   Matrix3d m;
-  m << 0, 0, 1,  //
-      1, 0, 0,   //
-      0, 1, 0;
+  m << axes.col(0).cross(axes.col(1)).transpose(), axes.col(0).transpose(), axes.col(1).transpose();
   return m;
 }
 
-/// From where the flip is seen best: a little beside the intermediate axis, on the side of `mu`.
+/// From where the flip is seen best, along the frame's own axes: a little beside the intermediate
+/// one, on the side of `mu`.
 Vector3d eye_direction(const Vector3d& mu) {
   const Vector3d side = mu.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
-  return view_from_principal() * side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
+  return side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
 }
 
 }  // namespace
@@ -43,31 +46,33 @@ MomentumView::MomentumView(const gl::Functions& gl, const gl::Framebuffer& frame
       take_(take),
       body_(takes[take].body),
       frame_(body_, colors_),
+      view_from_own_(view_from_body(frame_.axes) * frame_.axes),
       pane_(pane),
       pad_(gl, framebuffer, pane.area) {}
 
 Camera MomentumView::camera(double film_time) const {
-  const Vector3d from = eye_direction(frame_.direction);
+  const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
   const double azimuth = std::atan2(from.x(), from.z()) + path_.orbit * film_time;
   const double elevation = std::atan2(from.y(), std::hypot(from.x(), from.z()));
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
   constexpr double field_of_view = 0.5;
-  return widened(frame_sphere({direction_of(azimuth, elevation), field_of_view, aspect, reach}),
-                 pane_.focus, pane_.area);
+  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
+  // Seen from any azimuth, as the camera may go around: only the axis that is up can stick out.
+  framing.distance = distance_to_see(framing, std::array{Vector3d(0, named * axis_end, 0)});
+  return widened(frame_sphere(framing), pane_.focus, pane_.area);
 }
 
 Vector3d MomentumView::place_of(const Sample& sample) const {
   const double G = body_.momentum.stableNorm();
   if (G == 0) return Vector3d::Zero();
-  return view_from_principal() *
-         (body_.principal.axes.transpose() * (body_.inertia * sample.omega / G));
+  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia * sample.omega / G));
 }
 
 template <typename Place>
 void MomentumView::add_curve(Place place, double width, const Ink& ink) {
   std::vector<Sketch::Point> line;
   for (int i = 0; i <= around; ++i) {
-    const Vector3d point = view_from_principal() * place(2 * std::numbers::pi * i / around);
+    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / around);
     const double opacity = ink.opacity * shown(point, point, pad_.sheer.eye());
     line.push_back({lifted * point, width * pad_.hairline(), {ink.color, opacity}});
   }
@@ -92,7 +97,7 @@ void MomentumView::add_separatrix() {
 
 void MomentumView::add_sphere() {
   for (int i = 0; i < 3; ++i) {
-    const Vector3d axis = view_from_principal().col(i);
+    const Vector3d axis = view_from_own_.col(i);
     pad_.solid.arrow(0.98 * axis, axis_end * axis, 0.016,
                      {frame_.colors[static_cast<std::size_t>(i)]});
   }
@@ -155,7 +160,7 @@ std::vector<Label> MomentumView::labels(const Moment& moment) const {
     if (label && shows_labels_) labels.push_back(*label);
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    add(frame_.names[i], axis_end * view_from_principal().col(static_cast<Eigen::Index>(i)),
+    add(frame_.names[i], axis_end * view_from_own_.col(static_cast<Eigen::Index>(i)),
         frame_.colors[i]);
   }
   if (!frame_.direction.isZero(0.0)) {

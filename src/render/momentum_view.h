@@ -46,6 +46,7 @@ class MomentumView : public SpaceView {
   std::size_t take_;
   FreeBody body_;
   PrincipalFrame frame_;
+  Eigen::Matrix3d view_from_own_;  ///< from coordinates along the frame's axes to the picture's
   Layout::Pane pane_;
   SketchPad pad_;
 };

@@ -70,7 +70,7 @@ Camera PoinsotView::camera(double film_time) const {
                   radii_.maxCoeff()};
   std::vector<Vector3d> points;
   if (!at_rest()) {
-    points.emplace_back(0, momentum_end, 0);
+    points.emplace_back(0, 1.1 * momentum_end, 0);  // and its name
     for (int i = 0; i < 24; ++i) {
       const double angle = 2 * std::numbers::pi * i / 24;
       points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
@@ -112,7 +112,7 @@ void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
 
 void PoinsotView::add_polhode(const Matrix3d& X) {
   if (!frame_.level) return;
-  const Matrix3d turned = view_from_space_ * X * body_.principal.axes;
+  const Matrix3d turned = view_from_space_ * X * frame_.axes;
   const EnergyLevel& level = *frame_.level;
   std::vector<Sketch::Point> line;
   for (int i = 0; i <= 2 * around; ++i) {

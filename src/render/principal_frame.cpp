@@ -7,18 +7,20 @@
 namespace twrench {
 
 PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palette)
-    : direction(body.principal.axes.transpose() * body.momentum.stableNormalized()) {
-  const Eigen::Matrix3d& axes = body.principal.axes;
+    : axes(body.principal.axes) {
   constexpr double along = 1 - 1e-9;
   static constexpr std::array letters{"x", "y", "z"};
   const bool own = axes.cwiseAbs().colwise().maxCoeff().minCoeff() > along;
   for (std::size_t i = 0; i < 3; ++i) {
+    auto axis = axes.col(static_cast<Eigen::Index>(i));
     Eigen::Index nearest = 0;
-    const double most = axes.col(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff(&nearest);
+    const double most = axis.cwiseAbs().maxCoeff(&nearest);
+    if (axis[nearest] < 0) axis = -axis;
     const auto letter = static_cast<std::size_t>(nearest);
     colors[i] = palette.axis[own ? letter : i];
     names[i] = most > along ? letters[letter] : fmt::format("I{}", i + 1);
   }
+  direction = axes.transpose() * body.momentum.stableNormalized();
   if (!direction.isZero(0.0)) level = level_through(body.principal.moments, direction);
 }
 

@@ -14,6 +14,8 @@ namespace twrench {
 struct PrincipalFrame {
   PrincipalFrame(const FreeBody& body, const OverlayColors& colors);
 
+  Eigen::Matrix3d axes;              ///< body_from_own: each with its greatest component positive,
+                                     ///< and so left-handed as often as not
   std::array<Color, 3> colors;       ///< where an axis is one of the body's, that one's
   std::array<std::string, 3> names;  ///< likewise: x, y or z, else I1, I2, I3
   std::optional<EnergyLevel> level;  ///< on which the momentum is

@@ -19,8 +19,6 @@ using Eigen::Vector4d;
 constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii of its shaft
 constexpr std::uint32_t around_arrow = 28;
 constexpr std::uint32_t around_disc = 96;
-constexpr std::uint32_t meridians = 96, parallels = 48;  // of an ellipsoid
-constexpr double closest = 0.5;  // pixels between two points of a line that both count
 
 const glm::vec3 everywhere(0, 0, 1e6F);  // the edge of what has none: not a line
 
@@ -87,39 +85,62 @@ void Sketch::band(std::uint32_t first, std::uint32_t second, std::uint32_t count
   }
 }
 
+/// Whether the line may go straight from `last`, which it left along `heading`, past `here`: it
+/// strays from the arc by a sagitta of length * angle / 8, and what it is drawn in hardly changes.
+bool Sketch::may_skip(const Projected& last, const Vector2d& heading, const Projected& here,
+                      const Projected& next) {
+  constexpr double least_step = 0.5, most_astray = 0.1, most_change = 0.08;  // px, px, opacity
+  const Vector2d way = here.pixel - last.pixel, onward = next.pixel - here.pixel;
+  if (way.norm() < least_step) return true;
+  const double sine = heading.x() * onward.y() - heading.y() * onward.x();
+  return heading.dot(onward) > 0 && way.norm() * std::abs(sine) < 8 * most_astray * onward.norm() &&
+         std::abs(here.point->ink.opacity - last.point->ink.opacity) < most_change;
+}
+
 void Sketch::line(std::span<const Point> points) {
-  bool joined = false;  // whether there is a point before, in sight
-  Vector2d last, across(0, 1);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [place, width, ink] = points[i];
-    const Vector4d c = clip(place);
-    if (!(c.w() > 1e-6 * std::abs(c.z()))) {
-      joined = false;
-      continue;
+  run_.clear();
+  for (const Point& point : points) {
+    const Vector4d c = clip(point.place);
+    if (c.w() > 1e-6 * std::abs(c.z())) {
+      run_.push_back({&point, c, half_size_.cwiseProduct(c.head<2>()) / c.w()});
+    } else {
+      add_run();
     }
-    const Vector2d pixel = half_size_.cwiseProduct(c.head<2>()) / c.w();
-    if (joined && i + 1 < points.size() && (pixel - last).norm() < closest) continue;
+  }
+  add_run();
+}
+
+void Sketch::add_run() {
+  const Projected* last = nullptr;
+  Vector2d heading(1, 0), across(0, 1);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const Projected& here = run_[i];
+    const Projected& next = run_[std::min(i + 1, run_.size() - 1)];
+    if (last != nullptr && i + 1 < run_.size() && may_skip(*last, heading, here, next)) continue;
     // The direction at a point is that from the one before to the one after.
-    const Vector4d after = clip(points[std::min(i + 1, points.size() - 1)].place);
-    const Vector2d to =
-        after.w() > 0 ? Vector2d(half_size_.cwiseProduct(after.head<2>()) / after.w()) : pixel;
-    const Vector2d along = to - (joined ? last : pixel);
-    if (along.norm() > 1e-3 * closest) across = Vector2d(-along.y(), along.x()).normalized();
-    const double half = 0.5 * std::max(width, 1.0);
-    const Ink faint{ink.color, ink.opacity * std::min(width, 1.0)};
-    for (const double side : {1.0, -1.0}) {
-      const double reach = side * (half + 1);  // the ramp's half pixel, and one half to be safe
-      Vector4d corner = c;
-      corner.head<2>() += (reach * c.w() * across).cwiseQuotient(half_size_);
-      const auto r = static_cast<float>(reach);
-      add(corner, faint, {r, 0, static_cast<float>(half)});
-    }
-    if (joined) {
+    const Vector2d along = next.pixel - run_[i > 0 ? i - 1 : 0].pixel;
+    if (along.norm() > 1e-3) across = Vector2d(-along.y(), along.x()).normalized();
+    add_ends(here, across);
+    if (last != nullptr) {
       const auto n = static_cast<std::uint32_t>(vertices_.size());
       indices_.insert(indices_.end(), {n - 4, n - 3, n - 2, n - 2, n - 3, n - 1});
     }
-    joined = true;
-    last = pixel;
+    heading = (next.pixel - here.pixel).stableNormalized();
+    last = &here;
+  }
+  run_.clear();
+}
+
+/// The two sides of a line at a point.
+void Sketch::add_ends(const Projected& here, const Vector2d& across) {
+  const double width = here.point->width, half = 0.5 * std::max(width, 1.0);
+  const Ink& ink = here.point->ink;
+  for (const double side : {1.0, -1.0}) {
+    const double reach = side * (half + 1);  // the ramp's half pixel, and one half to be safe
+    Vector4d corner = here.clip;
+    corner.head<2>() += (reach * corner.w() * across).cwiseQuotient(half_size_);
+    add(corner, {ink.color, ink.opacity * std::min(width, 1.0)},
+        {static_cast<float>(reach), 0, static_cast<float>(half)});
   }
 }
 
@@ -186,6 +207,9 @@ void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius,
 
 void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
   const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
+  const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
+  const auto parallels = static_cast<std::uint32_t>(std::clamp(2.2 * std::sqrt(size), 16.0, 64.0));
+  const std::uint32_t meridians = 2 * parallels;  // facets stray from the outline by 0.15 pixels
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   std::vector<Vector3d> places;
   for (std::uint32_t i = 0; i <= parallels; ++i) {

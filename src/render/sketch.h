@@ -68,6 +68,17 @@ class Sketch {
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
  private:
+  /// A point of a line in sight of the eye.
+  struct Projected {
+    const Point* point;
+    Eigen::Vector4d clip;
+    Eigen::Vector2d pixel;  ///< from the pane's middle, y up
+  };
+
+  static bool may_skip(const Projected& last, const Eigen::Vector2d& heading, const Projected& here,
+                       const Projected& next);
+  void add_run();
+  void add_ends(const Projected& here, const Eigen::Vector2d& across);
   Eigen::Vector4d clip(const Eigen::Vector3d& place) const;
   std::uint32_t add(const Eigen::Vector4d& clip, const Ink& ink, const glm::vec3& edge);
   std::uint32_t add_lit(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
@@ -80,8 +91,9 @@ class Sketch {
   Eigen::Matrix4d clip_from_space_;
   Eigen::Matrix3d camera_from_space_;
   Eigen::Vector3d eye_;
-  Eigen::Vector2d half_size_;  ///< of the pane, pixels
-  double scale_;               ///< pixels of a length 1 at the distance 1
+  Eigen::Vector2d half_size_;   ///< of the pane, pixels
+  double scale_;                ///< pixels of a length 1 at the distance 1
+  std::vector<Projected> run_;  ///< of the line being added, as far as it is in sight
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> indices_;
 };

@@ -23,7 +23,14 @@ struct Studio {
   glm::vec3 below;  ///< and of its floor
 };
 
-/// The dark studio: a large key light, a cool fill, and two rims from behind.
+/// The dark studio: a large key light, a cool fill, a light overhead and two rims from behind.
 Studio dark_studio();
+
+/// The white one: large soft boxes in a bright room, and nothing from behind, so that outlines are
+/// dark before the white (bright-field lighting).
+Studio white_studio();
+
+/// In space: one small sun, its light thrown back faintly from below.
+Studio sunlight();
 
 }  // namespace twrench

@@ -18,9 +18,9 @@ std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& first
                             const Color& last) {
   std::array<Color, 9> result{};
   for (std::size_t column = 0; column < 3; ++column) {
-    result[column] = mixed(axis[column], first, 0.45);
+    result[column] = mixed(axis[column], first, 0.3);
     result[3 + column] = axis[column];
-    result[6 + column] = mixed(axis[column], last, 0.25);
+    result[6 + column] = mixed(axis[column], last, 0.18);
   }
   return result;
 }
@@ -32,14 +32,14 @@ std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& first
 OverlayColors on_dark() {
   const std::array<Color, 3> axis{{{213, 114, 53}, {9, 213, 139}, {85, 139, 247}}};
   return {.text = {245, 247, 250},
-          .dim = {203, 208, 218},
+          .dim = {216, 220, 228},
           .panel = {14, 16, 21},
-          .panel_opacity = 0.72,
+          .panel_opacity = 0.8,
           .axis = axis,
           .momentum = {236, 213, 74},
           .omega = {255, 149, 225},
           .trail = {255, 255, 255},
-          .plane = {126, 141, 152},
+          .plane = {131, 146, 157},
           .curve = curves(axis, {255, 255, 255}, {0, 0, 0})};
 }
 
@@ -64,16 +64,18 @@ ThemeStyle studio() {
           .metallic = 1,
           .roughness = 0.34,
           .studio = dark_studio(),
-          .backdrop = {{9, 10, 13}, {46, 50, 61}, {84, 85, 88}, 0},
+          .backdrop = {{9, 10, 13}, {46, 50, 61}, 0.22, 0},
+          .floor = FloorStyle{{46, 45, 41}, 0.7, 0.16},
           .overlay = on_dark()};
 }
 
 ThemeStyle paper() {
-  return {.metal = steel,
+  return {.metal = {168, 172, 180},
           .metallic = 1,
           .roughness = 0.34,
-          .studio = dark_studio(),
-          .backdrop = {{250, 250, 249}, {238, 238, 236}, {255, 255, 255}, 0},
+          .studio = white_studio(),
+          .backdrop = {{250, 250, 249}, {236, 236, 234}, 0.02, 0},
+          .floor = FloorStyle{{16, 16, 17}, 0.42, 0.10},
           .overlay = on_paper()};
 }
 
@@ -81,8 +83,9 @@ ThemeStyle space() {
   return {.metal = steel,
           .metallic = 1,
           .roughness = 0.34,
-          .studio = dark_studio(),
-          .backdrop = {{3, 4, 7}, {7, 9, 15}, {7, 9, 15}, 900},
+          .studio = sunlight(),
+          .backdrop = {{3, 4, 7}, {7, 9, 15}, 0.2, 420},
+          .floor = std::nullopt,
           .overlay = on_dark()};
 }
 

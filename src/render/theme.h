@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "render/studio.h"
 #include "scene/scene.h"
@@ -20,16 +21,23 @@ struct OverlayColors {
   Color momentum;             ///< L
   Color omega;
   Color trail;
-  Color plane;                 ///< the invariable plane
-  std::array<Color, 9> curve;  ///< X row by row: a column has its axis' hue, a row its lightness
+  Color plane;  ///< the invariable plane
+  /// X row by row: a column has its axis' hue, a row its lightness. Those of a row are told apart.
+  std::array<Color, 9> curve;
 };
 
-/// What lies behind, all sRGB: dark to bright from top to floor, a pool of light, stars.
+/// What lies behind: from the top of the picture to its foot, and stars.
 struct Backdrop {
   Color above;
-  Color floor;
-  Color pool;  ///< at its middle
-  int stars;   ///< how many to a picture of 16:9
+  Color below;
+  double vignette;  ///< how much darker the sides are, 0 to 1
+  int stars;        ///< how many
+};
+
+struct FloorStyle {
+  Color light;        ///< what the pool adds at its middle
+  double shadow;      ///< of the light, how much the deepest shadow takes: 0 to 1
+  double reflection;  ///< of the body's mirror image, how much is seen: 0 to 1
 };
 
 struct ThemeStyle {
@@ -38,6 +46,7 @@ struct ThemeStyle {
   double roughness;
   Studio studio;
   Backdrop backdrop;
+  std::optional<FloorStyle> floor;  ///< none: the body floats in space
   OverlayColors overlay;
 };
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/exposure.h"
 #include "render/joined_parts.h"
 #include "render/reach.h"
-#include "render/screen_area.h"
+#include "render/theme.h"
 
 namespace twrench {
 namespace {
@@ -35,10 +36,9 @@ CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverl
   return path;
 }
 
-/// A mesh whose facets cannot be told from the shape's: a fifth of a pixel in the picture's middle.
-Mesh mesh_of(const Scene& scene, const Camera& camera, int height) {
-  const double pixel = 2 * camera.distance / (camera.projection(1, 1) * height);  // cm
-  return body_mesh(joined_parts(visible_parts(scene.body)), 0.2 * pixel);
+/// cm: facets that cannot be told from the shape, a seventh of a pixel in the picture's middle.
+double tolerance(const Camera& camera, int height) {
+  return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
 }  // namespace
@@ -53,40 +53,78 @@ WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuff
       radius_(reach(visible_parts(scene.body))),
       overlay_(scene, takes[take], radius_),
       path_(path_of(scene, pane, overlay_)),
-      mesh_(mesh_of(scene, camera(0), pane.area.height)),
-      body_(gl, mesh_, radius_, material(scene.look), dark_studio()),
-      sketch_pass_(gl) {}
+      body_(gl, joined_parts(visible_parts(scene.body)), tolerance(camera(0), pane.area.height),
+            radius_, material(scene.look), style_of(scene.look.theme).studio),
+      sketch_pass_(gl) {
+  const auto& floor = style_of(scene.look.theme).floor;
+  if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
+      scene.camera.elevation >= 0) {
+    floor_.emplace(gl, *floor, pane.area, visible_parts(scene.body), radius_);
+    floor_lit_ = !scene.look.background;
+  }
+}
 
 Camera WrenchView::camera(double film_time) const {
   return widened(frame_sphere(framing_at(path_, pane_, overlay_.reach(), film_time)), pane_.focus,
                  pane_.area);
 }
 
-std::vector<Layer> WrenchView::draw(const Moment& moment) {
-  const Matrix3d& X = moment.instants[take_].sample.X;
-  const Camera now = camera(moment.film_time);
-  Matrix4d space_from_body = Matrix4d::Identity();
-  space_from_body.topLeftCorner<3, 3>() = X;
-  const Eigen::Matrix4f clip_from_body =
-      (now.projection * now.view * space_from_body).cast<float>();
+std::vector<Layer> WrenchView::still() {
+  std::vector<Layer> layers;
+  if (floor_ && floor_lit_) layers.push_back(floor_->light(camera(0)));
+  return layers;
+}
+
+ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> poses) const {
   ScreenArea screen(pane_.area, framebuffer_.height());
-  for (const Vertex& vertex : mesh_.vertices) {
-    const auto& [x, y, z] = std::tie(vertex.position.x, vertex.position.y, vertex.position.z);
-    screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1));
+  for (const Matrix3d& X : poses) {
+    Matrix4d space_from_body = Matrix4d::Identity();
+    space_from_body.topLeftCorner<3, 3>() = X;
+    const Eigen::Matrix4f clip_from_body =
+        (camera.projection * camera.view * space_from_body).cast<float>();
+    for (const Vertex& vertex : body_.mesh().vertices) {
+      const auto& [x, y, z] = std::tie(vertex.position.x, vertex.position.y, vertex.position.z);
+      screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1));
+    }
   }
-  solid_.begin(now, pane_.area);
-  sheer_.begin(now, pane_.area);
-  overlay_.draw(moment.instants[take_], solid_, sheer_);
   solid_.add_to(screen);
   sheer_.add_to(screen);
+  return screen;
+}
+
+Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenArea& screen) const {
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  body_.draw(now, X);
+  body_.draw(camera, X);
   sketch_pass_.draw_solid(solid_);
   sketch_pass_.draw_sheer(sheer_);
+  return framebuffer_.read(screen.rectangle());
+}
+
+Layer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) const {
+  const ScreenArea screen = covered(camera, poses);
+  const Area area = screen.area();
+  Exposure exposure(area.width, area.height);
+  for (const Matrix3d& X : poses) exposure.add(picture(camera, X, screen));
+  return {exposure.mean(), area.x, area.y};
+}
+
+std::vector<Layer> WrenchView::draw(const Moment& moment) {
+  const Instant& instant = moment.instants[take_];
+  const Matrix3d& X = instant.sample.X;
+  const Camera now = camera(moment.film_time);
+  solid_.begin(now, pane_.area);
+  sheer_.begin(now, pane_.area);
+  overlay_.draw(instant, solid_, sheer_);
   std::vector<Layer> layers;
-  layers.push_back({framebuffer_.read(screen.rectangle()), screen.area().x, screen.area().y});
+  if (floor_) layers.push_back(floor_->draw(now, X, body_));
+  if (instant.blur.empty()) {
+    const ScreenArea screen = covered(now, {&X, 1});
+    layers.push_back({picture(now, X, screen), screen.area().x, screen.area().y});
+  } else {
+    layers.push_back(blurred(now, instant.blur));
+  }
   return layers;
 }
 

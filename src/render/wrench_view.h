@@ -5,7 +5,9 @@
 #include "render/body_pass.h"
 #include "render/camera.h"
 #include "render/element.h"
+#include "render/floor.h"
 #include "render/layout.h"
+#include "render/screen_area.h"
 #include "render/sketch_pass.h"
 
 namespace twrench {
@@ -18,12 +20,17 @@ class WrenchView : public SpaceView {
   WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
              const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
+  std::vector<Layer> still() override;
   std::vector<Layer> draw(const Moment& moment) override;
   std::vector<Label> labels(const Moment& moment) const override;
 
   Camera camera(double film_time) const override;
 
  private:
+  ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+  Image picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen) const;
+  Layer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+
   const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   std::size_t take_;
@@ -31,10 +38,11 @@ class WrenchView : public SpaceView {
   double radius_;  ///< cm, of the sphere that holds the body in every pose
   BodyOverlay overlay_;
   CameraPath path_;  ///< from which the overlay is in view too
-  Mesh mesh_;
   BodyPass body_;
   SketchPass sketch_pass_;
-  Sketch solid_, sheer_;
+  Sketch solid_, sheer_;  ///< the overlay at the moment that is drawn
+  std::optional<Floor> floor_;
+  bool floor_lit_ = false;  // a flat background stays the colour it is
 };
 
 }  // namespace twrench

@@ -49,8 +49,9 @@ class BodyPassTest : public testing::TestWithParam<glm::vec3> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
   gl::Functions gl{*context};
-  BodyPass pass{gl, body_mesh(t_wrench().body.parts, 0.01), 4.5,
-                Material{GetParam(), glm::vec3(0.5F), 0.3F}, dark_studio()};
+  BodyPass pass{
+      gl,           t_wrench().body.parts, 0.01, 4.5, Material{GetParam(), glm::vec3(0.5F), 0.3F},
+      dark_studio()};
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(glm::vec3(0), glm::vec3(0.5F)),

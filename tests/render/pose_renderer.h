@@ -1,23 +1,30 @@
 #pragma once
 
+#include <set>
+
 #include "render/renderer.h"
 
 namespace twrench {
 
-/// The scene with nothing shown beside the body.
-inline Scene bare(Scene scene) {
-  scene.overlay.show.clear();
+/// The scene with nothing shown beside the body but that.
+inline Scene showing(Scene scene, const std::set<Feature>& features) {
+  scene.overlay.show = features;
   return scene;
 }
 
-/// Draws the bare body in any pose.
+/// Draws the body, bare or with some features, in any pose.
 class PoseRenderer {
  public:
-  PoseRenderer(gl::Context& context, const Scene& scene)
-      : timeline_(bare(scene), {0}), renderer_(context, bare(scene), timeline_.takes()) {}
+  PoseRenderer(gl::Context& context, const Scene& scene, const std::set<Feature>& features = {})
+      : timeline_(showing(scene, features), {0}),
+        renderer_(context, showing(scene, features), timeline_.takes()) {}
 
+  /// Where it is blurred, as if it moved on from X as it does from its first pose.
   Image draw(const Eigen::Matrix3d& X) {
     Moment moment = timeline_.moment(0);
+    for (Eigen::Matrix3d& pose : moment.instants[0].blur) {
+      pose = pose * moment.instants[0].sample.X.transpose() * X;
+    }
     moment.instants[0].sample.X = X;
     return renderer_.draw(moment).image;
   }

@@ -1,0 +1,63 @@
+// Whole frames of a film, with what explains it, held against images that were looked at and found
+// right; see golden_test.cpp.
+#include <gtest/gtest.h>
+
+#include "gl/context.h"
+#include "render/golden.h"
+#include "render/renderer.h"
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+struct FilmGolden {
+  const char* name;
+  std::set<Feature> show;
+  View view = View::wrench;
+  int frame = 590;
+  Eigen::Vector3d omega{1, 0.05, 0};
+  double elevation = 0.245;
+};
+
+void PrintTo(const FilmGolden& golden, std::ostream* out) { *out << golden.name; }
+
+std::vector<FilmGolden> goldens() {
+  using enum Feature;
+  return {
+      {"film-axes", {axes}},
+      {"film-arrows", {momentum, omega}},
+      {"film-trail", {trail}},
+      {"film-plane", {momentum, omega, trail, plane}, View::wrench, 600},
+      {"film-from-above", {axes, momentum, plane}, View::wrench, 590, {1, 0.05, 0}, 1.5707963},
+      {"film-insets", {momentum, omega, trail, sphere, poinsot}, View::wrench, 600},
+      {"film-momentum", {trail}, View::momentum, 280},
+      {"film-momentum-stable", {trail}, View::momentum, 280, {0.2, 0.1, -1}},
+      {"film-poinsot", {trail}, View::poinsot, 240},
+      {"film-quad", {momentum, omega, trail}, View::quad, 590},
+  };
+}
+
+class GoldenFilm : public testing::TestWithParam<FilmGolden> {};
+
+TEST_P(GoldenFilm, IsDrawn) {
+  const FilmGolden& golden = GetParam();
+  Scene scene = t_wrench(480, 270);
+  scene.overlay.show = golden.show;
+  scene.overlay.view = golden.view;
+  scene.motion.omega = golden.omega;
+  scene.motion.method = "exact";  // whose frames do not hang on steps
+  scene.camera.elevation = golden.elevation;
+  const Timeline timeline(scene, {golden.frame});
+  const auto context = gl::make_osmesa_context();
+  Renderer renderer(*context, scene, timeline.takes());
+  expect_golden(golden.name, renderer.draw(timeline.moment(0)).image);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(goldens()), [](const auto& param) {
+  std::string name(param.param.name);
+  std::erase(name, '-');
+  return name;
+});
+
+}  // namespace
+}  // namespace twrench

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "base/file.h"
+#include "image/compare.h"
+#include "image/png.h"
+
+namespace twrench {
+
+inline std::filesystem::path golden_path(const std::string& name) {
+  return std::filesystem::path(TWRENCH_TESTS_DIR) / "golden" / (name + ".png");
+}
+
+/// Releases of Mesa round shading and coverage differently, by a level or two on faces and, for a
+/// pixel in a thousand, by a sample on an edge. Half a degree of pose moves more.
+inline constexpr int threshold = 4;
+inline constexpr double allowed_share = 0.001;
+inline constexpr double allowed_mean = 0.15;
+
+inline bool alike(const Image& a, const Image& b) {
+  const auto difference = compare(a, b, threshold);
+  return difference && difference->share <= allowed_share && difference->mean <= allowed_mean;
+}
+
+/// Holds an image against the golden one of that name or, where TWRENCH_UPDATE_GOLDENS is set,
+/// writes it anew.
+inline void expect_golden(const std::string& name, const Image& actual) {
+  namespace fs = std::filesystem;
+  const fs::path path = golden_path(name);
+  if (std::getenv("TWRENCH_UPDATE_GOLDENS") != nullptr) {
+    write_file_atomically(path, encode_png(actual));
+    return;
+  }
+  const Image golden = read_png(path);
+  const auto difference = compare(actual, golden, threshold);
+  ASSERT_TRUE(difference.has_value()) << "another size than " << path;
+  if (alike(actual, golden)) return;
+  const fs::path folder(TWRENCH_SCRATCH);
+  const fs::path actual_path = folder / (name + "-actual.png");
+  const fs::path difference_path = folder / (name + "-difference.png");
+  make_folder(folder);
+  write_file_atomically(actual_path, encode_png(actual));
+  write_file_atomically(difference_path, encode_png(difference_image(actual, golden)));
+  ADD_FAILURE() << path << ": max " << difference->max << ", mean " << difference->mean
+                << ", share over " << threshold << " " << difference->share << "; see "
+                << actual_path << " and " << difference_path;
+}
+
+}  // namespace twrench

@@ -1,0 +1,136 @@
+#include "render/sketch.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const Area pane{20, 10, 400, 300};
+const Ink red{{255, 0, 0}};
+
+Camera camera() { return frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 1.5}); }
+
+Vector2d pixel(const Sketch::Vertex& v) {
+  return {pane.x + (0.5 + 0.5 * v.clip.x / v.clip.w) * pane.width,
+          pane.y + (0.5 - 0.5 * v.clip.y / v.clip.w) * pane.height};
+}
+
+class SketchTest : public testing::Test {
+ protected:
+  SketchTest() { sketch.begin(camera(), pane); }
+
+  double nearest(const Vector2d& place) const {
+    double distance = 1e9;
+    for (const auto& v : sketch.vertices()) {
+      distance = std::min(distance, (pixel(v) - place).norm());
+    }
+    return distance;
+  }
+
+  Sketch sketch;
+};
+
+TEST_F(SketchTest, PutsAnArrowsTipWhereTheMatricesSay) {
+  const Vector3d tip(0.4, 0.9, -0.3);
+  sketch.arrow({0.1, 0, 0.2}, tip, 0.02, red);
+  EXPECT_LT(nearest(pixel_of(camera(), pane, tip)), 1e-3);
+  for (const auto& v : sketch.vertices()) EXPECT_TRUE(std::isfinite(v.clip.x + v.paint.x));
+}
+
+TEST_F(SketchTest, AnArrowOfNoLengthIsNothingAndAShortOneAllHead) {
+  sketch.arrow({1, 1, 1}, {1, 1, 1}, 0.1, red);
+  EXPECT_TRUE(sketch.vertices().empty());
+  sketch.arrow(Vector3d::Zero(), {0.01, 0, 0}, 0.1, red);
+  const double size = sketch.pixels(Vector3d::Zero());
+  for (const auto& v : sketch.vertices()) {
+    EXPECT_LT((pixel(v) - pixel_of(camera(), pane, Vector3d::Zero())).norm(), 0.02 * size);
+  }
+}
+
+TEST_F(SketchTest, ALineIsAsWideAsItSaysWithRoomForItsRamp) {
+  sketch.line(std::array<Sketch::Point, 2>{{{{-1, 0, 0}, 4, red}, {{1, 0, 0}, 4, red}}});
+  ASSERT_EQ(sketch.vertices().size(), 4);
+  EXPECT_NEAR((pixel(sketch.vertices()[0]) - pixel(sketch.vertices()[1])).norm(), 6, 1e-3);
+  EXPECT_EQ(sketch.vertices()[0].edge.z, 2);
+}
+
+TEST_F(SketchTest, ALineThinnerThanAPixelIsFainterInstead) {
+  sketch.line(std::array<Sketch::Point, 2>{{{{-1, 0, 0}, 0.25, red}, {{1, 0, 0}, 0.25, red}}});
+  EXPECT_EQ(sketch.vertices()[0].edge.z, 0.5F);
+  EXPECT_EQ(sketch.vertices()[0].paint.w, 0.25F);
+}
+
+TEST_F(SketchTest, LeavesOutPointsOfALineThatNobodyMisses) {
+  std::vector<Sketch::Point> circle;
+  for (int i = 0; i <= 2000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 2000;
+    circle.push_back({{std::cos(angle), std::sin(angle), 0}, 2, red});
+  }
+  sketch.line(circle);
+  const auto& vertices = sketch.vertices();
+  EXPECT_LT(vertices.size(), 400);
+  const auto middle = [&](std::size_t i) -> Vector2d {
+    return 0.5 * (pixel(vertices[i]) + pixel(vertices[i + 1]));
+  };
+  double astray = 0;
+  for (const auto& point : circle) {
+    const Vector2d place = pixel_of(camera(), pane, point.place);
+    double nearest = 1e9;
+    for (std::size_t i = 0; i + 3 < vertices.size(); i += 2) {
+      const Vector2d a = middle(i), way = middle(i + 2) - a;
+      const double t = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (a + t * way - place).norm());
+    }
+    astray = std::max(astray, nearest);
+  }
+  EXPECT_LT(astray, 0.2);
+}
+
+TEST_F(SketchTest, BreaksALineBehindTheEye) {
+  const Vector3d eye = sketch.eye();
+  sketch.line(std::array<Sketch::Point, 5>{{{{-1, 0, 0}, 2, red},
+                                            {{0, 0, 0}, 2, red},
+                                            {2 * eye, 2, red},
+                                            {{1, 0, 0}, 2, red},
+                                            {{1, 1, 0}, 2, red}}});
+  EXPECT_EQ(sketch.vertices().size(), 8);
+  EXPECT_EQ(sketch.indices().size(), 12);
+}
+
+TEST_F(SketchTest, ShowsTheNearSideOfAnEllipsoidOnly) {
+  const Eigen::Matrix3d radii = Vector3d(1, 0.5, 0.7).asDiagonal();
+  sketch.ellipsoid(radii, red, 1);
+  ASSERT_GT(sketch.indices().size(), 300);
+  const auto& v = sketch.vertices();
+  for (std::size_t i = 0; i < sketch.indices().size(); i += 3) {
+    const Vector2d a = pixel(v[sketch.indices()[i]]), b = pixel(v[sketch.indices()[i + 1]]),
+                   c = pixel(v[sketch.indices()[i + 2]]);
+    const Vector2d ab = b - a, ac = c - a;
+    EXPECT_LE(ab.x() * ac.y() - ab.y() * ac.x(), 1e-6) << "turned away";
+  }
+  sketch.begin(camera(), pane);
+  sketch.ellipsoid(Vector3d(1, 1e-5, 1e-5).asDiagonal(), red, 1);
+  for (const auto& vertex : sketch.vertices()) EXPECT_TRUE(std::isfinite(vertex.paint.x));
+}
+
+TEST_F(SketchTest, TellsTheAreaItCovers) {
+  sketch.dot({0.3, 0.2, 0.1}, 5, red);
+  ScreenArea screen(pane, 320);
+  sketch.add_to(screen);
+  const Vector2d middle = pixel_of(camera(), pane, {0.3, 0.2, 0.1});
+  const Area area = screen.area();
+  EXPECT_LT(area.x, middle.x() - 5.5);
+  EXPECT_GT(area.x + area.width, middle.x() + 5.5);
+  EXPECT_LT(area.width, 17);
+}
+
+}  // namespace
+}  // namespace twrench
