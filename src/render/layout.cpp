@@ -136,11 +136,11 @@ void Draft::place_words() {
 /// Beside the body in a column or, in an upright picture, below it in a row.
 void Draft::place_insets() {
   const bool upright = 10 * picture_.height > 11 * picture_.width;
-  const int squares = int{parts_[momentum_part]} + int{parts_[poinsot_part]};
+  const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
   const auto cut = [&](Area& from, int length, int gap) {
     return upright ? cut_right(from, length, gap) : cut_bottom(from, length, gap);
   };
-  if (squares + int{parts_[components_part]} == 0) return;
+  if (squares == 0 && !parts_[components_part]) return;
   const int wanted = rounded(0.26 * picture_.width);
   const int width = std::max(wanted, std::min(least_components, picture_.width / 3));
   Area insets = upright ? cut_bottom(rest_, rounded(0.26 * picture_.height), 2 * gap_)
