@@ -13,7 +13,7 @@ constexpr double distance = 0.1;  // em, from what is named
 }  // namespace
 
 LabelPainter::LabelPainter(const Font& font, double size, const Color& halo, const Area& pane,
-                           std::vector<Area> taken)
+                           const std::vector<Area>& taken)
     : font_(font), size_(size), halo_(halo), pane_(pane) {
   for (const auto& [x, y, width, height] : taken) {
     taken_.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(width),

@@ -15,7 +15,7 @@ class LabelPainter {
   /// `size`: px per em; `halo`: what lies around each letter, so that it is legible on anything;
   /// `pane`: labels stay inside; `taken`: they do not go there. The font outlives the painter.
   LabelPainter(const Font& font, double size, const Color& halo, const Area& pane,
-               std::vector<Area> taken);
+               const std::vector<Area>& taken);
 
   /// The first ones have the better right to their place.
   std::vector<Layer> paint(const std::vector<Label>& labels) const;

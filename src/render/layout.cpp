@@ -96,6 +96,7 @@ class Draft {
   const Overlay& overlay_;
   Parts parts_;
   Area picture_;
+  Area safe_;
   int gap_;
   Area rest_;
   int takes_;
@@ -113,10 +114,10 @@ Draft::Draft(const Scene& scene, const Parts& parts)
   layout_.text = {std::max(12.0, 0.037 * side), std::max(10.0, 0.024 * side),
                   std::max(9.0, 0.0165 * side)};
   layout_.compact = side < 300;
-  if (std::ranges::find(parts_, true) == parts_.end()) return;
   const int x = static_cast<int>(std::ceil(safe_margin * picture_.width));
   const int y = static_cast<int>(std::ceil(safe_margin * picture_.height));
-  rest_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
+  safe_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
+  if (std::ranges::find(parts_, true) != parts_.end()) rest_ = safe_;
 }
 
 void Draft::place_words() {
@@ -135,11 +136,11 @@ void Draft::place_words() {
 /// Beside the body in a column or, in an upright picture, below it in a row.
 void Draft::place_insets() {
   const bool upright = 10 * picture_.height > 11 * picture_.width;
-  const int squares = int{parts_[momentum_part]} + int{parts_[poinsot_part]};
+  const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
   const auto cut = [&](Area& from, int length, int gap) {
     return upright ? cut_right(from, length, gap) : cut_bottom(from, length, gap);
   };
-  if (squares + int{parts_[components_part]} == 0) return;
+  if (squares == 0 && !parts_[components_part]) return;
   const int wanted = rounded(0.26 * picture_.width);
   const int width = std::max(wanted, std::min(least_components, picture_.width / 3));
   Area insets = upright ? cut_bottom(rest_, rounded(0.26 * picture_.height), 2 * gap_)
@@ -237,7 +238,7 @@ void Draft::place_quarters() {
   Area last = quarter({x, y, picture_.width - x, picture_.height - y}).focus;
   cut_left(last, 0, gap_);
   cut_top(last, 0, gap_);
-  layout_.components = last;
+  layout_.components = common(last, safe_);
 }
 
 void Draft::place_views() {

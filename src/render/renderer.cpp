@@ -65,7 +65,7 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   std::ranges::copy(hud->extents(), std::back_inserter(taken));
   elements.push_back(std::move(hud));
   label_painter.emplace(typeface.regular, layout.text.figure, colors.panel,
-                        Area{0, 0, scene.film.width, scene.film.height}, std::move(taken));
+                        Area{0, 0, scene.film.width, scene.film.height}, taken);
   for (const auto& element : elements) {
     for (const Layer& layer : element->still()) lay_over(still, layer);
   }

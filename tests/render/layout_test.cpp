@@ -78,7 +78,6 @@ TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
     const auto [width, height] = std::pair(scene.film.width, scene.film.height);
     const Layout layout = layout_of(scene);
     for (const Area& area : words_and_insets(layout, scene.overlay.view)) {
-      if (!layout.title) continue;
       EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << width << "x" << height;
       EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << width << "x" << height;
       EXPECT_LE(area.x + area.width, 0.95 * width)
