@@ -60,10 +60,10 @@ Image Exposure::mean() const {
     if (alpha == 0) continue;
     const float mean_alpha = alpha / static_cast<float>(count_);
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto step = static_cast<std::size_t>(sums_[i + c] / alpha * steps + 0.5F);
-      image.pixels[i + c] = static_cast<std::uint8_t>(srgb[step] * mean_alpha / 255 + 0.5F);
+      const auto step = static_cast<std::size_t>(std::lround(sums_[i + c] / alpha * steps));
+      image.pixels[i + c] = static_cast<std::uint8_t>(std::lround(srgb[step] * mean_alpha / 255));
     }
-    image.pixels[i + 3] = static_cast<std::uint8_t>(mean_alpha + 0.5F);
+    image.pixels[i + 3] = static_cast<std::uint8_t>(std::lround(mean_alpha));
   }
   return image;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,8 +30,8 @@ double falloff(double distance) {
 
 /// In units of 255: half steps up and down in a pattern of two by two, as the background's.
 float dither(int x, int y) {
-  static constexpr float pattern[2][2] = {{-0.375F, 0.125F}, {0.375F, -0.125F}};
-  return pattern[y % 2][x % 2];
+  static constexpr std::array pattern{-0.375F, 0.125F, 0.375F, -0.125F};
+  return pattern[static_cast<std::size_t>(2 * (y % 2) + x % 2)];
 }
 
 /// (1 2 1) / 4 down a column or along a row of `count` cells that lie `stride` apart.
@@ -126,6 +127,14 @@ Layer Floor::light(const Camera& camera) const {
   return layer;
 }
 
+const Floor::Cell* Floor::row_of(int row, int width) const {
+  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
+}
+
+Floor::Cell* Floor::row_of(int row, int width) {
+  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
+}
+
 /// Cells of the grid from which the body's shadow can be seen.
 Area Floor::seen(const Camera& camera) const {
   ScreenArea screen({0, 0, columns_, rows_}, rows_);
@@ -153,8 +162,8 @@ void Floor::add_reflection(const Camera& camera, const Matrix3d& X, const BodyPa
     grid_[i] = Cell(p[0], p[1], p[2], p[3]);
   }
   for (int pass = 0; pass < 2; ++pass) {
-    for (int y = 0; y < area.height; ++y) blur_line(&grid_[y * area.width], area.width, 1);
-    for (int x = 0; x < area.width; ++x) blur_line(&grid_[x], area.height, area.width);
+    for (int y = 0; y < area.height; ++y) blur_line(row_of(y, area.width), area.width, 1);
+    for (int x = 0; x < area.width; ++x) blur_line(grid_.data() + x, area.height, area.width);
   }
 }
 
@@ -183,10 +192,10 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area
       const ArrayXf cosine_squared = centre.y() * centre.y() / squared;
       open *= (1 - 5 * cosine_squared.square() * (1 - (1 - r * r / squared).sqrt())).max(0);
     }
-    const float pool_squared = static_cast<float>(pool * pool);
+    const auto pool_squared = static_cast<float>(pool * pool);
     const ArrayXf fade =
         (closeness > 0).cast<float>() / (1 + (x.square() + z.square()) / pool_squared).square();
-    Cell* cell = &grid_[static_cast<std::size_t>(y) * area.width];
+    Cell* cell = row_of(y, area.width);
     for (int i = 0; i < area.width; ++i) {
       const float shadow = 255 * static_cast<float>(style_.shadow) * (1 - open[i]);
       cell[i] *= fade[i] * static_cast<float>(style_.reflection);
@@ -214,6 +223,7 @@ Layer Floor::enlarged(const Area& area) const {
       pane_.x + left,
       pane_.y + top};
   std::vector<Between> columns;
+  columns.reserve(static_cast<std::size_t>(layer.image.width));
   for (int x = 0; x < layer.image.width; ++x) {
     columns.push_back(between((left + x + 0.5) / across - area.x, area.width));
   }
@@ -221,8 +231,8 @@ Layer Floor::enlarged(const Area& area) const {
   std::uint8_t* out = layer.image.pixels.data();
   for (int y = 0; y < layer.image.height; ++y) {
     const Between row = between((top + y + 0.5) / down - area.y, area.height);
-    const Cell* upper = &grid_[static_cast<std::size_t>(row.first * area.width)];
-    const Cell* lower = &grid_[static_cast<std::size_t>(row.second * area.width)];
+    const Cell* upper = row_of(row.first, area.width);
+    const Cell* lower = row_of(row.second, area.width);
     for (std::size_t i = 0; i < line.size(); ++i) {
       line[i] = upper[i] + row.share * (lower[i] - upper[i]);
     }

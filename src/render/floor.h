@@ -45,6 +45,8 @@ class Floor {
   void add_reflection(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body,
                       const Area& area);
   void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const Area& area);
+  const Cell* row_of(int row, int width) const;
+  Cell* row_of(int row, int width);
   Layer enlarged(const Area& area) const;
 
   const gl::Functions* gl_;
