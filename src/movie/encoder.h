@@ -65,8 +65,8 @@ class VideoEncoder {
   VideoFormat format_;
   PendingFile file_;
   std::vector<std::string> command_;
-  ChildProcess ffmpeg_;  // after the file: killed before the file is removed
-  Image opaque_;         ///< an RGBA frame over black
+  ChildProcess ffmpeg_;                   // after the file: killed before the file is removed
+  Image opaque_;                          ///< an RGBA frame over black
   std::vector<std::uint8_t> with_alpha_;  ///< RGBA, for a film that keeps alpha
   Yuv420 planes_;
   std::vector<Area> changed_before_;
