@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "base/child_process.h"
 #include "base/disk_space.h"
+#include "canvas/font.h"
 #include "figure/gnuplot.h"
 #include "gl/backend.h"
 #include "movie/encoder.h"
@@ -87,13 +88,26 @@ struct Diagnosis {
 };
 
 Diagnosis diagnose() {
-  constexpr VideoFormat usual{1920, 1080, 60};
+  constexpr VideoFormat usual{1920, 1080, 60, Container::mp4, false};
   Diagnosis diagnosis;
   diagnosis.backends = examine_backends();
   diagnosis.encoder.push_back(examine("ffmpeg", "films", &ffmpeg_version));
-  diagnosis.encoder.push_back(examine("ffmpeg's libx264", "films: it encodes H.264", [&] {
-    require_encoder(usual);
-    return "it made a tiny film";
+  const auto encoder = [&](const char* name, const char* use, Container container, bool alpha) {
+    VideoFormat format = usual;
+    format.container = container;
+    format.transparent = alpha;
+    return examine(fmt::format("ffmpeg's {}", name), use, [format] {
+      require_encoder(format);
+      return "it made a tiny film";
+    });
+  };
+  diagnosis.encoder.push_back(encoder("libx264", "films: H.264 in MP4", Container::mp4, false));
+  diagnosis.others.push_back(
+      encoder("libvpx-vp9", "films in WebM, with alpha too", Container::webm, true));
+  diagnosis.others.push_back(encoder("prores_ks", "films with alpha in MOV", Container::mov, true));
+  diagnosis.others.push_back(examine("fonts", "words in the picture", [] {
+    for (const char* name : {"sans", "mono"}) load_typeface(name);
+    return "sans and mono, built in";
   }));
   diagnosis.others.push_back(
       examine("gnuplot", "figures: plot, study --plot; films do without", &figure_formats));
@@ -107,13 +121,17 @@ Diagnosis diagnose() {
 }
 
 std::string as_text(const Diagnosis& diagnosis) {
+  const std::vector<Finding> findings = diagnosis.all();
+  const auto length = [](const Finding& finding) { return finding.name.size(); };
+  const std::size_t width = length(std::ranges::max(findings, {}, length));
   std::string text;
-  for (const Finding& finding : diagnosis.all()) {
-    text += fmt::format("{:<18} {:<8} {}\n", finding.name, finding.is_there() ? "found" : "missing",
+  for (const Finding& finding : findings) {
+    text += fmt::format("{:<{}}  {:<7}  {}\n", finding.name, width,
+                        finding.is_there() ? "found" : "missing",
                         finding.is_there() ? finding.found : finding.why);
     if (finding.is_there()) continue;
-    text += fmt::format("{:<27} used for {}\n", "", finding.used_for);
-    if (!finding.remedy.empty()) text += fmt::format("{:<27} {}\n", "", finding.remedy);
+    text += fmt::format("{:<{}}  used for {}\n", "", width + 9, finding.used_for);
+    if (!finding.remedy.empty()) text += fmt::format("{:<{}}  {}\n", "", width + 9, finding.remedy);
   }
   return text + (diagnosis.code() == ExitCode::done
                      ? "The main job, twrench render, can run.\n"
