@@ -29,7 +29,23 @@ void add_film_options(SceneOptions& scene) {
             });
 }
 
+void add_material_options(SceneOptions& scene) {
+  scene.add("--color", "COLOR", "of the body; this and the next two are the theme's by default",
+            [](Scene& s, const std::string& text) { s.look.color = parse_color(text, "--color"); });
+  scene.add("--metallic", "F", "0 for paint to 1 for metal", [](Scene& s, const std::string& text) {
+    s.look.metallic =
+        limits::check(limits::fraction, "--metallic", parse_number(text, "--metallic"));
+  });
+  scene.add("--roughness", "R", "0.05 for a mirror to 1 for chalk",
+            [](Scene& s, const std::string& text) {
+              s.look.roughness = limits::check(limits::roughness, "--roughness",
+                                               parse_number(text, "--roughness"));
+            });
+}
+
 void add_overlay_options(SceneOptions& scene) {
+  scene.add("--title", "TEXT", "over the picture",
+            [](Scene& s, const std::string& text) { s.title = text; });
   scene.add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
             [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); });
   scene.add("--compare", "M1,M2,...", "methods side by side, four at most",
@@ -82,6 +98,7 @@ void add_camera_options(SceneOptions& scene) {
 
 void add_picture_options(SceneOptions& scene) {
   add_film_options(scene);
+  add_material_options(scene);
   add_overlay_options(scene);
   add_camera_options(scene);
 }
