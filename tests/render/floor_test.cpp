@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "gl/test_context.h"
 #include "math/so3.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 
 class FloorTest : public testing::Test {
  protected:
-  std::unique_ptr<gl::Context> context = gl::make_osmesa_context();
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
 
   Image drawn(const Scene& scene, const Matrix3d& X, const std::set<Feature>& features) const {
     return PoseRenderer(*context, scene, features).draw(X);
