@@ -2,16 +2,40 @@
 
 layout(location = 0) in vec3 position;  // body axes, cm
 layout(location = 1) in vec3 normal;
+layout(location = 2) in float offset;  // half pixels along the normal, as it is seen
 
 uniform mat3 stage_from_body;
 uniform mat3 stage_normal_from_body;
 uniform mat4 clip_from_stage;
+uniform vec3 picture;  // half its size in pixels, and how many an offset of 1 is
+uniform vec3 eye;
+uniform float part_lift;    // pixels towards the eye: over a part that this one meets
+uniform float part_radius;  // stage; of the surface where its outline is, about
 
 out vec3 stage_position;
 out vec3 stage_normal;
+out float coverage;  // 1 on the body, falling to 0 across a fin
 
 void main() {
   stage_position = stage_from_body * position;
   stage_normal = stage_normal_from_body * normal;
-  gl_Position = clip_from_stage * vec4(stage_position, 1.0);
+  coverage = 1.0 - max(offset, 0.0);
+  vec4 place = clip_from_stage * vec4(stage_position, 1.0);
+  vec4 onward = clip_from_stage * vec4(stage_normal, 0.0);
+  vec2 across = (onward.xy * place.w - place.xy * onward.w) * picture.xy;  // pixels, any length
+  across *= inversesqrt(max(dot(across, across), 1e-12));
+  place.xy += offset * picture.z * place.w * across / picture.xy;
+  gl_Position = place;
+
+  vec3 to_eye = normalize(eye - stage_position);
+  float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
+  vec4 lifted = clip_from_stage * vec4(stage_position + part_lift * pixel * to_eye, 1.0);
+  gl_Position.z = lifted.z * place.w / lifted.w;
+
+  // Moved in by s pixels it shows the surface there, where on a circle of radius r the cosine
+  // between normal and line of sight is sqrt(2 s / r).
+  float radius = part_radius * clip_from_stage[1][1] * picture.y / place.w;
+  float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));
+  vec3 n = normalize(stage_normal);
+  if (offset != 0.0) stage_normal = n + max(facing - dot(n, to_eye), 0.0) * to_eye;
 }

@@ -3,6 +3,7 @@
 uniform vec3 neighbour_from[neighbour_count];  // stage; the ends of their axes
 uniform vec3 neighbour_to[neighbour_count];
 uniform float neighbour_radius[neighbour_count];
+uniform float neighbour_meets[neighbour_count];  // 1: a cylinder that was drawn before, else 0
 
 // How much of a lobe of that width about `direction` capsule i hides from `place`: 0 to 1, by how
 // far the direction misses it, seen as an angle.
@@ -34,6 +35,22 @@ float seam(vec3 place) {
     left *= 1.0 - 0.45 * exp2(-9.0 * max(gap, 0.0));
   }
   return left;
+}
+
+// How much of a pixel lies outside the cylinders that this part meets: where it enters one, it
+// fades over the width of a pixel, and there is no jagged edge.
+float seam_coverage(vec3 place) {
+  float outside = 1.0;
+  for (int i = 0; i < neighbour_count; ++i) {
+    vec3 axis = neighbour_to[i] - neighbour_from[i];
+    vec3 to_end = neighbour_from[i] - place;
+    float s = -dot(axis, to_end) / dot(axis, axis);
+    float gap = length(to_end + s * axis) - neighbour_radius[i];
+    float share = clamp(gap / max(fwidth(gap), 1e-6) + 0.5, 0.0, 1.0);
+    bool beside = s > 0.0 && s < 1.0;
+    outside *= beside ? mix(1.0, share, neighbour_meets[i]) : 1.0;
+  }
+  return outside;
 }
 
 float shaded(vec3 place, vec3 direction, float width) {

@@ -17,7 +17,7 @@ void add_film_options(SceneOptions& scene) {
   scene.add(
       "--background", "COLOR", "#rrggbb, black, gray, white or transparent",
       [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); });
-  scene.add("--samples", "N", "samples a pixel, against jagged edges",
+  scene.add("--samples", "N", "samples a pixel; 1, the default, smooths edges one by one",
             [](Scene& s, const std::string& text) {
               s.look.samples = limits::check_whole(limits::samples, "--samples",
                                                    parse_number(text, "--samples"));

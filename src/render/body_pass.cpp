@@ -29,6 +29,13 @@ std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
   return most;
 }
 
+std::vector<float> part_radii(std::span<const Part> parts, double unit) {
+  std::vector<float> radii;
+  for (const Part& part : parts)
+    radii.push_back(static_cast<float>(capsule_of(part).radius / unit));
+  return radii;
+}
+
 bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
 
 /// Whether the body scatters is compiled in, not asked at each pixel: llvmpipe takes both ways of
@@ -49,19 +56,27 @@ gl::Program body_program(const gl::Functions& gl, const Material& material,
   return {gl, vertex, fragment};
 }
 
-void upload(const gl::Functions& gl, GLenum target, const gl::Buffer& buffer,
-            std::span<const std::byte> bytes) {
-  gl.BindBuffer(target, buffer.id());
-  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+template <typename Values>
+void upload(const gl::Functions& gl, GLenum target, const Values& values, GLenum usage) {
+  const auto bytes = std::as_bytes(std::span(values));
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
 }
 
-void set_attribute(const gl::Functions& gl, BodyAttribute attribute, std::size_t offset) {
-  gl.EnableVertexAttribArray(attribute);
-  gl.VertexAttribPointer(
-      attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-      // GL takes an offset for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-      reinterpret_cast<const void*>(offset));
+/// GL takes an offset for a pointer.
+const void* pointer(std::size_t offset) {
+  return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }
+
+/// Of floats in vertices of `stride` bytes each.
+void set_attribute(const gl::Functions& gl, BodyAttribute attribute, GLint size, std::size_t stride,
+                   std::size_t offset) {
+  gl.EnableVertexAttribArray(attribute);
+  gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                         pointer(offset));
+}
+
+/// The shader's picture where nothing is moved off its place.
+constexpr glm::vec3 as_drawn(1, 1, 0);
 
 /// Takes normals to where the matrix takes the surface: its cofactors, which for a rotation are
 /// the rotation itself, and which are right too for a pose that has left SO(3).
@@ -86,16 +101,33 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
       mesh_(body_mesh(parts, tolerance)),
       neighbours_(neighbours(parts, most_neighbours)),
       neighbour_count_(most_of_any(neighbours_)),
+      part_radii_(part_radii(parts, radius)),
       program_(body_program(gl, material, neighbour_count_)),
       array_(gl),
+      fin_array_(gl),
       vertices_(gl),
       indices_(gl),
+      offsets_(gl),
+      fins_(gl),
+      fin_indices_(gl),
       radius_(radius) {
   gl.BindVertexArray(array_.id());
-  upload(gl, GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(mesh_.vertices)));
-  upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(std::span(mesh_.indices)));
-  set_attribute(gl, position_attribute, offsetof(Vertex, position));
-  set_attribute(gl, normal_attribute, offsetof(Vertex, normal));
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  upload(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, GL_STATIC_DRAW);
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  upload(gl, GL_ARRAY_BUFFER, mesh_.vertices, GL_STATIC_DRAW);
+  set_attribute(gl, position_attribute, 3, sizeof(Vertex), offsetof(Vertex, position));
+  set_attribute(gl, normal_attribute, 3, sizeof(Vertex), offsetof(Vertex, normal));
+  gl.BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
+  upload(gl, GL_ARRAY_BUFFER, std::vector<float>(mesh_.vertices.size()), GL_STREAM_DRAW);
+  set_attribute(gl, offset_attribute, 1, sizeof(float), 0);
+
+  gl.BindVertexArray(fin_array_.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, fin_indices_.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, fins_.id());
+  set_attribute(gl, position_attribute, 3, sizeof(FinVertex), offsetof(FinVertex, position));
+  set_attribute(gl, normal_attribute, 3, sizeof(FinVertex), offsetof(FinVertex, normal));
+  set_attribute(gl, offset_attribute, 1, sizeof(FinVertex), offsetof(FinVertex, offset));
 
   program_.use();
   set_material(material);
@@ -103,8 +135,10 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
 }
 
 void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
+  set_stage(camera, X, Affine3d::Identity());
+  program_.set("picture", as_drawn);
   gl_->FrontFace(GL_CCW);
-  draw_on_stage(camera, X, Affine3d::Identity());
+  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), false);
 }
 
 void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double height) const {
@@ -112,16 +146,46 @@ void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double hei
   mirror(1, 1) = -1;
   mirror(1, 3) = 2 * height / radius_;
   const Affine3d stage_from_space(camera.camera_from_space());
+  set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
+  program_.set("picture", as_drawn);
   gl_->FrontFace(GL_CW);  // a mirror turns the triangles round
-  draw_on_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
+  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), false);
+}
+
+void BodyPass::draw_inset(const Camera& camera, const Matrix3d& X, const Area& pane) {
+  if (!outline_) outline_.emplace(mesh_);
+  const Matrix3d body_from_camera = (camera.camera_from_space() * X).inverse();
+  const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
+  outline_->find(glm_from_eigen((camera.distance * body_from_camera.col(2)).eval()),
+                 static_cast<float>(scale));
+  gl_->BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
+  upload(*gl_, GL_ARRAY_BUFFER, outline_->offsets(), GL_STREAM_DRAW);
+  set_stage(camera, X, Affine3d::Identity());
+  program_.set("picture", glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
+  gl_->FrontFace(GL_CCW);
+  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), true);
+}
+
+void BodyPass::draw_fins(const Camera& camera, const Matrix3d& X) const {
+  program_.use();
+  gl_->BindVertexArray(fin_array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, fins_.id());
+  upload(*gl_, GL_ARRAY_BUFFER, outline_->fins(), GL_STREAM_DRAW);
+  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, outline_->indices(), GL_STREAM_DRAW);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->DepthMask(GL_FALSE);
+  draw_parts(fin_array_, outline_->part_ends(), stage_from_body(camera, X), true);
+  gl_->DepthMask(GL_TRUE);
+}
+
+Matrix3d BodyPass::stage_from_body(const Camera& camera, const Matrix3d& X) const {
+  return camera.camera_from_space() * X / radius_;
 }
 
 /// The body stays on the stage, in its light; what the camera sees is the stage moved by
 /// `seen_from_stage`, which is its own inverse.
-void BodyPass::draw_on_stage(const Camera& camera, const Matrix3d& X,
-                             const Affine3d& seen_from_stage) const {
-  const Matrix3d camera_from_body = camera.camera_from_space() * X;
-  const Matrix3d stage_from_body = camera_from_body / radius_;
+void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
+                         const Affine3d& seen_from_stage) const {
   program_.use();
   program_.set(
       "eye", glm_from_eigen((seen_from_stage * Vector3d(0, 0, camera.distance / radius_)).eval()));
@@ -129,37 +193,51 @@ void BodyPass::draw_on_stage(const Camera& camera, const Matrix3d& X,
                glm_from_eigen((camera.projection * camera_from_stage(camera, radius_) *
                                seen_from_stage.matrix())
                                   .eval()));
-  program_.set("stage_from_body", glm_from_eigen(stage_from_body));
-  program_.set("stage_normal_from_body", glm_from_eigen(normal_matrix(camera_from_body)));
+  program_.set("stage_from_body", glm_from_eigen(stage_from_body(camera, X)));
+  program_.set("stage_normal_from_body",
+               glm_from_eigen(normal_matrix(camera.camera_from_space() * X)));
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Enable(GL_CULL_FACE);
-  gl_->BindVertexArray(array_.id());
-  std::size_t begin = 0;
-  for (std::size_t part = 0; part < neighbours_.size(); ++part) {
-    const std::size_t end = mesh_.part_ends[part];
-    set_neighbours(neighbours_[part], stage_from_body);
-    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
-                      // GL takes an offset for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-                      reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
-    begin = end;
-  }
 }
 
-void BodyPass::set_neighbours(const std::vector<Capsule>& capsules,
-                              const Matrix3d& stage_from_body) const {
+/// Triangles of `array`, those of each part up to its end; `smooth` where parts meet, too.
+void BodyPass::draw_parts(const gl::VertexArray& array, std::span<const std::size_t> ends,
+                          const Matrix3d& stage_from_body, bool smooth) const {
+  gl_->BindVertexArray(array.id());
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  std::size_t begin = 0;
+  for (std::size_t part = 0; part < ends.size(); ++part) {
+    const std::size_t end = ends[part];
+    set_neighbours(neighbours_[part], stage_from_body, smooth);
+    program_.set("part_lift",
+                 smooth && std::ranges::any_of(neighbours_[part], &Capsule::meets) ? 1.0F : 0.0F);
+    program_.set("part_radius", part_radii_[part]);
+    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                      pointer(begin * sizeof(std::uint32_t)));
+    begin = end;
+  }
+  gl_->Disable(GL_BLEND);
+}
+
+void BodyPass::set_neighbours(const std::vector<Capsule>& capsules, const Matrix3d& stage_from_body,
+                              bool smooth) const {
   if (neighbour_count_ == 0) return;
   // Where a part has fewer than the most: too small and far to be seen.
   std::vector<glm::vec3> from(neighbour_count_, glm::vec3(0, 0, -1e4F));
   std::vector<glm::vec3> to(neighbour_count_, glm::vec3(0, 1, -1e4F));
   std::vector<float> radius(neighbour_count_, 1e-6F);
+  std::vector<float> meets(neighbour_count_, 0.0F);
   for (std::size_t i = 0; i < capsules.size(); ++i) {
     from[i] = glm_from_eigen((stage_from_body * capsules[i].from).eval());
     to[i] = glm_from_eigen((stage_from_body * capsules[i].to).eval());
     radius[i] = static_cast<float>(capsules[i].radius / radius_);
+    meets[i] = smooth && capsules[i].meets ? 1.0F : 0.0F;
   }
   program_.set("neighbour_from", from);
   program_.set("neighbour_to", to);
   program_.set("neighbour_radius", radius);
+  program_.set("neighbour_meets", meets);
 }
 
 void BodyPass::set_material(const Material& material) const {

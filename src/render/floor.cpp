@@ -84,7 +84,7 @@ Floor::Floor(const gl::Functions& gl, const FloorStyle& style, const Area& pane,
 std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
   std::vector<Ball> balls;
   for (const Part& part : parts) {
-    const auto [from, to, radius] = capsule_of(part);
+    const auto [from, to, radius, meets] = capsule_of(part);
     const double apart = std::numbers::pi / 2 * radius;
     const int gaps = static_cast<int>(std::lround((to - from).norm() / apart));
     for (int i = 0; i <= gaps; ++i) {

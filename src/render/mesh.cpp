@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bevel_share = 0.04;
+constexpr double bevel_share = 0.04, widest_bevel_share = 0.12;  // of half the least dimension
+constexpr double least_bevel = 12;                               // tolerances
 constexpr double quarter = std::numbers::pi / 2;
 
 // The least chords of a quarter turn, however small the picture: the normals between are linear.
@@ -24,6 +25,10 @@ int chords_of_quarter(double radius, double tolerance, int least) {
   if (tolerance >= radius) return least;
   const double half_angle = std::acos(1 - tolerance / radius);
   return std::max(least, static_cast<int>(std::ceil(quarter / (2 * half_angle))));
+}
+
+double bevel_of(double half, double tolerance) {
+  return std::max(bevel_share * half, std::min(least_bevel * tolerance, widest_bevel_share * half));
 }
 
 struct Point {
@@ -53,7 +58,7 @@ std::vector<double> bevel_latitudes(double end, int chords) {
 }
 
 Rings rings_of(const Cylinder& cylinder, double tolerance) {
-  const double bevel = bevel_share * std::min(cylinder.radius, cylinder.length / 2);
+  const double bevel = bevel_of(std::min(cylinder.radius, cylinder.length / 2), tolerance);
   const double inner_radius = cylinder.radius - bevel;
   const double inner_height = cylinder.length / 2 - bevel;
   const int around = 4 * chords_of_quarter(cylinder.radius, tolerance, least_of_body);
@@ -76,7 +81,7 @@ Rings rings_of(const Cylinder& cylinder, double tolerance) {
 /// A box with rounded edges is a sphere of the bevel's radius, cut into octants that are moved
 /// apart to the corners of an inner box.
 Rings rings_of(const Box& box, double tolerance) {
-  const double bevel = bevel_share * box.size.minCoeff() / 2;
+  const double bevel = bevel_of(box.size.minCoeff() / 2, tolerance);
   const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
   const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
   Rings rings;

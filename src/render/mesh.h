@@ -23,9 +23,10 @@ struct Mesh {
 };
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by
-/// a small bevel (4 % of the smallest half dimension), so that they catch a line of light; all
-/// other vertices lie on the exact shape, and the facets between them depart from it by no more
-/// than `tolerance` cm. Facets finer than that cost much: thin triangles are drawn badly.
+/// a small bevel, so that they catch a line of light: 4 % of the smallest half dimension, or, for a
+/// narrower line would be drawn in dashes, 12 tolerances, but at most 12 %. All other vertices lie
+/// on the exact shape, and the facets between them depart from it by no more than `tolerance` cm.
+/// Facets finer than that cost much: thin triangles are drawn badly.
 Mesh part_mesh(const Part& part, double tolerance);
 
 /// The meshes of all parts in one.

@@ -42,7 +42,7 @@ Capsule capsule_of(const Part& part) {
   const double radius = (half.sum() - half[longest]) / 2;
   const double reach = std::max(0.0, half[longest] - radius / 2);
   const Vector3d along = reach * part.body_from_part.col(longest);
-  return {part.position - along, part.position + along, radius};
+  return {part.position - along, part.position + along, radius, false};
 }
 
 std::vector<std::vector<Capsule>> neighbours(std::span<const Part> parts, std::size_t most) {
@@ -59,7 +59,11 @@ std::vector<std::vector<Capsule>> neighbours(std::span<const Part> parts, std::s
     std::ranges::sort(near);
     near.resize(std::min(near.size(), most));
     auto& found = result.emplace_back();
-    for (const auto& [distance, j] : near) found.push_back(capsules[j]);
+    for (const auto& [distance, j] : near) {
+      found.push_back(capsules[j]);
+      found.back().meets =
+          distance < 0 && j < i && std::holds_alternative<Cylinder>(parts[j].shape);
+    }
   }
   return result;
 }

@@ -12,6 +12,7 @@ namespace twrench {
 struct Capsule {
   Eigen::Vector3d from, to;
   double radius;
+  bool meets = false;  ///< a cylinder that is drawn before the part whose neighbour it is
 };
 
 /// The capsule that takes about the place of the part, for shade that is soft anyway: about its

@@ -1,5 +1,6 @@
 #include "render/outline.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -26,37 +27,68 @@ std::vector<std::uint32_t> first_at_each_place(const std::vector<Vertex>& vertic
 Outline::Outline(const Mesh& mesh)
     : vertices_(mesh.vertices), first_at_(first_at_each_place(vertices_)) {
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> half_edges;  // to their triangle
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto triangle = static_cast<std::uint32_t>(triangles_.size());
-    const std::array corners{first_at_[mesh.indices[i]], first_at_[mesh.indices[i + 1]],
-                             first_at_[mesh.indices[i + 2]]};
-    const glm::vec3 a = vertices_[corners[0]].position;
-    triangles_.push_back(
-        {a, glm::cross(vertices_[corners[1]].position - a, vertices_[corners[2]].position - a)});
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = corners[k];
-      const std::uint32_t to = corners[(k + 1) % 3];
-      if (const auto other = half_edges.find({to, from}); other != half_edges.end()) {
-        edges_.push_back({{from, to}, {triangle, other->second}});
-        half_edges.erase(other);
-      } else {
-        half_edges.emplace(std::array{from, to}, triangle);
+  for (const std::size_t end : mesh.part_ends) {
+    for (std::size_t i = 3 * triangles_.size(); i < end; i += 3) {
+      const auto triangle = static_cast<std::uint32_t>(triangles_.size());
+      const std::array corners{first_at_[mesh.indices[i]], first_at_[mesh.indices[i + 1]],
+                               first_at_[mesh.indices[i + 2]]};
+      const glm::vec3 a = vertices_[corners[0]].position;
+      triangles_.push_back({corners, glm::cross(vertices_[corners[1]].position - a,
+                                                vertices_[corners[2]].position - a)});
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = corners[k];
+        const std::uint32_t to = corners[(k + 1) % 3];
+        if (const auto other = half_edges.find({to, from}); other != half_edges.end()) {
+          edges_.push_back({{from, to}, {triangle, other->second}});
+          half_edges.erase(other);
+        } else {
+          half_edges.emplace(std::array{from, to}, triangle);
+        }
       }
     }
+    edge_ends_.push_back(edges_.size());
   }
   seen_.resize(triangles_.size());
   offsets_.resize(vertices_.size());
+  on_it_.resize(vertices_.size());
 }
 
-void Outline::find(const glm::vec3& eye) {
+void Outline::find(const glm::vec3& eye, float scale) {
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    seen_[i] = glm::dot(triangles_[i].normal, eye - triangles_[i].corner) > 0 ? 1 : 0;
+    const glm::vec3 to_eye = eye - vertices_[triangles_[i].corners[0]].position;
+    seen_[i] = glm::dot(triangles_[i].normal, to_eye) > 0 ? 1 : 0;
   }
   fins_.clear();
   indices_.clear();
+  part_ends_.clear();
   offsets_.assign(offsets_.size(), 0);
-  for (const Edge& edge : edges_) {
-    if (seen_[edge.triangles[0]] != seen_[edge.triangles[1]]) add_fin(edge);
+  on_it_.assign(on_it_.size(), 0);
+  std::size_t edge = 0;
+  for (const std::size_t end : edge_ends_) {
+    for (; edge < end; ++edge) {
+      const auto& [one, other] = edges_[edge].triangles;
+      if (seen_[one] == seen_[other]) continue;
+      add_fin(edges_[edge]);
+    }
+    part_ends_.push_back(indices_.size());
+  }
+  draw_in(eye, scale);
+}
+
+/// How far a vertex lies within the outline's is measured in the picture: along the normal, less
+/// its part in the line of sight.
+void Outline::draw_in(const glm::vec3& eye, float scale) {
+  for (const Triangle& triangle : triangles_) {
+    for (const std::uint32_t edge : triangle.corners) {
+      if (on_it_[edge] == 0) continue;
+      const auto& [place, normal] = vertices_[edge];
+      const glm::vec3 sight = glm::normalize(eye - place);
+      const glm::vec3 across = glm::normalize(normal - glm::dot(normal, sight) * sight);
+      for (const std::uint32_t corner : triangle.corners) {
+        const float within = scale * glm::dot(across, place - vertices_[corner].position);
+        offsets_[corner] = std::min(offsets_[corner], std::clamp(2 * within - 1, -1.0F, 0.0F));
+      }
+    }
   }
   for (std::size_t i = 0; i < offsets_.size(); ++i) offsets_[i] = offsets_[first_at_[i]];
 }
@@ -64,8 +96,8 @@ void Outline::find(const glm::vec3& eye) {
 void Outline::add_fin(const Edge& edge) {
   const auto first = static_cast<std::uint32_t>(fins_.size());
   for (const std::uint32_t end : edge.ends) {
-    offsets_[end] = -1;
     const Vertex& vertex = vertices_[end];
+    on_it_[end] = 1;
     fins_.push_back({vertex.position, vertex.normal, -1});
     fins_.push_back({vertex.position, vertex.normal, 1});
   }

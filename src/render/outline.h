@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -24,34 +25,43 @@ class Outline {
  public:
   explicit Outline(const Mesh& mesh);
 
-  /// Finds the outline as it is seen from `eye`: cm, body axes.
-  void find(const glm::vec3& eye);
+  /// Finds the outline as it is seen from `eye`, cm, body axes, where 1 cm is about `scale` pixels.
+  void find(const glm::vec3& eye, float scale);
 
   /// Two triangles, six indices, an edge of the outline.
   const std::vector<FinVertex>& fins() const { return fins_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
-  /// For each vertex of the mesh the half pixels by which it is moved: -1 on the outline, else 0.
+  /// In indices, the end of the fins of each part.
+  const std::vector<std::size_t>& part_ends() const { return part_ends_; }
+
+  /// For each vertex of the mesh the half pixels by which it is moved: -1 on the outline, less on
+  /// those next to it that lie less than half a pixel within, or triangles would turn over; else 0.
   const std::vector<float>& offsets() const { return offsets_; }
 
  private:
   struct Triangle {
-    glm::vec3 corner, normal;  ///< the normal has any length
+    std::array<std::uint32_t, 3> corners;
+    glm::vec3 normal;  ///< of any length
   };
   struct Edge {
     std::array<std::uint32_t, 2> ends;
     std::array<std::uint32_t, 2> triangles;
   };
 
+  void draw_in(const glm::vec3& eye, float scale);
   void add_fin(const Edge& edge);
 
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> first_at_;  ///< for each vertex the first one at the same place
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
-  std::vector<char> seen_;  ///< for each triangle
+  std::vector<std::size_t> edge_ends_;  ///< of each part
+  std::vector<char> seen_;              ///< for each triangle
+  std::vector<char> on_it_;             ///< for each vertex
   std::vector<FinVertex> fins_;
   std::vector<std::uint32_t> indices_;
+  std::vector<std::size_t> part_ends_;
   std::vector<float> offsets_;
 };
 

@@ -55,6 +55,7 @@ void Sketch::begin(const Camera& camera, const Area& pane) {
   scale_ = camera.projection(1, 1) * half_size_.y();
   vertices_.clear();
   indices_.clear();
+  fin_indices_.clear();
 }
 
 Vector4d Sketch::clip(const Vector3d& place) const {
@@ -159,19 +160,113 @@ void Sketch::dot(const Vector3d& place, double radius, const Ink& ink) {
   indices_.insert(indices_.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
 }
 
-void Sketch::cone(const Matrix3d& frame, const Vector3d& from, double length, const Vector2d& radii,
-                  const Ink& ink) {
+/// The side of a cone, or of a part of one, with its axis along z of its frame.
+struct Sketch::Cone {
+  Matrix3d frame;
+  Vector3d from;  ///< the middle of its base
+  double length;
+  double base, top;  ///< radii
+
+  Vector3d at(double angle, double height, double radius) const {
+    return from + frame * Vector3d(radius * std::cos(angle), radius * std::sin(angle), height);
+  }
+  /// Outward, at that angle; its length is 1.
+  Vector3d normal(double angle) const {
+    const Vector3d n(length * std::cos(angle), length * std::sin(angle), base - top);
+    return frame * n.normalized();
+  }
+};
+
+void Sketch::cone(const Cone& cone, const Ink& ink) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
-  for (const int end : {0, 1}) {
+  for (const auto& [height, radius] : {std::pair(0.0, cone.base), {cone.length, cone.top}}) {
+    const double scale = pixels(cone.from + height * cone.frame.col(2));
+    const double inset = std::max(radius - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
     for (std::uint32_t i = 0; i < around_arrow; ++i) {
       const double angle = 2 * std::numbers::pi * i / around_arrow;
-      const Vector3d out(std::cos(angle), std::sin(angle), 0);
-      const Vector3d normal = Vector3d(length * out.x(), length * out.y(), radii[0] - radii[1]);
-      add_lit(from + frame * (radii[end] * out + end * length * Vector3d::UnitZ()),
-              frame * normal.normalized(), ink);
+      add_lit(cone.at(angle, height, inset), cone.normal(angle), ink);
     }
   }
   band(first, first + around_arrow, around_arrow);
+  add_side_fins(cone, ink);
+}
+
+/// The base of a cone, seen from without.
+void Sketch::base(const Cone& cone, const Ink& ink) {
+  const double scale = pixels(cone.from);
+  const double inset = std::max(cone.base - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
+  const std::uint32_t middle = add_lit(cone.from, -cone.frame.col(2), ink);
+  for (std::uint32_t i = 0; i < around_arrow; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around_arrow;
+    add_lit(cone.at(angle, 0, inset), -cone.frame.col(2), ink);
+    indices_.insert(indices_.end(), {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
+  }
+  add_rim_fins(cone, ink);
+}
+
+/// The outline of the side is the two lines whose normal n is at right angles to the line of sight:
+/// n . (eye - p) = 0, in the cone's frame cos(a) e_x + sin(a) e_y = base - slope e_z.
+void Sketch::add_side_fins(const Cone& cone, const Ink& ink) {
+  const Vector3d eye = cone.frame.transpose() * (eye_ - cone.from);
+  const double slope = (cone.base - cone.top) / cone.length;
+  const double cosine = (cone.base - slope * eye.z()) / std::hypot(eye.x(), eye.y());
+  if (!(std::abs(cosine) < 1)) return;  // seen end on
+  const Vector4d inside = clip(cone.from + 0.5 * cone.length * cone.frame.col(2));
+  for (const double sign : {-1.0, 1.0}) {
+    const double angle = std::atan2(eye.y(), eye.x()) + sign * std::acos(cosine);
+    const Vector3d normal = cone.normal(angle);
+    const std::uint32_t low = add_lit(cone.at(angle, 0, cone.base), normal, ink);
+    const std::uint32_t high = add_lit(cone.at(angle, cone.length, cone.top), normal, ink);
+    add_fin(low, high, inside, fin_indices_);
+  }
+}
+
+/// The rim of the base is outline where one of base and side is seen and the other is not.
+void Sketch::add_rim_fins(const Cone& cone, const Ink& ink) {
+  const Vector3d& axis = cone.frame.col(2);
+  const bool base_seen = axis.dot(eye_ - cone.from) < 0;
+  const Vector4d inside = clip(cone.from);
+  for (std::uint32_t i = 0; i < around_arrow; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around_arrow;
+    const double next = 2 * std::numbers::pi * (i + 1) / around_arrow;
+    const Vector3d normal = cone.normal(0.5 * (angle + next));
+    const Vector3d place = cone.at(angle, 0, cone.base);
+    if ((normal.dot(eye_ - place) > 0) == base_seen) continue;
+    const Vector3d shown = base_seen ? Vector3d(-axis) : normal;
+    const std::uint32_t first = add_lit(place, shown, ink);
+    const std::uint32_t second = add_lit(cone.at(next, 0, cone.base), shown, ink);
+    add_fin(first, second, inside, fin_indices_);
+  }
+}
+
+Vector2d Sketch::pixel(std::uint32_t vertex) const {
+  const glm::vec4& c = vertices_[vertex].clip;
+  return half_size_.cwiseProduct(Vector2d(c.x, c.y)) / c.w;
+}
+
+std::uint32_t Sketch::add_moved(std::uint32_t vertex, const Vector2d& pixels, float coverage) {
+  Vertex moved = vertices_[vertex];
+  moved.clip.x += static_cast<float>(pixels.x() / half_size_.x()) * moved.clip.w;
+  moved.clip.y += static_cast<float>(pixels.y() / half_size_.y()) * moved.clip.w;
+  constexpr float most = 8;  // of coverage, in the middle of a line whose one side this is
+  moved.edge = {most - coverage, 0, most - 0.5F};
+  vertices_.push_back(moved);
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+void Sketch::add_fin(std::uint32_t first, std::uint32_t second, const Vector4d& inside,
+                     std::vector<std::uint32_t>& indices) {
+  if (vertices_[first].clip.w <= 0 || vertices_[second].clip.w <= 0 || inside.w() <= 0) return;
+  const Vector2d along = pixel(second) - pixel(first);
+  Vector2d across = Vector2d(-along.y(), along.x()).stableNormalized();
+  const Vector2d middle = half_size_.cwiseProduct(inside.head<2>()) / inside.w();
+  if (across.dot(0.5 * (pixel(first) + pixel(second)) - middle) < 0) across = -across;
+  const auto n = static_cast<std::uint32_t>(vertices_.size());
+  for (const std::uint32_t end : {first, second}) {
+    add_moved(end, -0.75 * across, 1.25F);  // a little over what is drawn in, which has facets
+    add_moved(end, 0.5 * across, 0);
+  }
+  indices.insert(indices.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
 }
 
 void Sketch::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink) {
@@ -179,18 +274,11 @@ void Sketch::arrow(const Vector3d& from, const Vector3d& to, double radius, cons
   if (!(length > 0)) return;
   const double scale = std::min(1.0, length / (head_length * radius));
   const double head = head_length * radius * scale, shaft = length - head;
-  const double wide = head_radius * radius * scale;
   const Matrix3d frame = frame_with_z_along(to - from);
-  const Vector3d neck = from + shaft * frame.col(2);
-  if (shaft > 0) cone(frame, from, shaft, {radius, radius}, ink);
-  cone(frame, neck, head, {wide, 0}, ink);
-  const std::uint32_t middle = add_lit(neck, -frame.col(2), ink);
-  for (std::uint32_t i = 0; i < around_arrow; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around_arrow;
-    add_lit(neck + wide * (frame * Vector3d(std::cos(angle), std::sin(angle), 0)), -frame.col(2),
-            ink);
-    indices_.insert(indices_.end(), {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
-  }
+  const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0};
+  if (shaft > 0) cone({frame, from, shaft, radius, radius}, ink);
+  cone(tip, ink);
+  base(tip, ink);
 }
 
 void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius, const Ink& middle,
@@ -205,38 +293,45 @@ void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius,
   }
 }
 
+/// On the unit sphere the near side is a cap about the direction to the eye at the distance d,
+/// out to the angle whose cosine is 1 / d.
 void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
+  const Vector3d eye = space_from_unit.inverse() * eye_;
+  if (!(eye.norm() > 1)) return;
+  const Matrix3d frame = frame_with_z_along(eye);
   const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
   const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
-  const auto parallels = static_cast<std::uint32_t>(std::clamp(2.2 * std::sqrt(size), 16.0, 64.0));
-  const std::uint32_t meridians = 2 * parallels;  // facets stray from the outline by 0.15 pixels
+  const auto rings = static_cast<std::uint32_t>(std::clamp(1.1 * std::sqrt(size), 8.0, 32.0));
+  const std::uint32_t around = 4 * rings;  // facets stray from the outline by 0.15 pixels
   const auto first = static_cast<std::uint32_t>(vertices_.size());
-  std::vector<Vector3d> places;
-  for (std::uint32_t i = 0; i <= parallels; ++i) {
-    const double latitude = std::numbers::pi * (static_cast<double>(i) / parallels - 0.5);
-    for (std::uint32_t j = 0; j < meridians; ++j) {
-      const double longitude = 2 * std::numbers::pi * j / meridians;
-      const Vector3d unit(std::cos(latitude) * std::cos(longitude),
-                          std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    const double from_pole = std::acos(1 / eye.norm()) * i / rings;
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const double longitude = 2 * std::numbers::pi * j / around;
+      const Vector3d unit =
+          frame * Vector3d(std::sin(from_pole) * std::cos(longitude),
+                           std::sin(from_pole) * std::sin(longitude), std::cos(from_pole));
       const Vector3d normal = (normal_from_unit * unit).normalized();
-      places.push_back(space_from_unit * unit);
-      const double facing = std::clamp(normal.dot((eye_ - places.back()).normalized()), 0.0, 1.0);
+      const Vector3d place = space_from_unit * unit;
+      const double facing = std::clamp(normal.dot((eye_ - place).normalized()), 0.0, 1.0);
       const double glass = std::pow(1 - facing, 3);
-      add_lit(places.back(), normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass});
+      add_lit(place, normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass});
     }
+    if (i > 0) band(first + (i - 1) * around, first + i * around, around);
   }
-  const auto near_side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const Vector3d normal = (places[b] - places[a]).cross(places[c] - places[a]);
-    if (normal.dot(eye_ - places[a]) <= 0) return;
-    indices_.insert(indices_.end(), {first + a, first + b, first + c});
-  };
-  for (std::uint32_t i = 0; i < parallels; ++i) {
-    for (std::uint32_t j = 0; j < meridians; ++j) {
-      const std::uint32_t a = i * meridians + j, b = i * meridians + (j + 1) % meridians;
-      near_side(a, b, a + meridians);
-      near_side(a + meridians, b, b + meridians);
-    }
+  soften_rim(first + rings * around, around);
+}
+
+/// Draws a closed ring of vertices about the origin in to where the fins begin that are added along
+/// where it was.
+void Sketch::soften_rim(std::uint32_t first, std::uint32_t count) {
+  const Vector4d inside = clip(Vector3d::Zero());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    add_fin(first + i, first + (i + 1) % count, inside, indices_);
   }
+  const auto fins = first + count;
+  for (std::uint32_t i = 0; i < count; ++i)
+    vertices_[first + i].clip = vertices_[fins + 4 * i].clip;
 }
 
 void Sketch::add_to(ScreenArea& area) const {

@@ -21,6 +21,9 @@ struct Ink {
 
 /// Lines, arrows and plain surfaces in space as a camera sees them: a list of triangles, in the
 /// order in which they were added. Kept from frame to frame, so that its memory is.
+///
+/// All edges are smooth without multisampling. What is solid is drawn in by half a pixel, and fins
+/// one pixel wide, along its outline, are drawn over it when all else that is solid is there.
 class Sketch {
  public:
   struct Vertex {
@@ -66,6 +69,7 @@ class Sketch {
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
+  const std::vector<std::uint32_t>& fin_indices() const { return fin_indices_; }  ///< of arrows
 
  private:
   /// A point of a line in sight of the eye.
@@ -85,8 +89,18 @@ class Sketch {
                         const Ink& ink);
   /// A band of triangles between two rings of vertices that were added one after the other.
   void band(std::uint32_t first, std::uint32_t second, std::uint32_t count);
-  void cone(const Eigen::Matrix3d& frame, const Eigen::Vector3d& from, double length,
-            const Eigen::Vector2d& radii, const Ink& ink);
+  struct Cone;
+  void cone(const Cone& cone, const Ink& ink);
+  void base(const Cone& cone, const Ink& ink);
+  void add_side_fins(const Cone& cone, const Ink& ink);
+  void add_rim_fins(const Cone& cone, const Ink& ink);
+  /// Along the edge from `first` to `second`, vertices that were added, away from `inside`.
+  void add_fin(std::uint32_t first, std::uint32_t second, const Eigen::Vector4d& inside,
+               std::vector<std::uint32_t>& indices);
+  /// The vertex once more, moved across by that many pixels, where the edge's coverage is so much.
+  std::uint32_t add_moved(std::uint32_t vertex, const Eigen::Vector2d& pixels, float coverage);
+  void soften_rim(std::uint32_t first, std::uint32_t count);
+  Eigen::Vector2d pixel(std::uint32_t vertex) const;
 
   Eigen::Matrix4d clip_from_space_;
   Eigen::Matrix3d camera_from_space_;
@@ -95,7 +109,7 @@ class Sketch {
   double scale_;                ///< pixels of a length 1 at the distance 1
   std::vector<Projected> run_;  ///< of the line being added, as far as it is in sight
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> indices_;
+  std::vector<std::uint32_t> indices_, fin_indices_;
 };
 
 }  // namespace twrench

@@ -21,6 +21,7 @@ Layer SketchPad::layer() const {
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   pass_.draw_solid(solid);
+  pass_.draw_fins(solid);
   pass_.draw_sheer(sheer);
   return {framebuffer_.read(screen.rectangle()), screen.area().x, screen.area().y};
 }

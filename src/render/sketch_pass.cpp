@@ -42,20 +42,20 @@ SketchPass::SketchPass(const gl::Functions& gl)
   set_attribute(gl, edge_attribute, 3, offsetof(Sketch::Vertex, edge));
 }
 
-void SketchPass::draw(const Sketch& sketch, GLboolean hides) const {
-  if (sketch.indices().empty()) return;
+void SketchPass::draw(const Sketch& sketch, const std::vector<std::uint32_t>& indices,
+                      GLboolean hides) const {
+  if (indices.empty()) return;
   program_.use();
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   upload(*gl_, GL_ARRAY_BUFFER, std::as_bytes(std::span(sketch.vertices())));
-  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(sketch.indices())));
+  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Disable(GL_CULL_FACE);
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_->DepthMask(hides);
-  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(sketch.indices().size()), GL_UNSIGNED_INT,
-                    nullptr);
+  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
   gl_->DepthMask(GL_TRUE);
   gl_->Disable(GL_BLEND);
 }

@@ -55,6 +55,7 @@ WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuff
       path_(path_of(scene, pane, overlay_)),
       body_(gl, joined_parts(visible_parts(scene.body)), tolerance(camera(0), pane.area.height),
             radius_, material(scene.look), style_of(scene.look.theme).studio),
+      multisampled_(scene.look.samples > 1),
       sketch_pass_(gl) {
   const auto& floor = style_of(scene.look.theme).floor;
   if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
@@ -84,7 +85,7 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
         (camera.projection * camera.view * space_from_body).cast<float>();
     for (const Vertex& vertex : body_.mesh().vertices) {
       const auto& [x, y, z] = std::tie(vertex.position.x, vertex.position.y, vertex.position.z);
-      screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1));
+      screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1), 1);  // a fin's half pixel
     }
   }
   solid_.add_to(screen);
@@ -92,17 +93,24 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
   return screen;
 }
 
-Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenArea& screen) const {
+Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenArea& screen) {
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  body_.draw(camera, X);
-  sketch_pass_.draw_solid(solid_);
+  if (multisampled_) {
+    body_.draw(camera, X);
+    sketch_pass_.draw_solid(solid_);
+  } else {
+    body_.draw_inset(camera, X, pane_.area);
+    sketch_pass_.draw_solid(solid_);
+    body_.draw_fins(camera, X);
+  }
+  sketch_pass_.draw_fins(solid_);
   sketch_pass_.draw_sheer(sheer_);
   return framebuffer_.read(screen.rectangle());
 }
 
-Layer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) const {
+Layer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) {
   const ScreenArea screen = covered(camera, poses);
   const Area area = screen.area();
   Exposure exposure(area.width, area.height);

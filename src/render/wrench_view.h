@@ -28,8 +28,8 @@ class WrenchView : public SpaceView {
 
  private:
   ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
-  Image picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen) const;
-  Layer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+  Image picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen);
+  Layer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses);
 
   const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
@@ -39,6 +39,7 @@ class WrenchView : public SpaceView {
   BodyOverlay overlay_;
   CameraPath path_;  ///< from which the overlay is in view too
   BodyPass body_;
+  bool multisampled_;  ///< else edges are smoothed one by one
   SketchPass sketch_pass_;
   Sketch solid_, sheer_;  ///< the overlay, as it is drawn in this frame
   std::optional<Floor> floor_;

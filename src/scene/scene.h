@@ -42,7 +42,7 @@ enum class Theme { studio, paper, space };
 
 struct Look {
   Theme theme = Theme::studio;
-  int samples = 4;                  ///< of the multisampled framebuffer; 1 is none
+  int samples = 1;                  ///< a pixel; with 1, edges are smoothed one by one instead
   int motion_blur = 1;              ///< poses that a frame is the mean of; 1 is none
   bool transparent = false;         ///< no background: alpha is the coverage of what is drawn
   std::optional<Color> background;  ///< a flat one; else the theme's

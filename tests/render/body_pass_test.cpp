@@ -65,16 +65,18 @@ INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(0.0F, 0.5F), [](const
 TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
   EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "position"), position_attribute);
   EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "normal"), normal_attribute);
+  EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "offset"), offset_attribute);
   GLint count = 0;
   gl.GetProgramiv(pass.program().id(), GL_ACTIVE_ATTRIBUTES, &count);
-  EXPECT_EQ(count, 2);
+  EXPECT_EQ(count, 3);
 }
 
 // That each uniform that C++ sets is in the shader, Program::set itself sees to.
 TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   const gl::Framebuffer framebuffer(gl, 16, 16, 1);
   framebuffer.draw_within({0, 0, 16, 16}, {0, 0, 16, 16});
-  pass.draw(frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}), Eigen::Matrix3d::Identity());
+  pass.draw_inset(frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}), Eigen::Matrix3d::Identity(),
+                  {0, 0, 16, 16});
   const GLuint program = pass.program().id();
   const Reflection reflection(*context, program);
   GLint count = 0;
