@@ -44,5 +44,5 @@ void main() {
   vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
   vec3 light = reflected * reflected_share(n_v) + scattered(stage_position, n);
   light *= seam(stage_position);
-  color = coverage * seam_coverage(stage_position) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
+  color = coverage * seam_coverage(stage_position, to_eye) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
 }

@@ -38,17 +38,20 @@ float seam(vec3 place) {
 }
 
 // How much of a pixel lies outside the cylinders that this part meets: where it enters one, it
-// fades over the width of a pixel, and there is no jagged edge.
-float seam_coverage(vec3 place) {
+// fades over the width of a pixel, and there is no jagged edge. Not towards the cylinder's outline:
+// there, drawn in, it does not lie behind what fades.
+float seam_coverage(vec3 place, vec3 to_eye) {
   float outside = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
     vec3 axis = neighbour_to[i] - neighbour_from[i];
     vec3 to_end = neighbour_from[i] - place;
     float s = -dot(axis, to_end) / dot(axis, axis);
-    float gap = length(to_end + s * axis) - neighbour_radius[i];
+    vec3 from_axis = -(to_end + s * axis);
+    float gap = length(from_axis) - neighbour_radius[i];
+    float seen = smoothstep(0.2, 0.4, dot(normalize(from_axis), to_eye));
     float share = clamp(gap / max(fwidth(gap), 1e-6) + 0.5, 0.0, 1.0);
     bool beside = s > 0.0 && s < 1.0;
-    outside *= beside ? mix(1.0, share, neighbour_meets[i]) : 1.0;
+    outside *= beside ? mix(1.0, share, seen * neighbour_meets[i]) : 1.0;
   }
   return outside;
 }
