@@ -317,7 +317,7 @@ void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double r
       const double glass = std::pow(1 - facing, 3);
       add_lit(place, normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass});
     }
-    if (i > 0) band(first + (i - 1) * around, first + i * around, around);
+    if (i > 0) band(first + i * around, first + (i - 1) * around, around);
   }
   soften_rim(first + rings * around, around);
 }
