@@ -37,5 +37,5 @@ void main() {
   float radius = part_radius * clip_from_stage[1][1] * picture.y / place.w;
   float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));
   vec3 n = normalize(stage_normal);
-  if (offset != 0.0) stage_normal = n + max(facing - dot(n, to_eye), 0.0) * to_eye;
+  if (offset * picture.z != 0.0) stage_normal = n + max(facing - dot(n, to_eye), 0.0) * to_eye;
 }

@@ -57,14 +57,14 @@ FrameSequence& FramesOutput::open() {
     std::filesystem::remove(manifest, gone);
   }
   sequence_ = std::make_unique<FrameSequence>(folder_, film_);
-  for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record);
+  for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record, record.sha256);
   return *sequence_;
 }
 
 std::optional<FrameRecord> FramesOutput::kept(const FrameRecord& wanted) {
   if (reuse_ != Reuse::resume) return std::nullopt;
   auto record = earlier_.intact(wanted);
-  if (record) sequence_->keep(*record);
+  if (record) sequence_->keep(wanted, record->sha256);
   return record;
 }
 

@@ -22,25 +22,28 @@ FrameSequence::~FrameSequence() {
   }
 }
 
-void FrameSequence::write(FrameRecord record, std::span<const std::uint8_t> png) {
-  record.file = frame_file_name(record.frame);
-  record.sha256 = sha256_hex(png);
+void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_t> png) {
   {
     const std::lock_guard lock(mutex_);
     if (!begun_) write_manifest();
     begun_ = true;
   }
-  write_file_atomically(folder_ / record.file, png);
+  write_file_atomically(folder_ / frame_file_name(record.frame), png);
+  const std::string digest = sha256_hex(png);
   const std::lock_guard lock(mutex_);
-  const int frame = record.frame;
-  records_.insert_or_assign(frame, std::move(record));
-  finished_ = false;
+  tell(record, digest);
   if (Clock::now() >= next_manifest_) write_manifest();
 }
 
-void FrameSequence::keep(const FrameRecord& record) {
+void FrameSequence::keep(const FrameRecord& record, const std::string& sha256) {
   const std::lock_guard lock(mutex_);
-  records_.insert_or_assign(record.frame, record);
+  tell(record, sha256);
+}
+
+void FrameSequence::tell(const FrameRecord& record, const std::string& sha256) {
+  Frame frame{&record, {}};
+  sha256.copy(frame.sha256.data(), frame.sha256.size());
+  frames_.insert_or_assign(record.frame, frame);
   finished_ = false;
 }
 
@@ -51,11 +54,25 @@ void FrameSequence::finish() {
 
 void FrameSequence::write_manifest() {
   const Clock::time_point start = Clock::now();
-  manifest_.frames.clear();
-  for (const auto& [frame, record] : records_) {
-    manifest_.frames.push_back(record);
+  PendingFile file(folder_ / manifest_file_name(manifest_.shard));
+  const auto write = [&file](std::string_view text) {
+    file.write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  };
+  std::string text = format_manifest_head(manifest_);
+  const char* between = "";
+  for (const auto& [number, frame] : frames_) {
+    FrameRecord record = *frame.record;
+    record.file = frame_file_name(number);
+    record.sha256.assign(frame.sha256.begin(), frame.sha256.end());
+    text += between + format_frame(record);
+    between = ",\n";
+    constexpr std::size_t piece = 1 << 16;
+    if (text.size() < piece) continue;
+    write(text);
+    text.clear();
   }
-  write_file_atomically(folder_ / manifest_file_name(manifest_.shard), format_manifest(manifest_));
+  write(text + std::string(manifest_end));
+  file.commit();
   finished_ = true;
   // Every five seconds, but of a long film never more than a twentieth of the time.
   next_manifest_ = Clock::now() +

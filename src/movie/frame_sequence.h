@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <span>
+#include <string>
 
 #include "movie/manifest.h"
 
@@ -24,12 +26,14 @@ class FrameSequence {
   FrameSequence(const FrameSequence&) = delete;
   FrameSequence& operator=(const FrameSequence&) = delete;
 
-  /// Writes a frame's PNG and records it; the record's file and sha256 are filled in here. Frames
-  /// may come in any order and from several threads at once. Throws FileError.
-  void write(FrameRecord record, std::span<const std::uint8_t> png);
+  /// Writes a frame's PNG and tells of it; `record`, which outlives the sequence, needs no file and
+  /// no sha256. Frames may come in any order and from several threads at once. Throws FileError.
+  void write(const FrameRecord& record, std::span<const std::uint8_t> png);
+  void write(const FrameRecord&& record, std::span<const std::uint8_t> png) = delete;
 
-  /// Takes a frame that stands in the folder already into the manifest, as `record` tells of it.
-  void keep(const FrameRecord& record);
+  /// Takes a frame that stands in the folder already into the manifest, as `record`, which outlives
+  /// the sequence, tells of it; `sha256` is its file's.
+  void keep(const FrameRecord& record, const std::string& sha256);
 
   /// Writes the manifest of the frames so far, ascending. Throws FileError.
   void finish();
@@ -37,15 +41,22 @@ class FrameSequence {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// A frame that stands in the folder. Ten thousand of them are not to be held twice.
+  struct Frame {
+    const FrameRecord* record;
+    std::array<char, 64> sha256;
+  };
+
+  void tell(const FrameRecord& record, const std::string& sha256);
   void write_manifest();
 
   const std::filesystem::path folder_;
   std::mutex mutex_;  ///< of what follows
   Manifest manifest_;
-  std::map<int, FrameRecord> records_;
+  std::map<int, Frame> frames_;  ///< by number
   Clock::time_point next_manifest_ = Clock::now();
   bool begun_ = false;    ///< a manifest was written; before any frame, so that none is nobody's
-  bool finished_ = true;  ///< the manifest on disk tells of all records
+  bool finished_ = true;  ///< the manifest on disk tells of all frames
 };
 
 }  // namespace twrench

@@ -199,7 +199,7 @@ std::vector<std::string> texts(const Place& place) {
 
 std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
 
-std::string format_manifest(const Manifest& manifest) {
+std::string format_manifest_head(const Manifest& manifest) {
   Json head{{"version", manifest.version},   {"scene", manifest.scene},
             {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
             {"fps", manifest.fps},           {"encoder", manifest.encoder},
@@ -209,18 +209,27 @@ std::string format_manifest(const Manifest& manifest) {
   for (const auto& [key, value] : head.items()) {
     text += fmt::format("{}: {},\n", Json(key).dump(), value.dump());
   }
-  text += frames_line;
+  return text + std::string(frames_line) + "\n";
+}
+
+std::string format_frame(const FrameRecord& record) {
+  return Json{{"frame", record.frame},
+              {"t", record.t},
+              {"X", record.X},
+              {"view", record.view},
+              {"projection", record.projection},
+              {"file", record.file},
+              {"sha256", record.sha256}}
+      .dump();
+}
+
+std::string format_manifest(const Manifest& manifest) {
+  std::string text = format_manifest_head(manifest);
   for (const FrameRecord& record : manifest.frames) {
-    const Json frame{{"frame", record.frame},
-                     {"t", record.t},
-                     {"X", record.X},
-                     {"view", record.view},
-                     {"projection", record.projection},
-                     {"file", record.file},
-                     {"sha256", record.sha256}};
-    text += (&record == manifest.frames.data() ? "\n" : ",\n") + frame.dump();
+    if (&record != manifest.frames.data()) text += ",\n";
+    text += format_frame(record);
   }
-  return text + "\n]\n}\n";
+  return text + std::string(manifest_end);
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {

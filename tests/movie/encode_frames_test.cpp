@@ -44,8 +44,9 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
                                               .encoder = {},
                                               .range = range,
                                               .frames = {}});
+  std::vector<FrameRecord> records(100);  // which outlive the sequence's last manifest
   for (const int frame : parse_frame_range(drawn, 100)) {
-    FrameRecord record;
+    FrameRecord& record = records[static_cast<std::size_t>(frame)];
     record.frame = frame;
     sequence.write(record, encode_png(gray(32, 16, static_cast<std::size_t>(frame) * 10)));
   }
@@ -123,8 +124,9 @@ TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
   draw(scratch, "0", "0");
   const Manifest manifest = read_manifest(scratch / "frames/manifest.json");
   for (const auto& [width, height] : {std::pair{32, 8}, {16, 16}}) {
+    const FrameRecord record;
     FrameSequence sequence(scratch / "frames", manifest);
-    sequence.write({}, encode_png(gray(width, height, 0)));
+    sequence.write(record, encode_png(gray(width, height, 0)));
     sequence.finish();
     EXPECT_THAT(failure(scratch).what(), HasSubstr("the manifest says 32x16"));
   }

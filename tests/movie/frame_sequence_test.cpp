@@ -34,11 +34,17 @@ Manifest head(const std::string& range) {
           .frames = {}};
 }
 
-FrameRecord record(int frame) {
-  FrameRecord result;
-  result.frame = frame;
-  result.t = frame / 10.0;
-  return result;
+/// Outlives the sequences.
+const FrameRecord& record(int frame) {
+  static const std::vector<FrameRecord> records = [] {
+    std::vector<FrameRecord> result(100);
+    for (int i = 0; i < 100; ++i) {
+      result[static_cast<std::size_t>(i)].frame = i;
+      result[static_cast<std::size_t>(i)].t = i / 10.0;
+    }
+    return result;
+  }();
+  return records.at(static_cast<std::size_t>(frame));
 }
 
 std::vector<int> numbers(const Manifest& manifest) {
