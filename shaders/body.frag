@@ -6,8 +6,6 @@ in vec3 stage_normal;
 in float coverage;
 
 uniform vec3 eye;
-uniform vec3 reflectance;
-uniform float roughness;  // the square root of alpha, the width of the GGX distribution
 
 out vec4 color;
 

@@ -78,10 +78,12 @@ Functions::Functions(const Context& context) {
   load(Enable, "glEnable");
   load(Disable, "glDisable");
   load(BlendFunc, "glBlendFunc");
+  load(DepthFunc, "glDepthFunc");
   load(DepthMask, "glDepthMask");
   load(FrontFace, "glFrontFace");
   load(ClearColor, "glClearColor");
   load(Clear, "glClear");
+  load(DrawArrays, "glDrawArrays");
   load(DrawElements, "glDrawElements");
 }
 
