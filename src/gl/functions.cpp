@@ -56,9 +56,8 @@ Functions::Functions(const Context& context) {
   load(GetAttribLocation, "glGetAttribLocation");
   load(GetUniformLocation, "glGetUniformLocation");
   load(Uniform1f, "glUniform1f");
-  load(Uniform1fv, "glUniform1fv");
-  load(Uniform2fv, "glUniform2fv");
   load(Uniform3fv, "glUniform3fv");
+  load(Uniform4fv, "glUniform4fv");
   load(UniformMatrix3fv, "glUniformMatrix3fv");
   load(UniformMatrix4fv, "glUniformMatrix4fv");
   load(GenRenderbuffers, "glGenRenderbuffers");

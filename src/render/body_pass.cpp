@@ -49,9 +49,11 @@ gl::Program body_program(const gl::Functions& gl, const Material& material, cons
   const std::string constants =
       shader_constants(material, studio) +
       fmt::format("const int neighbour_count = {};\n", neighbour_count);
-  const std::array vertex{file("body.vert")};
+  const bool alone = neighbour_count == 0;
+  const std::array vertex{gl::ShaderFile{"constants", constants},
+                          file(alone ? "alone.vert" : "neighbours.vert"), file("body.vert")};
   const std::array fragment{gl::ShaderFile{"constants", constants},
-                            file(neighbour_count > 0 ? "neighbours.glsl" : "alone.glsl"),
+                            file(alone ? "alone.glsl" : "neighbours.glsl"),
                             file("studio.glsl"),
                             file("tone.glsl"),
                             file(scatters(material) ? "matte.glsl" : "metal.glsl"),
@@ -223,20 +225,17 @@ void BodyPass::set_neighbours(const std::vector<Capsule>& capsules, const Matrix
                               bool smooth) const {
   if (neighbour_count_ == 0) return;
   // Where a part has fewer than the most: too small and far to be seen.
-  std::vector<glm::vec3> from(neighbour_count_, glm::vec3(0, 0, -1e4F));
-  std::vector<glm::vec3> to(neighbour_count_, glm::vec3(0, 1, -1e4F));
-  std::vector<float> radius(neighbour_count_, 1e-6F);
-  std::vector<float> meets(neighbour_count_, 0.0F);
+  std::vector<glm::vec4> from(neighbour_count_, glm::vec4(0, 0, -1e4F, 1e-6F));
+  std::vector<glm::vec4> to(neighbour_count_, glm::vec4(0, 1, -1e4F, 0));
   for (std::size_t i = 0; i < capsules.size(); ++i) {
-    from[i] = glm_from_eigen((stage_from_body * capsules[i].from).eval());
-    to[i] = glm_from_eigen((stage_from_body * capsules[i].to).eval());
-    radius[i] = static_cast<float>(capsules[i].radius / radius_);
-    meets[i] = smooth && capsules[i].meets ? 1.0F : 0.0F;
+    const auto end = [&](const Vector3d& place) {
+      return glm_from_eigen((stage_from_body * place).eval());
+    };
+    from[i] = glm::vec4(end(capsules[i].from), capsules[i].radius / radius_);
+    to[i] = glm::vec4(end(capsules[i].to), smooth && capsules[i].meets ? 1 : 0);
   }
-  program_.set("neighbour_from", from);
-  program_.set("neighbour_to", to);
-  program_.set("neighbour_radius", radius);
-  program_.set("neighbour_meets", meets);
+  program_.set("neighbours_from", from);
+  program_.set("neighbours_to", to);
 }
 
 }  // namespace twrench
