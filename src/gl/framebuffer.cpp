@@ -52,9 +52,9 @@ void check_complete(const Functions& gl, int width, int height, int samples) {
 
 /// One triangle over all there is, at the far plane.
 Program clear_program(const Functions& gl) {
-  static constexpr std::array vertex{ShaderFile{
-      "clear.vert",
-      "void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 1, 1); }"}};
+  static constexpr std::array vertex{ShaderFile{"clear.vert",
+                                                "void main() { gl_Position = vec4(4 * (gl_VertexID "
+                                                "% 2) - 1, 4 * (gl_VertexID / 2) - 1, 1, 1); }"}};
   static constexpr std::array fragment{
       ShaderFile{"clear.frag", "out vec4 color; void main() { color = vec4(0); }"}};
   return {gl, vertex, fragment};
@@ -72,7 +72,14 @@ void turn_upside_down(Image& image) {
 }  // namespace
 
 Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples)
-    : gl_(&gl), width_(width), height_(height), color_(gl), depth_(gl), drawn_(gl), clear_program_(gl::clear_program(gl)), no_vertices_(gl) {
+    : gl_(&gl),
+      width_(width),
+      height_(height),
+      color_(gl),
+      depth_(gl),
+      drawn_(gl),
+      clear_program_(gl::clear_program(gl)),
+      no_vertices_(gl) {
   check_limits(gl, width, height, samples);
   const bool multisampled = samples > 1;
   const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling

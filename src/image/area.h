@@ -11,8 +11,8 @@ struct Area {
   bool operator==(const Area&) const = default;
 };
 
-/// Areas that cover all of `areas`: of those that overlap, two become the one around both where that
-/// is no larger than the two together.
+/// Areas that cover all of `areas`: of those that overlap, two become the one around both where
+/// that is no larger than the two together.
 std::vector<Area> merged(std::vector<Area> areas);
 
 }  // namespace twrench

@@ -46,9 +46,8 @@ gl::Program body_program(const gl::Functions& gl, const Material& material, cons
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
-  const std::string constants =
-      shader_constants(material, studio) +
-      fmt::format("const int neighbour_count = {};\n", neighbour_count);
+  const std::string constants = shader_constants(material, studio) +
+                                fmt::format("const int neighbour_count = {};\n", neighbour_count);
   const bool alone = neighbour_count == 0;
   const std::array vertex{gl::ShaderFile{"constants", constants},
                           file(alone ? "alone.vert" : "neighbours.vert"), file("body.vert")};
