@@ -3,11 +3,8 @@
 
 in vec3 stage_position;
 in vec3 stage_normal;
+in vec3 towards_eye;
 in float coverage;
-
-uniform vec3 eye;
-uniform vec3 reflectance;
-uniform float roughness;  // the square root of alpha, the width of the GGX distribution
 
 out vec4 color;
 
@@ -22,7 +19,7 @@ vec3 reflected_share(float n_v) {
 
 void main() {
   vec3 n = normalize(stage_normal);
-  vec3 to_eye = normalize(eye - stage_position);
+  vec3 to_eye = normalize(towards_eye);
   // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
   // direction runs away, would flicker.
   n = normalize(n + max(0.15 - dot(n, to_eye), 0.0) * to_eye);

@@ -14,6 +14,7 @@ uniform float part_radius;  // stage; of the surface where its outline is, about
 
 out vec3 stage_position;
 out vec3 stage_normal;
+out vec3 towards_eye;
 out float coverage;  // 1 on the body, falling to 0 across a fin
 
 void main() {
@@ -27,7 +28,8 @@ void main() {
   place.xy += offset * picture.z * place.w * across / picture.xy;
   gl_Position = place;
 
-  vec3 to_eye = normalize(eye - stage_position);
+  towards_eye = eye - stage_position;
+  vec3 to_eye = normalize(towards_eye);
   float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
   vec4 lifted = clip_from_stage * vec4(stage_position + part_lift * pixel * to_eye, 1.0);
   gl_Position.z = lifted.z * place.w / lifted.w;
@@ -38,4 +40,5 @@ void main() {
   float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));
   vec3 n = normalize(stage_normal);
   if (offset * picture.z != 0.0) stage_normal = n + max(facing - dot(n, to_eye), 0.0) * to_eye;
+  pass_on_neighbours();
 }

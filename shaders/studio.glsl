@@ -7,15 +7,6 @@
 // whose integral is x / sqrt(1 + x^2) / 2. The light of a rectangle is taken as the product of the
 // shares of its two sides, exact for long strips.
 
-const int light_count = 5;
-uniform vec3 light_centre[light_count];
-uniform vec3 light_across[light_count];  // unit; the sides of the rectangle lie along these two
-uniform vec3 light_along[light_count];
-uniform vec2 light_half_size[light_count];
-uniform vec3 light_radiance[light_count];
-uniform vec3 room_above;
-uniform vec3 room_below;
-
 // The share of the lobe of width 1 / sharpness about `direction` that light i fills, from `place`.
 float light_share(int i, vec3 place, vec3 direction, float sharpness) {
   vec3 across = light_across[i];

@@ -50,6 +50,16 @@ void check_complete(const Functions& gl, int width, int height, int samples) {
                 "choose a smaller size or fewer samples");
 }
 
+/// One triangle over all there is, at the far plane.
+Program clear_program(const Functions& gl) {
+  static constexpr std::array vertex{ShaderFile{"clear.vert",
+                                                "void main() { gl_Position = vec4(4 * (gl_VertexID "
+                                                "% 2) - 1, 4 * (gl_VertexID / 2) - 1, 1, 1); }"}};
+  static constexpr std::array fragment{
+      ShaderFile{"clear.frag", "out vec4 color; void main() { color = vec4(0); }"}};
+  return {gl, vertex, fragment};
+}
+
 /// GL's rows run upward, an Image's downward.
 void turn_upside_down(Image& image) {
   const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
@@ -62,7 +72,14 @@ void turn_upside_down(Image& image) {
 }  // namespace
 
 Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples)
-    : gl_(&gl), width_(width), height_(height), color_(gl), depth_(gl), drawn_(gl) {
+    : gl_(&gl),
+      width_(width),
+      height_(height),
+      color_(gl),
+      depth_(gl),
+      drawn_(gl),
+      clear_program_(gl::clear_program(gl)),
+      no_vertices_(gl) {
   check_limits(gl, width, height, samples);
   const bool multisampled = samples > 1;
   const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling
@@ -86,6 +103,16 @@ void Framebuffer::draw_within(const Rectangle& area, const Rectangle& viewport) 
   gl_->Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
   gl_->Enable(GL_SCISSOR_TEST);
   gl_->Scissor(area.x, area.y, area.width, area.height);
+}
+
+void Framebuffer::clear() const {
+  clear_program_.use();
+  gl_->BindVertexArray(no_vertices_.id());
+  gl_->Disable(GL_CULL_FACE);
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_ALWAYS);
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->DepthFunc(GL_LESS);
 }
 
 Image Framebuffer::read(const Rectangle& area) const {

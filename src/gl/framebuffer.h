@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "gl/handle.h"
+#include "gl/program.h"
 #include "image/image.h"
 
 namespace twrench::gl {
@@ -25,6 +26,10 @@ class Framebuffer {
   /// What is drawn from now on lands here, within `area`; device coordinates span `viewport`.
   void draw_within(const Rectangle& area, const Rectangle& viewport) const;
 
+  /// Makes the area that is drawn within transparent black, and as far as can be. Not by
+  /// glClear: within a scissor Mesa draws a quad too, whose colour llvmpipe fetches for each pixel.
+  void clear() const;
+
   /// The pixels of `area`, samples averaged, as RGBA from the top left. The area's size is at
   /// least 1 x 1 and it lies inside.
   Image read(const Rectangle& area) const;
@@ -38,6 +43,8 @@ class Framebuffer {
   FramebufferObject drawn_;
   std::optional<Renderbuffer> resolved_color_;  // none without multisampling
   std::optional<FramebufferObject> resolved_;
+  Program clear_program_;
+  VertexArray no_vertices_;
 };
 
 }  // namespace twrench::gl

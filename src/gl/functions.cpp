@@ -56,9 +56,8 @@ Functions::Functions(const Context& context) {
   load(GetAttribLocation, "glGetAttribLocation");
   load(GetUniformLocation, "glGetUniformLocation");
   load(Uniform1f, "glUniform1f");
-  load(Uniform1fv, "glUniform1fv");
-  load(Uniform2fv, "glUniform2fv");
   load(Uniform3fv, "glUniform3fv");
+  load(Uniform4fv, "glUniform4fv");
   load(UniformMatrix3fv, "glUniformMatrix3fv");
   load(UniformMatrix4fv, "glUniformMatrix4fv");
   load(GenRenderbuffers, "glGenRenderbuffers");
@@ -78,10 +77,12 @@ Functions::Functions(const Context& context) {
   load(Enable, "glEnable");
   load(Disable, "glDisable");
   load(BlendFunc, "glBlendFunc");
+  load(DepthFunc, "glDepthFunc");
   load(DepthMask, "glDepthMask");
   load(FrontFace, "glFrontFace");
   load(ClearColor, "glClearColor");
   load(Clear, "glClear");
+  load(DrawArrays, "glDrawArrays");
   load(DrawElements, "glDrawElements");
 }
 

@@ -145,17 +145,8 @@ void Program::set(const char* name, const glm::mat4& value) const {
   gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::set(const char* name, std::span<const float> values) const {
-  gl_->Uniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
-}
-
-void Program::set(const char* name, std::span<const glm::vec2> values) const {
-  gl_->Uniform2fv(location(name), static_cast<GLsizei>(values.size()),
-                  glm::value_ptr(values.front()));
-}
-
-void Program::set(const char* name, std::span<const glm::vec3> values) const {
-  gl_->Uniform3fv(location(name), static_cast<GLsizei>(values.size()),
+void Program::set(const char* name, std::span<const glm::vec4> values) const {
+  gl_->Uniform4fv(location(name), static_cast<GLsizei>(values.size()),
                   glm::value_ptr(values.front()));
 }
 

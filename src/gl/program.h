@@ -2,8 +2,8 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <string_view>
 
@@ -39,9 +39,7 @@ class Program {
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::mat3& value) const;
   void set(const char* name, const glm::mat4& value) const;
-  void set(const char* name, std::span<const float> values) const;
-  void set(const char* name, std::span<const glm::vec2> values) const;
-  void set(const char* name, std::span<const glm::vec3> values) const;
+  void set(const char* name, std::span<const glm::vec4> values) const;
 
  private:
   GLint location(const char* name) const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace twrench {
 
 /// A rectangle of an image: columns from x, rows from y, counted from the top left.
@@ -8,5 +10,9 @@ struct Area {
 
   bool operator==(const Area&) const = default;
 };
+
+/// Areas that cover all of `areas`: of those that overlap, two become the one around both where
+/// that is no larger than the two together.
+std::vector<Area> merged(std::vector<Area> areas);
 
 }  // namespace twrench

@@ -144,8 +144,8 @@ void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
     blend_over_black(frame, opaque_);
     shown = &opaque_;
   }
-  for (const Area& area : changed_before_) planes_.update(*shown, area);
-  for (const Area& area : changed) planes_.update(*shown, area);
+  changed_before_.insert(changed_before_.end(), changed.begin(), changed.end());
+  for (const Area& area : merged(std::move(changed_before_))) planes_.update(*shown, area);
   changed_before_.assign(changed.begin(), changed.end());
 }
 

@@ -11,6 +11,7 @@
 
 #include "embedded/shaders.h"
 #include "render/glm_from_eigen.h"
+#include "render/shader_constants.h"
 
 namespace twrench {
 namespace {
@@ -40,15 +41,18 @@ bool scatters(const Material& material) { return material.diffuse != glm::vec3(0
 
 /// Whether the body scatters is compiled in, not asked at each pixel: llvmpipe takes both ways of
 /// an if, and the second doubles the work.
-gl::Program body_program(const gl::Functions& gl, const Material& material,
+gl::Program body_program(const gl::Functions& gl, const Material& material, const Studio& studio,
                          std::size_t neighbour_count) {
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
-  const std::string count = fmt::format("const int neighbour_count = {};", neighbour_count);
-  const std::array vertex{file("body.vert")};
-  const std::array fragment{gl::ShaderFile{"neighbour_count", count},
-                            file(neighbour_count > 0 ? "neighbours.glsl" : "alone.glsl"),
+  const std::string constants = shader_constants(material, studio) +
+                                fmt::format("const int neighbour_count = {};\n", neighbour_count);
+  const bool alone = neighbour_count == 0;
+  const std::array vertex{gl::ShaderFile{"constants", constants},
+                          file(alone ? "alone.vert" : "neighbours.vert"), file("body.vert")};
+  const std::array fragment{gl::ShaderFile{"constants", constants},
+                            file(alone ? "alone.glsl" : "neighbours.glsl"),
                             file("studio.glsl"),
                             file("tone.glsl"),
                             file(scatters(material) ? "matte.glsl" : "metal.glsl"),
@@ -102,7 +106,7 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
       neighbours_(neighbours(parts, most_neighbours)),
       neighbour_count_(most_of_any(neighbours_)),
       part_radii_(part_radii(parts, radius)),
-      program_(body_program(gl, material, neighbour_count_)),
+      program_(body_program(gl, material, studio, neighbour_count_)),
       array_(gl),
       fin_array_(gl),
       vertices_(gl),
@@ -128,10 +132,6 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
   set_attribute(gl, position_attribute, 3, sizeof(FinVertex), offsetof(FinVertex, position));
   set_attribute(gl, normal_attribute, 3, sizeof(FinVertex), offsetof(FinVertex, normal));
   set_attribute(gl, offset_attribute, 1, sizeof(FinVertex), offsetof(FinVertex, offset));
-
-  program_.use();
-  set_material(material);
-  set_studio(studio);
 }
 
 void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
@@ -224,50 +224,17 @@ void BodyPass::set_neighbours(const std::vector<Capsule>& capsules, const Matrix
                               bool smooth) const {
   if (neighbour_count_ == 0) return;
   // Where a part has fewer than the most: too small and far to be seen.
-  std::vector<glm::vec3> from(neighbour_count_, glm::vec3(0, 0, -1e4F));
-  std::vector<glm::vec3> to(neighbour_count_, glm::vec3(0, 1, -1e4F));
-  std::vector<float> radius(neighbour_count_, 1e-6F);
-  std::vector<float> meets(neighbour_count_, 0.0F);
+  std::vector<glm::vec4> from(neighbour_count_, glm::vec4(0, 0, -1e4F, 1e-6F));
+  std::vector<glm::vec4> to(neighbour_count_, glm::vec4(0, 1, -1e4F, 0));
   for (std::size_t i = 0; i < capsules.size(); ++i) {
-    from[i] = glm_from_eigen((stage_from_body * capsules[i].from).eval());
-    to[i] = glm_from_eigen((stage_from_body * capsules[i].to).eval());
-    radius[i] = static_cast<float>(capsules[i].radius / radius_);
-    meets[i] = smooth && capsules[i].meets ? 1.0F : 0.0F;
+    const auto end = [&](const Vector3d& place) {
+      return glm_from_eigen((stage_from_body * place).eval());
+    };
+    from[i] = glm::vec4(end(capsules[i].from), capsules[i].radius / radius_);
+    to[i] = glm::vec4(end(capsules[i].to), smooth && capsules[i].meets ? 1 : 0);
   }
-  program_.set("neighbour_from", from);
-  program_.set("neighbour_to", to);
-  program_.set("neighbour_radius", radius);
-  program_.set("neighbour_meets", meets);
-}
-
-void BodyPass::set_material(const Material& material) const {
-  if (scatters(material)) program_.set("diffuse", material.diffuse);
-  program_.set("reflectance", material.reflectance);
-  program_.set("roughness", material.roughness);
-}
-
-void BodyPass::set_studio(const Studio& studio) const {
-  constexpr std::size_t count = Studio::light_count;
-  std::array<glm::vec3, count> centre{};
-  std::array<glm::vec3, count> across{};
-  std::array<glm::vec3, count> along{};
-  std::array<glm::vec3, count> radiance{};
-  std::array<glm::vec2, count> half_size{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const AreaLight& light = studio.lights[i];
-    centre[i] = light.centre;
-    half_size[i] = {glm::length(light.across), glm::length(light.along)};
-    across[i] = light.across / half_size[i].x;
-    along[i] = light.along / half_size[i].y;
-    radiance[i] = light.radiance;
-  }
-  program_.set("light_centre", centre);
-  program_.set("light_across", across);
-  program_.set("light_along", along);
-  program_.set("light_half_size", half_size);
-  program_.set("light_radiance", radiance);
-  program_.set("room_above", studio.above);
-  program_.set("room_below", studio.below);
+  program_.set("neighbours_from", from);
+  program_.set("neighbours_to", to);
 }
 
 }  // namespace twrench

@@ -43,8 +43,6 @@ class BodyPass {
   const gl::Program& program() const { return program_; }
 
  private:
-  void set_material(const Material& material) const;
-  void set_studio(const Studio& studio) const;
   void set_neighbours(const std::vector<Capsule>& capsules, const Eigen::Matrix3d& stage_from_body,
                       bool smooth) const;
   void set_stage(const Camera& camera, const Eigen::Matrix3d& X,

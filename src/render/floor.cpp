@@ -152,8 +152,7 @@ void Floor::add_reflection(const Camera& camera, const Matrix3d& X, const BodyPa
                            const Area& area) {
   const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
   framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
-  gl_->ClearColor(0, 0, 0, 0);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  framebuffer_.clear();
   body.draw_mirrored(camera, X, height_);
   const Image image = framebuffer_.read(rectangle);
   grid_.resize(image.pixels.size() / 4);

@@ -1,6 +1,7 @@
 #include "render/layer.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace twrench {
 namespace {
@@ -16,6 +17,13 @@ unsigned divide_by_255(unsigned value) { return (value + 128 + ((value + 128) >>
 template <int channels>
 void lay_row_over(std::uint8_t* out, const std::uint8_t* in, int width) {
   for (int column = 0; column < width; ++column, in += 4, out += channels) {
+    std::uint32_t color = 0;
+    std::memcpy(&color, in, 4);
+    if (color == 0) continue;  // most of a layer is empty, and most of the rest opaque
+    if (in[3] == 255) {
+      std::memcpy(out, in, channels);
+      continue;
+    }
     const unsigned through = 255U - in[3];
     for (int c = 0; c < channels; ++c) {
       const unsigned sum = in[c] + divide_by_255(out[c] * through);

@@ -18,8 +18,7 @@ Layer SketchPad::layer() const {
   solid.add_to(screen);
   sheer.add_to(screen);
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
-  gl_.ClearColor(0, 0, 0, 0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  framebuffer_.clear();
   pass_.draw_solid(solid);
   pass_.draw_fins(solid);
   pass_.draw_sheer(sheer);

@@ -95,8 +95,7 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
 
 Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenArea& screen) {
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
-  gl_.ClearColor(0, 0, 0, 0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  framebuffer_.clear();
   if (multisampled_) {
     body_.draw(camera, X);
     sketch_pass_.draw_solid(solid_);

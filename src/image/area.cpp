@@ -1,0 +1,36 @@
+#include "image/area.h"
+
+#include <algorithm>
+
+namespace twrench {
+namespace {
+
+long size(const Area& area) { return static_cast<long>(area.width) * area.height; }
+
+Area around(const Area& a, const Area& b) {
+  const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+  return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+          std::max(a.y + a.height, b.y + b.height) - top};
+}
+
+}  // namespace
+
+std::vector<Area> merged(std::vector<Area> areas) {
+  std::vector<Area> result;
+  while (!areas.empty()) {
+    const Area area = areas.back();
+    areas.pop_back();
+    const auto partner = std::ranges::find_if(result, [&](const Area& other) {
+      return size(around(area, other)) <= size(area) + size(other);
+    });
+    if (partner == result.end()) {
+      result.push_back(area);
+    } else {
+      areas.push_back(around(area, *partner));  // which may meet others in turn
+      result.erase(partner);
+    }
+  }
+  return result;
+}
+
+}  // namespace twrench
