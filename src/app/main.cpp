@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -37,18 +36,9 @@ void fill_standard_streams() {
   }
 }
 
-/// Pictures come and go, a few at a time: their memory is kept, or the system would have to give
-/// and clear its pages anew for each frame.
-void keep_memory_of_pictures() {
-  constexpr int largest = 32 << 20;  // bytes, that glibc allows: more than 3840 x 2160 RGB
-  ::mallopt(M_MMAP_THRESHOLD, largest);
-  ::mallopt(M_TRIM_THRESHOLD, 8 * largest);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  keep_memory_of_pictures();
   fill_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error to report, not a death
   return static_cast<int>(run(argc, argv));
