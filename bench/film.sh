@@ -69,10 +69,13 @@ for ((round = 0; round < rounds; ++round)); do
   timed "ffmpeg alone, yuv420p" "$frames" encode_yuv
   timed "film, bare" "$frames" film "$twrench" --bare --no-frames
   timed "film, all overlays" "$frames" film "$twrench" --no-frames
+  timed "film and PNG, bare" "$frames" film "$twrench" --bare
   timed "film and PNG, all overlays" "$frames" film "$twrench"
   timed "PNG alone, bare" "$frames" film "$twrench" --bare --no-video
   if [[ $before ]]; then
     timed "before: film, bare" "$frames" film "$before" --bare --no-frames
+    timed "before: film, all overlays" "$frames" film "$before" --no-frames
+    timed "before: film and PNG, bare" "$frames" film "$before" --bare
     timed "before: film and PNG, all overlays" "$frames" film "$before"
   fi
   if command -v xvfb-run >/dev/null && /usr/bin/python3 -c 'import vtk' 2>/dev/null; then

@@ -43,7 +43,13 @@ void FrameSequence::keep(const FrameRecord& record, const std::string& sha256) {
 void FrameSequence::tell(const FrameRecord& record, const std::string& sha256) {
   Frame frame{&record, {}};
   sha256.copy(frame.sha256.data(), frame.sha256.size());
-  frames_.insert_or_assign(record.frame, frame);
+  const auto number = [](const Frame& other) { return other.record->frame; };
+  const auto place = std::ranges::lower_bound(frames_, record.frame, {}, number);
+  if (place != frames_.end() && number(*place) == record.frame) {
+    *place = frame;
+  } else {
+    frames_.insert(place, frame);
+  }
   finished_ = false;
 }
 
@@ -60,9 +66,9 @@ void FrameSequence::write_manifest() {
   };
   std::string text = format_manifest_head(manifest_);
   const char* between = "";
-  for (const auto& [number, frame] : frames_) {
+  for (const Frame& frame : frames_) {
     FrameRecord record = *frame.record;
-    record.file = frame_file_name(number);
+    record.file = frame_file_name(record.frame);
     record.sha256.assign(frame.sha256.begin(), frame.sha256.end());
     text += between + format_frame(record);
     between = ",\n";

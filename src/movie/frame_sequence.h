@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "movie/manifest.h"
 
@@ -53,7 +53,7 @@ class FrameSequence {
   const std::filesystem::path folder_;
   std::mutex mutex_;  ///< of what follows
   Manifest manifest_;
-  std::map<int, Frame> frames_;  ///< by number
+  std::vector<Frame> frames_;  ///< ascending by number
   Clock::time_point next_manifest_ = Clock::now();
   bool begun_ = false;    ///< a manifest was written; before any frame, so that none is nobody's
   bool finished_ = true;  ///< the manifest on disk tells of all frames
