@@ -27,7 +27,10 @@ Image empty_picture(const Scene& scene) {
 }  // namespace
 
 struct Renderer::Parts {
-  Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes);
+  Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+        std::optional<gl::ReadMode> mode);
+
+  Frame frame_of(std::vector<PendingLayer>& layers) const;
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
@@ -38,9 +41,11 @@ struct Renderer::Parts {
   Image still;  // premultiplied where it is RGBA
 };
 
-Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
+Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+                       std::optional<gl::ReadMode> mode)
     : gl(context),
-      framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
+      framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
+                  mode.value_or(gl::best_read_mode(gl))),
       typeface(load_typeface(scene.overlay.font)),
       still(empty_picture(scene)) {
   const Layout layout = layout_of(scene);
@@ -71,30 +76,44 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   }
 }
 
-Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
-    : parts_(std::make_unique<Parts>(context, scene, takes)) {}
-Renderer::~Renderer() = default;
-Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-
-Frame Renderer::draw(const Moment& moment) {
-  Frame frame{parts_->still, {}};
-  const auto lay = [&frame](const std::vector<Layer>& layers) {
-    for (const Layer& layer : layers) {
-      lay_over(frame.image, layer);
-      frame.changed.push_back(layer.area());
-    }
-  };
-  std::vector<Label> labels;
-  for (const auto& element : parts_->elements) {
-    lay(element->draw(moment));
-    std::ranges::move(element->labels(moment), std::back_inserter(labels));
+Frame Renderer::Parts::frame_of(std::vector<PendingLayer>& layers) const {
+  Frame frame{still, {}};
+  for (PendingLayer& begun : layers) {
+    const Layer layer = begun.get();
+    lay_over(frame.image, layer);
+    frame.changed.push_back(layer.area());
   }
-  lay(parts_->label_painter->paint(labels));
   if (frame.image.channels == 4) {
     make_straight(frame.image, {0, 0, frame.image.width, frame.image.height});
   }
   return frame;
+}
+
+Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+                   std::optional<gl::ReadMode> mode)
+    : parts_(std::make_unique<Parts>(context, scene, takes, mode)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+PendingFrame Renderer::begin(const Moment& moment) {
+  std::vector<PendingLayer> layers;
+  std::vector<Label> labels;
+  for (const auto& element : parts_->elements) {
+    std::ranges::move(element->draw(moment), std::back_inserter(layers));
+    std::ranges::move(element->labels(moment), std::back_inserter(labels));
+  }
+  for (Layer& layer : parts_->label_painter->paint(labels)) {
+    layers.push_back(pending(std::move(layer)));
+  }
+  return std::async(std::launch::deferred,
+                    [parts = parts_.get(), layers = std::move(layers)]() mutable {
+                      return parts->frame_of(layers);
+                    });
+}
+
+std::size_t Renderer::frames_ahead() const {
+  return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
 const Image& Renderer::still() const { return parts_->still; }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gl/framebuffer.h"
-#include "render/layer.h"
+#include "render/pending_layer.h"
 #include "render/sketch_pass.h"
 
 namespace twrench {
@@ -16,8 +16,8 @@ class SketchPad {
   /// A blank page.
   void begin(const Camera& camera);
 
-  /// The page, as large as what is on it.
-  Layer layer() const;
+  /// The page as it is now, as large as what is on it.
+  PendingLayer layer() const;
 
   /// Pixels: the width of a fine line in an area of this size.
   double hairline() const;
