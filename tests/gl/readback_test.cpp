@@ -123,6 +123,21 @@ TEST_F(PixelBuffersTest, AreUsedAgain) {
   EXPECT_EQ(buffers.get(300).size, 300) << "or made larger";
 }
 
+TEST_F(PixelBuffersTest, ComeBackFromAReadbackThatIsTaken) {
+  const Framebuffer framebuffer(gl, 4, 4, 1, ReadMode::at_once);
+  framebuffer.begin_read({0, 0, 4, 4}).take();  // from now on it is bound for reading
+  PixelBuffers buffers(gl);
+  PixelBuffers::Sized one = buffers.get(64);
+  const GLuint id = one.buffer.id();
+  buffers.give_back(std::move(one));
+  Readback readback(gl, {0, 0, 4, 4}, &buffers);
+  const PixelBuffers::Sized other = buffers.get(64);
+  EXPECT_NE(other.buffer.id(), id) << "which is in use";
+  readback.take();
+  EXPECT_EQ(buffers.get(64).buffer.id(), id);
+  EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+}
+
 class ReadModeTest : public GlTest {
  protected:
   ReadMode best_for(PFNGLGETSTRINGPROC name) {
