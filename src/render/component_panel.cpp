@@ -135,7 +135,7 @@ std::vector<PendingLayer> ComponentPanel::draw(const Moment& moment) {
     }
   }
   std::vector<PendingLayer> layers;
-  layers.push_back(pending(std::move(layer)));
+  layers.push_back(ready(std::move(layer)));
   return layers;
 }
 

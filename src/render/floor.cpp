@@ -208,8 +208,8 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area
 
 PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
   const Area area = seen(camera);
-  return pending([=, this, pixels = begin_reflection(camera, X, body, area)]() mutable {
-    set_reflection(pixels.take());
+  return made_of(begin_reflection(camera, X, body, area), [=, this](const Image& reflection) {
+    set_reflection(reflection);
     add_shadow(camera, X, area);
     return enlarged(area);
   });

@@ -107,7 +107,7 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
 
 std::vector<PendingLayer> Hud::draw(const Moment& moment) {
   std::vector<PendingLayer> layers;
-  for (const WordBlock& block : blocks_) layers.push_back(pending(block.draw(moment)));
+  for (const WordBlock& block : blocks_) layers.push_back(ready(block.draw(moment)));
   return layers;
 }
 

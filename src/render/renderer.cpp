@@ -1,6 +1,8 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <deque>
 #include <iterator>
 #include <optional>
 
@@ -19,18 +21,51 @@
 namespace twrench {
 namespace {
 
+using namespace std::chrono_literals;
+
 Image empty_picture(const Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height);
 }
+
+/// Layers, one over the other: each is laid as soon as it and all below it are ready.
+class Composition {
+ public:
+  explicit Composition(const Image& still) : frame_{still, {}} {}
+
+  void add(PendingLayer layer) {
+    layers_.push_back(std::move(layer));
+    while (!layers_.empty() && layers_.front().wait_for(0s) == std::future_status::ready) {
+      lay_first();
+    }
+  }
+
+  /// The frame, when all are laid.
+  Frame take() {
+    while (!layers_.empty()) lay_first();
+    if (frame_.image.channels == 4) {
+      make_straight(frame_.image, {0, 0, frame_.image.width, frame_.image.height});
+    }
+    return std::move(frame_);
+  }
+
+ private:
+  void lay_first() {
+    const Layer layer = layers_.front().get();
+    layers_.pop_front();
+    lay_over(frame_.image, layer);
+    frame_.changed.push_back(layer.area());
+  }
+
+  Frame frame_;
+  std::deque<PendingLayer> layers_;
+};
 
 }  // namespace
 
 struct Renderer::Parts {
   Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
         std::optional<gl::ReadMode> mode);
-
-  Frame frame_of(std::vector<PendingLayer>& layers) const;
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
@@ -76,19 +111,6 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   }
 }
 
-Frame Renderer::Parts::frame_of(std::vector<PendingLayer>& layers) const {
-  Frame frame{still, {}};
-  for (PendingLayer& begun : layers) {
-    const Layer layer = begun.get();
-    lay_over(frame.image, layer);
-    frame.changed.push_back(layer.area());
-  }
-  if (frame.image.channels == 4) {
-    make_straight(frame.image, {0, 0, frame.image.width, frame.image.height});
-  }
-  return frame;
-}
-
 Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
                    std::optional<gl::ReadMode> mode)
     : parts_(std::make_unique<Parts>(context, scene, takes, mode)) {}
@@ -97,19 +119,18 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 PendingFrame Renderer::begin(const Moment& moment) {
-  std::vector<PendingLayer> layers;
+  Composition composition(parts_->still);
   std::vector<Label> labels;
   for (const auto& element : parts_->elements) {
-    std::ranges::move(element->draw(moment), std::back_inserter(layers));
+    for (PendingLayer& layer : element->draw(moment)) composition.add(std::move(layer));
     std::ranges::move(element->labels(moment), std::back_inserter(labels));
   }
   for (Layer& layer : parts_->label_painter->paint(labels)) {
-    layers.push_back(pending(std::move(layer)));
+    composition.add(ready(std::move(layer)));
   }
-  return std::async(std::launch::deferred,
-                    [parts = parts_.get(), layers = std::move(layers)]() mutable {
-                      return parts->frame_of(layers);
-                    });
+  return std::async(std::launch::deferred, [composition = std::move(composition)]() mutable {
+    return composition.take();
+  });
 }
 
 std::size_t Renderer::frames_ahead() const {

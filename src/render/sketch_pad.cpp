@@ -22,7 +22,7 @@ PendingLayer SketchPad::layer() const {
   pass_.draw_solid(solid);
   pass_.draw_fins(solid);
   pass_.draw_sheer(sheer);
-  return pending(framebuffer_.begin_read(screen.rectangle()), screen.area().x, screen.area().y);
+  return made_of(framebuffer_.begin_read(screen.rectangle()), screen.area().x, screen.area().y);
 }
 
 }  // namespace twrench

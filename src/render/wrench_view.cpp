@@ -44,12 +44,16 @@ class PendingExposure {
 
   void add(gl::Readback picture) {
     on_their_way_.push_back(std::move(picture));
-    while (on_their_way_.size() > most) add_first();
-    while (!on_their_way_.empty() && on_their_way_.front().is_there()) add_first();
+    while (!is_there() && (on_their_way_.front().is_there() || on_their_way_.size() > most)) {
+      add_first();
+    }
   }
 
-  Image mean() {
-    while (!on_their_way_.empty()) add_first();
+  bool is_there() const { return on_their_way_.empty(); }
+
+  /// The mean of all.
+  Image take() {
+    while (!is_there()) add_first();
     return exposure_.mean();
   }
 
@@ -142,7 +146,7 @@ gl::Readback WrenchView::picture(const Camera& camera, const Matrix3d& X,
 
 PendingLayer WrenchView::sharp(const Camera& camera, const Matrix3d& X) {
   const ScreenArea screen = covered(camera, {&X, 1});
-  return pending(picture(camera, X, screen), screen.area().x, screen.area().y);
+  return made_of(picture(camera, X, screen), screen.area().x, screen.area().y);
 }
 
 PendingLayer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) {
@@ -150,9 +154,7 @@ PendingLayer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d>
   const Area area = screen.area();
   PendingExposure exposure(area.width, area.height);
   for (const Matrix3d& X : poses) exposure.add(picture(camera, X, screen));
-  return pending([exposure = std::move(exposure), area]() mutable {
-    return Layer{exposure.mean(), area.x, area.y};
-  });
+  return made_of(std::move(exposure), area.x, area.y);
 }
 
 std::vector<PendingLayer> WrenchView::draw(const Moment& moment) {
