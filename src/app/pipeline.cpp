@@ -93,7 +93,7 @@ class Pipeline {
     }
   }
 
-  void convert(const Picture& picture) {
+  void convert(const Picture& picture) const {
     if (picture.changed) {
       outputs_.encoder->convert(picture.image, *picture.changed);
     } else {

@@ -69,8 +69,7 @@ void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
 
 Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
              std::span<const Part> parts, double radius)
-    : gl_(&gl),
-      style_(style),
+    : style_(style),
       pane_(pane),
       radius_(radius),
       height_(-(1 + gap) * radius),

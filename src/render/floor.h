@@ -50,7 +50,6 @@ class Floor {
   Cell* row_of(int row, int width);
   Layer enlarged(const Area& area) const;
 
-  const gl::Functions* gl_;
   FloorStyle style_;
   Area pane_;
   double radius_;  ///< cm

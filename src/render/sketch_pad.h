@@ -11,7 +11,7 @@ namespace twrench {
 class SketchPad {
  public:
   SketchPad(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Area& area)
-      : gl_(gl), framebuffer_(framebuffer), pass_(gl), area_(area) {}
+      : framebuffer_(framebuffer), pass_(gl), area_(area) {}
 
   /// A blank page.
   void begin(const Camera& camera);
@@ -25,7 +25,6 @@ class SketchPad {
   Sketch solid, sheer;
 
  private:
-  const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   SketchPass pass_;
   Area area_;

@@ -79,8 +79,7 @@ double tolerance(const Camera& camera, int height) {
 WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
                        const Scene& scene, const std::vector<Take>& takes, std::size_t take,
                        const Layout::Pane& pane)
-    : gl_(gl),
-      framebuffer_(framebuffer),
+    : framebuffer_(framebuffer),
       take_(take),
       pane_(pane),
       radius_(reach(visible_parts(scene.body))),

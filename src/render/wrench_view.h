@@ -32,7 +32,6 @@ class WrenchView : public SpaceView {
   PendingLayer sharp(const Camera& camera, const Eigen::Matrix3d& X);
   PendingLayer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses);
 
-  const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   std::size_t take_;
   Layout::Pane pane_;
