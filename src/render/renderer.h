@@ -38,8 +38,8 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Gives OpenGL all there is to draw, and waits for none of it. Frames may be begun before others
-  /// are ended, and ended in any order.
+  /// Gives OpenGL all there is to draw; what is to be done with pixels that are on their way then
+  /// is left to get(). Frames may be begun before others are ended, and ended in any order.
   PendingFrame begin(const Moment& moment);
 
   Frame draw(const Moment& moment) { return begin(moment).get(); }
