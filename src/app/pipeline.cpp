@@ -1,6 +1,7 @@
 #include "app/pipeline.h"
 
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -92,7 +93,7 @@ class Pipeline {
     }
   }
 
-  void convert(const Picture& picture) {
+  void convert(const Picture& picture) const {
     if (picture.changed) {
       outputs_.encoder->convert(picture.image, *picture.changed);
     } else {
@@ -118,20 +119,30 @@ class Pipeline {
 
 }  // namespace
 
-std::size_t run_pipeline(const std::vector<FrameRecord>& frames,
-                         const std::function<Picture(const FrameRecord&)>& draw,
+std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
                          const std::function<bool()>& stop, const Outputs& outputs,
                          Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
+  std::deque<std::future<Picture>> begun;  // the frames from `done` on
   std::size_t done = 0;
-  while (done < frames.size() && !stop()) {
-    const FrameRecord& frame = frames[done];
+  const auto begin_next = [&] {
+    const std::size_t next = done + begun.size();
+    if (next == frames.size() || stop()) return false;
+    const Timed timed(times.draw);
+    begun.push_back(drawing.begin(frames[next]));
+    return true;
+  };
+  for (;;) {
+    while (begun.size() <= drawing.ahead && begin_next()) {
+    }
+    if (begun.empty()) break;
     std::shared_ptr<const Picture> picture;
     {
       const Timed timed(times.draw);
-      picture = std::make_shared<const Picture>(draw(frame));
+      picture = std::make_shared<const Picture>(begun.front().get());
+      begun.pop_front();
     }
-    if (!pipeline.pass_on({&frame, std::move(picture)})) break;
+    if (!pipeline.pass_on({&frames[done], std::move(picture)})) break;
     progress.update(static_cast<int>(++done), static_cast<int>(frames.size()));
   }
   pipeline.finish();

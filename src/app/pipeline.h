@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -29,14 +31,21 @@ struct Picture {
   std::optional<std::vector<Area>> changed = std::nullopt;
 };
 
-/// Draws `frames` one after the other on this thread with `draw`, while other threads compress and
-/// write those before it and feed the encoder. Between the stages stand bounded queues, so that
-/// memory does not depend on the film's length. Does not finish the outputs.
+/// How frames are drawn.
+struct Drawing {
+  /// Begins a frame, whose get() ends it.
+  std::function<std::future<Picture>(const FrameRecord&)> begin;
+  std::size_t ahead = 0;  ///< how many are begun before the one that is being ended
+};
+
+/// Draws `frames` one after the other on this thread, while other threads compress and write those
+/// before it and feed the encoder. Between the stages stand bounded queues, so that memory does not
+/// depend on the film's length. Does not finish the outputs.
 ///
-/// Before each frame `stop` is asked whether to go on. The first error of any stage ends the run
-/// after the frames that are on their way, and is thrown. Returns how many frames were drawn.
-std::size_t run_pipeline(const std::vector<FrameRecord>& frames,
-                         const std::function<Picture(const FrameRecord&)>& draw,
+/// Before each frame `stop`, which stays true once it was, is asked whether to go on. Frames that
+/// were begun then are ended. The first error of any stage ends the run after the frames that are
+/// on their way, and is thrown. Returns how many frames were drawn.
+std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
                          const std::function<bool()>& stop, const Outputs& outputs,
                          Progress& progress, StageTimes& times);
 

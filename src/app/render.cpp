@@ -193,12 +193,19 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
   say("{}\n", text);
 }
 
-/// The frame from the folder, where --resume keeps it, or else drawn.
-Picture picture_of(const FrameRecord& frame, FramesOutput* output, bool has_video,
-                   const std::function<Picture()>& draw) {
+/// A frame, begun: to be ended, or from the folder where --resume keeps it.
+std::future<Picture> begin_picture(const FrameRecord& frame, FramesOutput* output, bool has_video,
+                                   const std::function<PendingFrame()>& begin) {
   const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
-  if (!kept) return draw();
-  return {has_video ? read_png(output->folder() / kept->file) : Image(), false};
+  if (!kept) {
+    return std::async(std::launch::deferred, [begun = begin()]() mutable {
+      Frame drawn = begun.get();
+      return Picture{std::move(drawn.image), true, std::move(drawn.changed)};
+    });
+  }
+  return std::async(std::launch::deferred, [path = output->folder() / kept->file, has_video] {
+    return Picture{has_video ? read_png(path) : Image(), false};
+  });
 }
 
 PlannedOutput planned_output(const Options& options, const Scene& scene, const FramesOutput* frames,
@@ -264,15 +271,14 @@ void render(const Options& options) {
   Progress progress(options.progress);
   if (!opened.note.empty()) progress.note(opened.note);
   const Outputs outputs{sequence, encoder.get(), jobs, start};
-  const auto draw = [&](const FrameRecord& frame) {
+  const auto begin = [&](const FrameRecord& frame) {
     const auto index = static_cast<std::size_t>(&frame - frames.data());
-    return picture_of(frame, output ? &*output : nullptr, encoder != nullptr, [&] {
-      Frame drawn = renderer.draw(timeline.moment(index));
-      return Picture{std::move(drawn.image), true, std::move(drawn.changed)};
-    });
+    return begin_picture(frame, output ? &*output : nullptr, encoder != nullptr,
+                         [&] { return renderer.begin(timeline.moment(index)); });
   };
   const auto stop = [&] { return interruption.arrived().has_value(); };
-  const std::size_t done = run_pipeline(frames, draw, stop, outputs, progress, times);
+  const std::size_t done =
+      run_pipeline(frames, {begin, renderer.frames_ahead()}, stop, outputs, progress, times);
   if (sequence != nullptr) sequence->finish();
   progress.finish();
   if (done < frames.size()) throw_interrupted(*interruption.arrived(), done, frames.size());

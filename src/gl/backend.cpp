@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
-#include <string_view>
 
 #include "base/error.h"
 #include "gl/functions.h"
@@ -15,16 +13,6 @@ namespace {
 
 using Maker = std::function<std::unique_ptr<Context>()>;
 
-/// Whether GL's own name of its renderer is that of a processor's program: a device may be a
-/// graphics card without a driver, for which Mesa then draws in software.
-bool draws_in_software(const Context& context) {
-  constexpr std::array<std::string_view, 4> names{"llvmpipe", "softpipe", "swrast",
-                                                  "Software Rasterizer"};
-  const std::string renderer = renderer_string(Functions(context));
-  return std::ranges::any_of(
-      names, [&](std::string_view name) { return renderer.find(name) != std::string::npos; });
-}
-
 /// The first hardware device of EGL that answers, or null.
 std::unique_ptr<Context> make_hardware_context() {
   try {
@@ -32,7 +20,7 @@ std::unique_ptr<Context> make_hardware_context() {
       if (device.software || device.name == "surfaceless") continue;  // it picks one of the others
       try {
         auto context = make_egl_context(device.name);
-        if (!draws_in_software(*context)) return context;
+        if (!draws_in_software(Functions(*context))) return context;
       } catch (const GlError&) {  // the next may answer
       }
     }

@@ -60,18 +60,9 @@ Program clear_program(const Functions& gl) {
   return {gl, vertex, fragment};
 }
 
-/// GL's rows run upward, an Image's downward.
-void turn_upside_down(Image& image) {
-  const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
-  for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
-       low += row, high -= row) {
-    std::swap_ranges(low, low + row, high);
-  }
-}
-
 }  // namespace
 
-Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples)
+Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples, ReadMode mode)
     : gl_(&gl),
       width_(width),
       height_(height),
@@ -79,7 +70,8 @@ Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples
       depth_(gl),
       drawn_(gl),
       clear_program_(gl::clear_program(gl)),
-      no_vertices_(gl) {
+      no_vertices_(gl),
+      buffers_(mode == ReadMode::buffered ? std::make_unique<PixelBuffers>(gl) : nullptr) {
   check_limits(gl, width, height, samples);
   const bool multisampled = samples > 1;
   const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling
@@ -115,7 +107,7 @@ void Framebuffer::clear() const {
   gl_->DepthFunc(GL_LESS);
 }
 
-Image Framebuffer::read(const Rectangle& area) const {
+Readback Framebuffer::begin_read(const Rectangle& area) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
   if (resolved_) {
     gl_->Scissor(area.x, area.y, area.width, area.height);  // it bounds a blit too
@@ -126,12 +118,7 @@ Image Framebuffer::read(const Rectangle& area) const {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_->id());
   }
-  Image image(area.width, area.height, 4);
-  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_->ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                  image.pixels.data());
-  turn_upside_down(image);
-  return image;
+  return {*gl_, area, buffers_.get()};
 }
 
 }  // namespace twrench::gl

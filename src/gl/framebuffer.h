@@ -1,27 +1,24 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "gl/handle.h"
 #include "gl/program.h"
-#include "image/image.h"
+#include "gl/readback.h"
 
 namespace twrench::gl {
-
-/// Pixels of a framebuffer, from its bottom left corner as GL counts.
-struct Rectangle {
-  int x = 0, y = 0, width = 0, height = 0;
-};
 
 /// A colour (RGBA8) and depth (24 bits) framebuffer, multisampled or not.
 class Framebuffer {
  public:
   /// Throws UsageError, with the remedy, for a size or a number of samples that this GL cannot
   /// do; GlError when it can but has not the memory.
-  Framebuffer(const Functions& gl, int width, int height, int samples);
+  Framebuffer(const Functions& gl, int width, int height, int samples, ReadMode mode);
 
   int width() const { return width_; }
   int height() const { return height_; }
+  ReadMode read_mode() const { return buffers_ ? ReadMode::buffered : ReadMode::at_once; }
 
   /// What is drawn from now on lands here, within `area`; device coordinates span `viewport`.
   void draw_within(const Rectangle& area, const Rectangle& viewport) const;
@@ -30,9 +27,9 @@ class Framebuffer {
   /// glClear: within a scissor Mesa draws a quad too, whose colour llvmpipe fetches for each pixel.
   void clear() const;
 
-  /// The pixels of `area`, samples averaged, as RGBA from the top left. The area's size is at
-  /// least 1 x 1 and it lies inside.
-  Image read(const Rectangle& area) const;
+  /// Begins to read the pixels of `area`, samples averaged. The area's size is at least 1 x 1 and
+  /// it lies inside. Throws GlError when there is no memory for them.
+  Readback begin_read(const Rectangle& area) const;
 
  private:
   const Functions* gl_;
@@ -45,6 +42,7 @@ class Framebuffer {
   std::optional<FramebufferObject> resolved_;
   Program clear_program_;
   VertexArray no_vertices_;
+  std::unique_ptr<PixelBuffers> buffers_;  ///< none where pixels are read at once
 };
 
 }  // namespace twrench::gl

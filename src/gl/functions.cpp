@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "base/error.h"
 
 namespace twrench::gl {
@@ -35,6 +39,8 @@ Functions::Functions(const Context& context) {
   load(DeleteBuffers, "glDeleteBuffers");
   load(BindBuffer, "glBindBuffer");
   load(BufferData, "glBufferData");
+  load(MapBufferRange, "glMapBufferRange");
+  load(UnmapBuffer, "glUnmapBuffer");
   load(GenVertexArrays, "glGenVertexArrays");
   load(DeleteVertexArrays, "glDeleteVertexArrays");
   load(BindVertexArray, "glBindVertexArray");
@@ -72,6 +78,7 @@ Functions::Functions(const Context& context) {
   load(BlitFramebuffer, "glBlitFramebuffer");
   load(ReadPixels, "glReadPixels");
   load(PixelStorei, "glPixelStorei");
+  load(Flush, "glFlush");
   load(Viewport, "glViewport");
   load(Scissor, "glScissor");
   load(Enable, "glEnable");
@@ -88,6 +95,14 @@ Functions::Functions(const Context& context) {
 
 std::string renderer_string(const Functions& gl) {
   return fmt::format("{}, OpenGL {}", text(gl, GL_RENDERER), text(gl, GL_VERSION));
+}
+
+bool draws_in_software(const Functions& gl) {
+  constexpr std::array<std::string_view, 4> names{"llvmpipe", "softpipe", "swrast",
+                                                  "Software Rasterizer"};
+  const std::string renderer = text(gl, GL_RENDERER);
+  return std::ranges::any_of(
+      names, [&](std::string_view name) { return renderer.find(name) != std::string::npos; });
 }
 
 }  // namespace twrench::gl

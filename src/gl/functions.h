@@ -22,6 +22,8 @@ struct Functions {
   PFNGLDELETEBUFFERSPROC DeleteBuffers;
   PFNGLBINDBUFFERPROC BindBuffer;
   PFNGLBUFFERDATAPROC BufferData;
+  PFNGLMAPBUFFERRANGEPROC MapBufferRange;
+  PFNGLUNMAPBUFFERPROC UnmapBuffer;
   PFNGLGENVERTEXARRAYSPROC GenVertexArrays;
   PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray;
@@ -61,6 +63,7 @@ struct Functions {
   PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer;
   PFNGLREADPIXELSPROC ReadPixels;
   PFNGLPIXELSTOREIPROC PixelStorei;
+  PFNGLFLUSHPROC Flush;
 
   PFNGLVIEWPORTPROC Viewport;
   PFNGLSCISSORPROC Scissor;
@@ -78,5 +81,9 @@ struct Functions {
 
 /// The renderer and version that GL gives, as "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 ...".
 std::string renderer_string(const Functions& gl);
+
+/// Whether GL's own name of its renderer is that of a processor's program: a device may be a
+/// graphics card without a driver, for which Mesa then draws in software.
+bool draws_in_software(const Functions& gl);
 
 }  // namespace twrench::gl

@@ -115,7 +115,7 @@ Color ComponentPanel::ink(const Plot& plot, std::size_t take) const {
       .curve[3 * static_cast<std::size_t>(plot.row) + static_cast<std::size_t>(plot.column)];
 }
 
-std::vector<Layer> ComponentPanel::draw(const Moment& moment) {
+std::vector<PendingLayer> ComponentPanel::draw(const Moment& moment) {
   Layer layer = future_;
   const double share = std::clamp(moment.instants[0].sample.t / duration_, 0.0, 1.0);
   for (const Plot& plot : plots_) {
@@ -134,7 +134,9 @@ std::vector<Layer> ComponentPanel::draw(const Moment& moment) {
       canvas.disc({plot.x(share), plot.y(value)}, 1.8 * thickness_, {ink(plot, i)});
     }
   }
-  return {std::move(layer)};
+  std::vector<PendingLayer> layers;
+  layers.push_back(ready(std::move(layer)));
+  return layers;
 }
 
 }  // namespace twrench

@@ -18,7 +18,7 @@ class ComponentPanel : public Element {
   ComponentPanel(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
                  const Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<Layer> draw(const Moment& moment) override;
+  std::vector<PendingLayer> draw(const Moment& moment) override;
 
  private:
   /// One of the nine.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/label.h"
-#include "render/layer.h"
+#include "render/pending_layer.h"
 #include "timeline/timeline.h"
 
 namespace twrench {
@@ -17,8 +17,9 @@ class Element {
   virtual std::vector<Layer> still() { return {}; }
 
   /// What of it changes, in the order in which it is to be laid over the picture. Layers are whole
-  /// inside the picture, and as small as what they show.
-  virtual std::vector<Layer> draw(const Moment& moment) = 0;
+  /// inside the picture, and as small as what they show. Others may be drawn before they are asked
+  /// for; the element outlives them.
+  virtual std::vector<PendingLayer> draw(const Moment& moment) = 0;
 
   /// The names of things in it, that are to be written over all elements.
   virtual std::vector<Label> labels(const Moment& /*moment*/) const { return {}; }

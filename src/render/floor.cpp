@@ -67,16 +67,15 @@ void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
 
 }  // namespace
 
-Floor::Floor(const gl::Functions& gl, const FloorStyle& style, const Area& pane,
+Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
              std::span<const Part> parts, double radius)
-    : gl_(&gl),
-      style_(style),
+    : style_(style),
       pane_(pane),
       radius_(radius),
       height_(-(1 + gap) * radius),
       columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
       rows_(std::min(rows_of_grid, pane.height)),
-      framebuffer_(gl, columns_, rows_, 4),
+      framebuffer_(gl, columns_, rows_, 4, mode),
       balls_(balls_of(parts)),
       grid_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
@@ -148,21 +147,24 @@ Area Floor::seen(const Camera& camera) const {
   return screen.area();
 }
 
-void Floor::add_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
-                           const Area& area) {
+gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
+                                     const Area& area) {
   const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
   framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
   framebuffer_.clear();
   body.draw_mirrored(camera, X, height_);
-  const Image image = framebuffer_.read(rectangle);
+  return framebuffer_.begin_read(rectangle);
+}
+
+void Floor::set_reflection(const Image& image) {
   grid_.resize(image.pixels.size() / 4);
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     const std::uint8_t* p = &image.pixels[4 * i];
     grid_[i] = Cell(p[0], p[1], p[2], p[3]);
   }
   for (int pass = 0; pass < 2; ++pass) {
-    for (int y = 0; y < area.height; ++y) blur_line(row_of(y, area.width), area.width, 1);
-    for (int x = 0; x < area.width; ++x) blur_line(grid_.data() + x, area.height, area.width);
+    for (int y = 0; y < image.height; ++y) blur_line(row_of(y, image.width), image.width, 1);
+    for (int x = 0; x < image.width; ++x) blur_line(grid_.data() + x, image.height, image.width);
   }
 }
 
@@ -203,11 +205,13 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area
   }
 }
 
-Layer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
+PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
   const Area area = seen(camera);
-  add_reflection(camera, X, body, area);
-  add_shadow(camera, X, area);
-  return enlarged(area);
+  return made_of(begin_reflection(camera, X, body, area), [=, this](const Image& reflection) {
+    set_reflection(reflection);
+    add_shadow(camera, X, area);
+    return enlarged(area);
+  });
 }
 
 /// The cells' colours between their middles, over the pixels of `area`.

@@ -8,7 +8,7 @@
 #include "image/area.h"
 #include "render/body_pass.h"
 #include "render/camera.h"
-#include "render/layer.h"
+#include "render/pending_layer.h"
 #include "render/theme.h"
 
 namespace twrench {
@@ -20,14 +20,14 @@ namespace twrench {
 class Floor {
  public:
   /// In the pane of a picture, below parts that fill a sphere of that radius about the origin, cm.
-  Floor(const gl::Functions& gl, const FloorStyle& style, const Area& pane,
+  Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
         std::span<const Part> parts, double radius);
 
   /// The pool of light: the same from wherever the camera, at its height, looks at the origin.
   Layer light(const Camera& camera) const;
 
-  /// The shadow and the reflection of the body in the pose X.
-  Layer draw(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body);
+  /// The shadow and the reflection of the body in the pose X. The floor outlives the layer.
+  PendingLayer draw(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body);
 
  private:
   /// A ball of the body, to cast shadow: a part is a row of such.
@@ -42,14 +42,14 @@ class Floor {
   static std::vector<Ball> balls_of(std::span<const Part> parts);
   Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
   Area seen(const Camera& camera) const;
-  void add_reflection(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body,
-                      const Area& area);
+  gl::Readback begin_reflection(const Camera& camera, const Eigen::Matrix3d& X,
+                                const BodyPass& body, const Area& area);
+  void set_reflection(const Image& image);
   void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const Area& area);
   const Cell* row_of(int row, int width) const;
   Cell* row_of(int row, int width);
   Layer enlarged(const Area& area) const;
 
-  const gl::Functions* gl_;
   FloorStyle style_;
   Area pane_;
   double radius_;  ///< cm
@@ -57,7 +57,7 @@ class Floor {
   int columns_, rows_;
   gl::Framebuffer framebuffer_;  ///< of the grid's size
   std::vector<Ball> balls_;
-  std::vector<Cell> grid_;  ///< row by row from the top left
+  std::vector<Cell> grid_;  ///< of the layer being made, row by row from the top left
 };
 
 }  // namespace twrench

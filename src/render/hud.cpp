@@ -105,9 +105,9 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
   for (WordBlock& block : blocks_) block.finish(picture);
 }
 
-std::vector<Layer> Hud::draw(const Moment& moment) {
-  std::vector<Layer> layers;
-  for (const WordBlock& block : blocks_) layers.push_back(block.draw(moment));
+std::vector<PendingLayer> Hud::draw(const Moment& moment) {
+  std::vector<PendingLayer> layers;
+  for (const WordBlock& block : blocks_) layers.push_back(ready(block.draw(moment)));
   return layers;
 }
 

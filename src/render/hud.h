@@ -18,7 +18,7 @@ class Hud : public Element {
   Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
       const Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<Layer> draw(const Moment& moment) override;
+  std::vector<PendingLayer> draw(const Moment& moment) override;
 
   /// Where words are, to be kept clear.
   std::vector<Area> extents() const;

@@ -138,16 +138,16 @@ std::vector<Layer> MomentumView::still() {
   pad_.begin(camera(0));
   add_sphere();
   std::vector<Layer> layers;
-  layers.push_back(pad_.layer());
+  layers.push_back(pad_.layer().get());
   return layers;
 }
 
-std::vector<Layer> MomentumView::draw(const Moment& moment) {
+std::vector<PendingLayer> MomentumView::draw(const Moment& moment) {
   pad_.begin(camera(moment.film_time));
   if (path_.orbit != 0) add_sphere();
   if (frame_.direction.isZero(0.0) && path_.orbit == 0) return {};
   if (!frame_.direction.isZero(0.0)) add_momentum(moment.instants[take_]);
-  std::vector<Layer> layers;
+  std::vector<PendingLayer> layers;
   layers.push_back(pad_.layer());
   return layers;
 }

@@ -22,7 +22,7 @@ class MomentumView : public SpaceView {
   std::vector<Layer> still() override;
 
   /// The momentum and its trail.
-  std::vector<Layer> draw(const Moment& moment) override;
+  std::vector<PendingLayer> draw(const Moment& moment) override;
 
   std::vector<Label> labels(const Moment& moment) const override;
 

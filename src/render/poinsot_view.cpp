@@ -161,7 +161,7 @@ void PoinsotView::add_plane(const Instant& instant) {
   sheer.dot(now, 3.4 * pad_.hairline(), {colors_.omega, 1});
 }
 
-std::vector<Layer> PoinsotView::draw(const Moment& moment) {
+std::vector<PendingLayer> PoinsotView::draw(const Moment& moment) {
   const Instant& instant = moment.instants[take_];
   pad_.begin(camera(moment.film_time));
   const Matrix3d view_from_unit = ellipsoid(instant.sample.X);
@@ -173,7 +173,7 @@ std::vector<Layer> PoinsotView::draw(const Moment& moment) {
     pad_.solid.arrow(Vector3d::Zero(), contact(instant.sample), 0.018, {colors_.omega});
     add_plane(instant);
   }
-  std::vector<Layer> layers;
+  std::vector<PendingLayer> layers;
   layers.push_back(pad_.layer());
   return layers;
 }

@@ -21,7 +21,7 @@ class PoinsotView : public SpaceView {
   PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
               const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
-  std::vector<Layer> draw(const Moment& moment) override;
+  std::vector<PendingLayer> draw(const Moment& moment) override;
   std::vector<Label> labels(const Moment& moment) const override;
 
   Camera camera(double film_time) const override;

@@ -1,6 +1,8 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <deque>
 #include <iterator>
 #include <optional>
 
@@ -19,15 +21,51 @@
 namespace twrench {
 namespace {
 
+using namespace std::chrono_literals;
+
 Image empty_picture(const Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height);
 }
 
+/// Layers, one over the other: each is laid as soon as it and all below it are ready.
+class Composition {
+ public:
+  explicit Composition(const Image& still) : frame_{still, {}} {}
+
+  void add(PendingLayer layer) {
+    layers_.push_back(std::move(layer));
+    while (!layers_.empty() && layers_.front().wait_for(0s) == std::future_status::ready) {
+      lay_first();
+    }
+  }
+
+  /// The frame, when all are laid.
+  Frame take() {
+    while (!layers_.empty()) lay_first();
+    if (frame_.image.channels == 4) {
+      make_straight(frame_.image, {0, 0, frame_.image.width, frame_.image.height});
+    }
+    return std::move(frame_);
+  }
+
+ private:
+  void lay_first() {
+    const Layer layer = layers_.front().get();
+    layers_.pop_front();
+    lay_over(frame_.image, layer);
+    frame_.changed.push_back(layer.area());
+  }
+
+  Frame frame_;
+  std::deque<PendingLayer> layers_;
+};
+
 }  // namespace
 
 struct Renderer::Parts {
-  Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes);
+  Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+        std::optional<gl::ReadMode> mode);
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
@@ -38,9 +76,11 @@ struct Renderer::Parts {
   Image still;  // premultiplied where it is RGBA
 };
 
-Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
+Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+                       std::optional<gl::ReadMode> mode)
     : gl(context),
-      framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples),
+      framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
+                  mode.value_or(gl::best_read_mode(gl))),
       typeface(load_typeface(scene.overlay.font)),
       still(empty_picture(scene)) {
   const Layout layout = layout_of(scene);
@@ -71,30 +111,30 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   }
 }
 
-Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes)
-    : parts_(std::make_unique<Parts>(context, scene, takes)) {}
+Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+                   std::optional<gl::ReadMode> mode)
+    : parts_(std::make_unique<Parts>(context, scene, takes, mode)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Frame Renderer::draw(const Moment& moment) {
-  Frame frame{parts_->still, {}};
-  const auto lay = [&frame](const std::vector<Layer>& layers) {
-    for (const Layer& layer : layers) {
-      lay_over(frame.image, layer);
-      frame.changed.push_back(layer.area());
-    }
-  };
+PendingFrame Renderer::begin(const Moment& moment) {
+  Composition composition(parts_->still);
   std::vector<Label> labels;
   for (const auto& element : parts_->elements) {
-    lay(element->draw(moment));
+    for (PendingLayer& layer : element->draw(moment)) composition.add(std::move(layer));
     std::ranges::move(element->labels(moment), std::back_inserter(labels));
   }
-  lay(parts_->label_painter->paint(labels));
-  if (frame.image.channels == 4) {
-    make_straight(frame.image, {0, 0, frame.image.width, frame.image.height});
+  for (Layer& layer : parts_->label_painter->paint(labels)) {
+    composition.add(ready(std::move(layer)));
   }
-  return frame;
+  return std::async(std::launch::deferred, [composition = std::move(composition)]() mutable {
+    return composition.take();
+  });
+}
+
+std::size_t Renderer::frames_ahead() const {
+  return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
 const Image& Renderer::still() const { return parts_->still; }

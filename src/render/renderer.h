@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gl/context.h"
+#include "gl/readback.h"
 #include "image/area.h"
 #include "image/image.h"
 #include "render/camera.h"
@@ -18,18 +22,31 @@ struct Frame {
   std::vector<Area> changed;  ///< may overlap
 };
 
+/// A frame that has been begun. get() ends it, on the thread of its renderer, which outlives it.
+using PendingFrame = std::future<Frame>;
+
 /// Draws a scene's frames. One per context; used from the thread that made it.
 class Renderer {
  public:
   /// Compiles the shaders, makes the meshes and the framebuffer of the scene's film size, and
   /// draws what is the same in every frame. Throws UsageError for a size or a number of samples
-  /// that this OpenGL cannot do, GlError when it lacks what is needed.
-  Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes);
+  /// that this OpenGL cannot do, GlError when it lacks what is needed. `mode` is the best one for
+  /// this OpenGL where it is not given.
+  Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
+           std::optional<gl::ReadMode> mode = std::nullopt);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  Frame draw(const Moment& moment);
+  /// Gives OpenGL all there is to draw; what is to be done with pixels that are on their way then
+  /// is left to get(). Frames may be begun before others are ended, and ended in any order.
+  PendingFrame begin(const Moment& moment);
+
+  Frame draw(const Moment& moment) { return begin(moment).get(); }
+
+  /// How many frames should be begun before the one that is being ended, so that drawing does not
+  /// wait for what is read back.
+  std::size_t frames_ahead() const;
 
   /// The picture before anything that changes is laid over it.
   const Image& still() const;

@@ -13,7 +13,7 @@ double SketchPad::hairline() const {
   return std::max(1.0, 0.0022 * std::min(area_.width, area_.height));
 }
 
-Layer SketchPad::layer() const {
+PendingLayer SketchPad::layer() const {
   ScreenArea screen(area_, framebuffer_.height());
   solid.add_to(screen);
   sheer.add_to(screen);
@@ -22,7 +22,7 @@ Layer SketchPad::layer() const {
   pass_.draw_solid(solid);
   pass_.draw_fins(solid);
   pass_.draw_sheer(sheer);
-  return {framebuffer_.read(screen.rectangle()), screen.area().x, screen.area().y};
+  return made_of(framebuffer_.begin_read(screen.rectangle()), screen.area().x, screen.area().y);
 }
 
 }  // namespace twrench

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gl/framebuffer.h"
-#include "render/layer.h"
+#include "render/pending_layer.h"
 #include "render/sketch_pass.h"
 
 namespace twrench {
@@ -11,13 +11,13 @@ namespace twrench {
 class SketchPad {
  public:
   SketchPad(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Area& area)
-      : gl_(gl), framebuffer_(framebuffer), pass_(gl), area_(area) {}
+      : framebuffer_(framebuffer), pass_(gl), area_(area) {}
 
   /// A blank page.
   void begin(const Camera& camera);
 
-  /// The page, as large as what is on it.
-  Layer layer() const;
+  /// The page as it is now, as large as what is on it.
+  PendingLayer layer() const;
 
   /// Pixels: the width of a fine line in an area of this size.
   double hairline() const;
@@ -25,7 +25,6 @@ class SketchPad {
   Sketch solid, sheer;
 
  private:
-  const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   SketchPass pass_;
   Area area_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 #include "render/exposure.h"
@@ -36,6 +37,38 @@ CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverl
   return path;
 }
 
+/// An exposure to pictures some of which are on their way.
+class PendingExposure {
+ public:
+  PendingExposure(int width, int height) : exposure_(width, height) {}
+
+  void add(gl::Readback picture) {
+    on_their_way_.push_back(std::move(picture));
+    while (!is_there() && (on_their_way_.front().is_there() || on_their_way_.size() > most)) {
+      add_first();
+    }
+  }
+
+  bool is_there() const { return on_their_way_.empty(); }
+
+  /// The mean of all.
+  Image take() {
+    while (!is_there()) add_first();
+    return exposure_.mean();
+  }
+
+ private:
+  static constexpr std::size_t most = 8;  // enough for a card to be busy while one is waited for
+
+  void add_first() {
+    exposure_.add(on_their_way_.front().take());
+    on_their_way_.pop_front();
+  }
+
+  Exposure exposure_;
+  std::deque<gl::Readback> on_their_way_;
+};
+
 /// cm: facets that cannot be told from the shape, a seventh of a pixel in the picture's middle.
 double tolerance(const Camera& camera, int height) {
   return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
@@ -46,8 +79,7 @@ double tolerance(const Camera& camera, int height) {
 WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
                        const Scene& scene, const std::vector<Take>& takes, std::size_t take,
                        const Layout::Pane& pane)
-    : gl_(gl),
-      framebuffer_(framebuffer),
+    : framebuffer_(framebuffer),
       take_(take),
       pane_(pane),
       radius_(reach(visible_parts(scene.body))),
@@ -60,7 +92,8 @@ WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuff
   const auto& floor = style_of(scene.look.theme).floor;
   if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
       scene.camera.elevation >= 0) {
-    floor_.emplace(gl, *floor, pane.area, visible_parts(scene.body), radius_);
+    floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, visible_parts(scene.body),
+                   radius_);
     floor_lit_ = !scene.look.background;
   }
 }
@@ -93,7 +126,8 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
   return screen;
 }
 
-Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenArea& screen) {
+gl::Readback WrenchView::picture(const Camera& camera, const Matrix3d& X,
+                                 const ScreenArea& screen) {
   framebuffer_.draw_within(screen.rectangle(), screen.viewport());
   framebuffer_.clear();
   if (multisampled_) {
@@ -106,32 +140,32 @@ Image WrenchView::picture(const Camera& camera, const Matrix3d& X, const ScreenA
   }
   sketch_pass_.draw_fins(solid_);
   sketch_pass_.draw_sheer(sheer_);
-  return framebuffer_.read(screen.rectangle());
+  return framebuffer_.begin_read(screen.rectangle());
 }
 
-Layer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) {
+PendingLayer WrenchView::sharp(const Camera& camera, const Matrix3d& X) {
+  const ScreenArea screen = covered(camera, {&X, 1});
+  return made_of(picture(camera, X, screen), screen.area().x, screen.area().y);
+}
+
+PendingLayer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) {
   const ScreenArea screen = covered(camera, poses);
   const Area area = screen.area();
-  Exposure exposure(area.width, area.height);
+  PendingExposure exposure(area.width, area.height);
   for (const Matrix3d& X : poses) exposure.add(picture(camera, X, screen));
-  return {exposure.mean(), area.x, area.y};
+  return made_of(std::move(exposure), area.x, area.y);
 }
 
-std::vector<Layer> WrenchView::draw(const Moment& moment) {
+std::vector<PendingLayer> WrenchView::draw(const Moment& moment) {
   const Instant& instant = moment.instants[take_];
   const Matrix3d& X = instant.sample.X;
   const Camera now = camera(moment.film_time);
   solid_.begin(now, pane_.area);
   sheer_.begin(now, pane_.area);
   overlay_.draw(instant, solid_, sheer_);
-  std::vector<Layer> layers;
+  std::vector<PendingLayer> layers;
   if (floor_) layers.push_back(floor_->draw(now, X, body_));
-  if (instant.blur.empty()) {
-    const ScreenArea screen = covered(now, {&X, 1});
-    layers.push_back({picture(now, X, screen), screen.area().x, screen.area().y});
-  } else {
-    layers.push_back(blurred(now, instant.blur));
-  }
+  layers.push_back(instant.blur.empty() ? sharp(now, X) : blurred(now, instant.blur));
   return layers;
 }
 

@@ -21,17 +21,17 @@ class WrenchView : public SpaceView {
              const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
   std::vector<Layer> still() override;
-  std::vector<Layer> draw(const Moment& moment) override;
+  std::vector<PendingLayer> draw(const Moment& moment) override;
   std::vector<Label> labels(const Moment& moment) const override;
 
   Camera camera(double film_time) const override;
 
  private:
   ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
-  Image picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen);
-  Layer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses);
+  gl::Readback picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen);
+  PendingLayer sharp(const Camera& camera, const Eigen::Matrix3d& X);
+  PendingLayer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses);
 
-  const gl::Functions& gl_;
   const gl::Framebuffer& framebuffer_;
   std::size_t take_;
   Layout::Pane pane_;

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "base/error.h"
 #include "image/png.h"
@@ -37,6 +41,15 @@ Picture picture_of(const FrameRecord& frame) {
 
 bool go_on() { return false; }
 
+/// Frames that `draw` draws when they are ended.
+Drawing drawing(std::function<Picture(const FrameRecord&)> draw = picture_of,
+                std::size_t ahead = 0) {
+  return {[draw = std::move(draw)](const FrameRecord& frame) {
+            return std::async(std::launch::deferred, draw, std::cref(frame));
+          },
+          ahead};
+}
+
 class PipelineOfThreads : public testing::Test {
  protected:
   static constexpr int count = 40;
@@ -50,7 +63,7 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
   for (const int jobs : {1, 4}) {
     const auto frames_folder = folder_ / std::to_string(jobs);
     FrameSequence sequence(frames_folder, manifest_of(count));
-    run_pipeline(frames_, picture_of, go_on, {&sequence, nullptr, jobs}, progress_, times_);
+    run_pipeline(frames_, drawing(), go_on, {&sequence, nullptr, jobs}, progress_, times_);
     sequence.finish();
     const Manifest manifest = read_manifest(frames_folder / manifest_name);
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
@@ -62,19 +75,43 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
 
 TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
   VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
-  run_pipeline(frames_, picture_of, go_on, {nullptr, &encoder, 1}, progress_, times_);
+  run_pipeline(frames_, drawing(), go_on, {nullptr, &encoder, 1}, progress_, times_);
   encoder.finish();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
 }
 
-TEST_F(PipelineOfThreads, StopsWhenAskedTo) {
-  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
-  int asked = 0;
-  const auto stop = [&] { return ++asked > 9; };
-  EXPECT_EQ(run_pipeline(frames_, picture_of, stop, {&sequence, nullptr, 2}, progress_, times_),
-            9u);
-  sequence.finish();
-  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), 9u);
+TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
+  for (const std::size_t ahead : {0U, 1U, 3U}) {
+    std::size_t begun = 0, ended = 0;
+    const Drawing counted{[&](const FrameRecord& frame) {
+                            EXPECT_EQ(frame.frame, static_cast<int>(begun));
+                            ++begun;
+                            return std::async(std::launch::deferred, [&] {
+                              EXPECT_EQ(frame.frame, static_cast<int>(ended));
+                              ++ended;
+                              EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
+                              return picture_of(frame);
+                            });
+                          },
+                          ahead};
+    EXPECT_EQ(run_pipeline(frames_, counted, go_on, {nullptr, nullptr, 1}, progress_, times_),
+              frames_.size());
+    EXPECT_EQ(ended, frames_.size());
+  }
+}
+
+TEST_F(PipelineOfThreads, StopsWhenAskedToWithWhatWasBegun) {
+  for (const std::size_t ahead : {0U, 1U, 3U}) {
+    const auto frames_folder = folder_ / std::to_string(ahead);
+    FrameSequence sequence(frames_folder, manifest_of(count));
+    int asked = 0;
+    const auto stop = [&] { return ++asked > 9; };
+    EXPECT_EQ(run_pipeline(frames_, drawing(picture_of, ahead), stop, {&sequence, nullptr, 2},
+                           progress_, times_),
+              9u);
+    sequence.finish();
+    EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 9u);
+  }
 }
 
 TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
@@ -84,22 +121,26 @@ TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
     picture.is_new = frame.frame % 2 == 0;
     return picture;
   };
-  run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_);
+  run_pipeline(frames_, drawing(draw), go_on, {&sequence, nullptr, 2}, progress_, times_);
   sequence.finish();
   EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
-  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
-  const auto draw = [](const FrameRecord& frame) {
-    if (frame.frame == 7) throw GlError("drawing", "lost");
-    return picture_of(frame);
-  };
-  EXPECT_THROW(run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_),
-               GlError);
-  sequence.finish();
-  // What was on its way is whole and told of.
-  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), 7u);
+  for (const std::size_t ahead : {0U, 2U}) {
+    const auto frames_folder = folder_ / std::to_string(ahead);
+    FrameSequence sequence(frames_folder, manifest_of(count));
+    const auto draw = [](const FrameRecord& frame) {
+      if (frame.frame == 7) throw GlError("drawing", "lost");
+      return picture_of(frame);
+    };
+    EXPECT_THROW(run_pipeline(frames_, drawing(draw, ahead), go_on, {&sequence, nullptr, 2},
+                              progress_, times_),
+                 GlError);
+    sequence.finish();
+    // What was on its way is whole and told of.
+    EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 7u);
+  }
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
@@ -110,8 +151,9 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return picture_of(frame);
   };
-  EXPECT_THROW(run_pipeline(frames_, draw, go_on, {&sequence, nullptr, 2}, progress_, times_),
-               FileError);
+  EXPECT_THROW(
+      run_pipeline(frames_, drawing(draw), go_on, {&sequence, nullptr, 2}, progress_, times_),
+      FileError);
   EXPECT_LT(drawn, count);
 }
 

@@ -27,10 +27,10 @@ std::vector<int> pixel(const Image& image, int x, int y) {
 }
 
 TEST_P(FramebufferTest, ReadsFromTheTopLeft) {
-  const Framebuffer framebuffer(gl, 5, 3, GetParam());
+  const Framebuffer framebuffer(gl, 5, 3, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 5, 3}, 0, 1);
   fill(framebuffer, {1, 2, 1, 1}, 1, 0);  // the second pixel of the top row
-  const Image image = framebuffer.read({0, 0, 5, 3});
+  const Image image = framebuffer.begin_read({0, 0, 5, 3}).take();
   EXPECT_EQ(image.width, 5);
   EXPECT_EQ(image.height, 3);
   EXPECT_EQ(image.channels, 4);
@@ -40,10 +40,10 @@ TEST_P(FramebufferTest, ReadsFromTheTopLeft) {
 }
 
 TEST_P(FramebufferTest, ReadsAnAreaAlone) {
-  const Framebuffer framebuffer(gl, 8, 8, GetParam());
+  const Framebuffer framebuffer(gl, 8, 8, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 8, 8}, 0, 1);
   fill(framebuffer, {3, 5, 1, 1}, 1, 0);
-  const Image image = framebuffer.read({3, 4, 2, 2});
+  const Image image = framebuffer.begin_read({3, 4, 2, 2}).take();
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
   EXPECT_THAT(pixel(image, 0, 0), ElementsAre(255, 0, 0, 255));
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, FramebufferTest, testing::Values(1, 4));
 
 TEST_F(FramebufferTest, RefusesASizePastTheLimit) {
   try {
-    const Framebuffer framebuffer(gl, 1'000'000, 10, 1);
+    const Framebuffer framebuffer(gl, 1'000'000, 10, 1, ReadMode::at_once);
     FAIL() << "no exception";
   } catch (const UsageError& error) {
     EXPECT_THAT(error.what(), HasSubstr("size 1000000x10: this OpenGL draws at most"));
@@ -64,7 +64,7 @@ TEST_F(FramebufferTest, RefusesASizePastTheLimit) {
 
 TEST_F(FramebufferTest, RefusesMoreSamplesThanThereAre) {
   try {
-    const Framebuffer framebuffer(gl, 16, 16, 1024);
+    const Framebuffer framebuffer(gl, 16, 16, 1024, ReadMode::at_once);
     FAIL() << "no exception";
   } catch (const UsageError& error) {
     EXPECT_THAT(error.what(), HasSubstr("samples 1024: this OpenGL takes at most"));

@@ -73,7 +73,7 @@ TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
 
 // That each uniform that C++ sets is in the shader, Program::set itself sees to.
 TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
-  const gl::Framebuffer framebuffer(gl, 16, 16, 1);
+  const gl::Framebuffer framebuffer(gl, 16, 16, 1, gl::ReadMode::at_once);
   framebuffer.draw_within({0, 0, 16, 16}, {0, 0, 16, 16});
   pass.draw_inset(frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}), Eigen::Matrix3d::Identity(),
                   {0, 0, 16, 16});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench {
@@ -46,7 +47,7 @@ TEST(ComponentPanel, BrightensWithTime) {
   ComponentPanel panel = panel_of(scene);
   double before = 0;
   for (const double t : {0.0, 24.0, 48.0, 72.0, 96.0}) {
-    const Layer layer = panel.draw(at(scene, t)).at(0);
+    const Layer layer = drawn_layers(panel, at(scene, t)).at(0);
     const double now = light(layer, 0, layer.image.width);
     EXPECT_GT(now, before) << t;
     before = now;
@@ -56,8 +57,8 @@ TEST(ComponentPanel, BrightensWithTime) {
 TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
-  const Layer early = panel.draw(at(scene, 24)).at(0);
-  const Layer late = panel.draw(at(scene, 72)).at(0);
+  const Layer early = drawn_layers(panel, at(scene, 24)).at(0);
+  const Layer late = drawn_layers(panel, at(scene, 72)).at(0);
   const Area area = *scene.layout.components;
   // The first plot of each row begins at the area's left edge; what is past at both times is alike.
   const int plot = area.width / 3;
@@ -75,19 +76,19 @@ TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
 TEST(ComponentPanel, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
-  const auto alone = panel.draw(at(scene, 30));
-  panel.draw(at(scene, 90));
-  panel.draw(at(scene, 10));
-  EXPECT_TRUE(same(panel.draw(at(scene, 30)), alone));
+  const auto alone = drawn_layers(panel, at(scene, 30));
+  drawn_layers(panel, at(scene, 90));
+  drawn_layers(panel, at(scene, 10));
+  EXPECT_TRUE(same(drawn_layers(panel, at(scene, 30)), alone));
 }
 
 TEST(ComponentPanel, PutsTheCursorsDotOnTheCurve) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
   Moment moment = at(scene, 48);
-  const auto drawn = panel.draw(moment);
+  const auto drawn = drawn_layers(panel, moment);
   moment.instants[0].sample.X.row(0).swap(moment.instants[0].sample.X.row(1));
-  EXPECT_FALSE(same(panel.draw(moment), drawn)) << "it follows the sample of the moment";
+  EXPECT_FALSE(same(drawn_layers(panel, moment), drawn)) << "it follows the sample of the moment";
 }
 
 TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
@@ -98,7 +99,7 @@ TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
   ComponentPanel panel = panel_of(comparison);
   Moment moment = comparison.timeline.moment(0);
   moment.instants[0].sample.X *= 1e9;
-  const Layer layer = panel.draw(moment).at(0);
+  const Layer layer = drawn_layers(panel, moment).at(0);
   EXPECT_LE(layer.y + layer.image.height, 720);
   EXPECT_LE(layer.x + layer.image.width, 1280);
 }
@@ -109,7 +110,7 @@ TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
     scene.overlay.view = View::quad;
     const OverlayScene small(scene);
     ComponentPanel panel = panel_of(small);
-    for (const Layer& layer : panel.draw(at(small, 48))) {
+    for (const Layer& layer : drawn_layers(panel, at(small, 48))) {
       EXPECT_GE(layer.x, 0);
       EXPECT_GE(layer.y, 0);
       EXPECT_LE(layer.x + layer.image.width, width);

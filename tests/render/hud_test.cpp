@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench {
@@ -80,9 +81,10 @@ TEST(Hud, ShowsEachMethodsDriftInTheSmallestPanes) {
       Hud hud = hud_of(film);
       ASSERT_EQ(film.layout.legends.size(), count);
       Moment moment = film.timeline.moment(0);
-      const auto before = hud.draw(moment);
+      const auto before = drawn_layers(hud, moment);
       moment.instants[1].diagnostics.energy_drift = 0.5;
-      EXPECT_FALSE(same(hud.draw(moment), before)) << width << "x" << height << " " << count;
+      EXPECT_FALSE(same(drawn_layers(hud, moment), before))
+          << width << "x" << height << " " << count;
     }
   }
 }
@@ -91,12 +93,12 @@ TEST(Hud, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene film(film_of(640, 360));
   Hud hud = hud_of(film);
   Moment moment = film.timeline.moment(0);
-  const auto first = hud.draw(moment);
+  const auto first = drawn_layers(hud, moment);
   moment.instants[0].sample.t = 42.5;
   moment.instants[0].diagnostics.energy_drift = -1.2e-15;
-  const auto later = hud.draw(moment);
+  const auto later = drawn_layers(hud, moment);
   EXPECT_FALSE(same(first, later));
-  EXPECT_TRUE(same(hud.draw(film.timeline.moment(0)), first));
+  EXPECT_TRUE(same(drawn_layers(hud, film.timeline.moment(0)), first));
 }
 
 TEST(Hud, HoldsWhateverTheNumbers) {
@@ -106,7 +108,7 @@ TEST(Hud, HoldsWhateverTheNumbers) {
     Moment moment = film.timeline.moment(0);
     moment.instants[0].diagnostics.energy_drift = drift;
     moment.instants[0].next_flip.reset();
-    for (const Layer& layer : hud.draw(moment)) {
+    for (const Layer& layer : drawn_layers(hud, moment)) {
       EXPECT_GE(layer.x, 0);
       EXPECT_LE(layer.x + layer.image.width, 320);
       EXPECT_LE(layer.y + layer.image.height, 180);
@@ -137,7 +139,7 @@ TEST(Hud, CanBeReadOnWhateverLiesBelow) {
 TEST(Hud, LaysThePanelUnderAllItsWords) {
   const OverlayScene film(film_of(1920, 1080));
   Hud hud = hud_of(film);
-  const auto layers = hud.draw(film.timeline.moment(0));
+  const auto layers = drawn_layers(hud, film.timeline.moment(0));
   const auto extents = hud.extents();
   ASSERT_EQ(layers.size(), extents.size());
   const int least = static_cast<int>(255 * film.colors.panel_opacity);

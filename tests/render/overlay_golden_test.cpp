@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "render/component_panel.h"
+#include "render/drawn_layers.h"
 #include "render/golden.h"
 #include "render/hud.h"
 #include "render/label_painter.h"
@@ -78,10 +79,11 @@ Image drawn(
     for (const Layer& layer : layers) lay_over(image, layer);
   };
   if (film.layout.components) {
-    lay(ComponentPanel(film.scene, takes, film.layout, film.typeface, film.colors).draw(moment));
+    ComponentPanel panel(film.scene, takes, film.layout, film.typeface, film.colors);
+    lay(drawn_layers(panel, moment));
   }
   Hud hud(film.scene, takes, film.layout, film.typeface, film.colors);
-  lay(hud.draw(moment));
+  lay(drawn_layers(hud, moment));
   const LabelPainter painter(film.typeface.regular, film.layout.text.figure, film.colors.panel,
                              {0, 0, image.width, image.height}, hud.extents());
   const Area& focus = film.layout.panes[0].focus;

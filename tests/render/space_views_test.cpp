@@ -8,6 +8,7 @@
 
 #include "gl/test_context.h"
 #include "render/body_overlay.h"
+#include "render/drawn_layers.h"
 #include "render/momentum_view.h"
 #include "render/poinsot_view.h"
 #include "render/reach.h"
@@ -33,7 +34,7 @@ class SpaceViews : public testing::Test {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
   gl::Functions gl{*context};
-  gl::Framebuffer framebuffer{gl, 320, 180, 4};
+  gl::Framebuffer framebuffer{gl, 320, 180, 4, gl::ReadMode::at_once};
   Layout::Pane pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
 };
 
@@ -97,7 +98,7 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     EXPECT_LT((labels[0].anchor - pixel_of(camera, pane.area, tip)).norm(), 1e-9);
     // Within the head, whose colour is that of L.
     const Vector2d inside = pixel_of(camera, pane.area, 0.97 * tip);
-    const Layer layer = view.draw(moment).at(0);
+    const Layer layer = drawn_layers(view, moment).at(0);
     const auto x = static_cast<int>(inside.x()) - layer.x;
     const auto y = static_cast<int>(inside.y()) - layer.y;
     ASSERT_TRUE(x >= 0 && y >= 0 && x < layer.image.width && y < layer.image.height) << azimuth;
@@ -117,9 +118,8 @@ TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
     scene.overlay.show.clear();
     if (omega) scene.overlay.show.insert(Feature::omega);
     const Timeline timeline(scene, {0});
-    return WrenchView(gl, framebuffer, scene, timeline.takes(), 0, pane)
-        .draw(timeline.moment(0))
-        .at(0);
+    WrenchView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
+    return drawn_layers(view, timeline.moment(0)).at(0);
   };
   const Layer with_omega = pictures(true), without = pictures(false);
   ASSERT_EQ(with_omega.image.width, without.image.width);
@@ -195,7 +195,8 @@ TEST_F(SpaceViews, DrawEveryBody) {
     for (const auto& view : views) {
       EXPECT_TRUE(view->camera(0).view.allFinite()) << odd.name;
       view->still();
-      for (const Layer& layer : view->draw(moment)) EXPECT_GT(layer.image.width, 0) << odd.name;
+      for (const Layer& layer : drawn_layers(*view, moment))
+        EXPECT_GT(layer.image.width, 0) << odd.name;
       for (const Label& label : view->labels(moment)) {
         EXPECT_TRUE(label.anchor.allFinite() && label.away.allFinite()) << odd.name;
       }

@@ -1,0 +1,87 @@
+#include "gl/readback.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+
+namespace twrench::gl {
+namespace {
+
+void read_pixels(const Functions& gl, const Rectangle& area, void* pixels) {
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+}
+
+/// GL's rows run upward, an Image's downward.
+void turn_upside_down(Image& image) {
+  const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
+  for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
+       low += row, high -= row) {
+    std::swap_ranges(low, low + row, high);
+  }
+}
+
+void copy_upside_down(const std::uint8_t* pixels, Image& image) {
+  const std::size_t row = image.row_bytes();
+  for (std::size_t end = image.pixels.size(); end > 0; end -= row, pixels += row) {
+    std::copy_n(pixels, row, &image.pixels[end - row]);
+  }
+}
+
+}  // namespace
+
+ReadMode best_read_mode(const Functions& gl) {
+  return draws_in_software(gl) ? ReadMode::at_once : ReadMode::buffered;
+}
+
+PixelBuffers::Sized PixelBuffers::get(GLsizeiptr size) {
+  if (free_.empty()) free_.push_back({Buffer(*gl_)});
+  Sized sized = std::move(free_.back());
+  free_.pop_back();
+  gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, sized.buffer.id());
+  if (sized.size < size) {
+    gl_->BufferData(GL_PIXEL_PACK_BUFFER, size, nullptr, GL_STREAM_READ);
+    if (const GLenum error = gl_->GetError(); error != GL_NO_ERROR) {
+      gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+      throw GlError(fmt::format("pixel buffer of {} bytes", size),
+                    fmt::format("OpenGL could not make it (error {:#x})", error),
+                    "choose a smaller size");
+    }
+    sized.size = size;
+  }
+  return sized;
+}
+
+Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers)
+    : gl_(&gl), width_(area.width), height_(area.height), buffers_(buffers) {
+  if (buffers == nullptr) {
+    image_ = Image(width_, height_, 4);
+    read_pixels(gl, area, image_.pixels.data());
+    turn_upside_down(image_);
+    return;
+  }
+  buffer_ = buffers->get(GLsizeiptr{4} * width_ * height_);
+  read_pixels(gl, area, nullptr);
+  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  gl.Flush();  // or the card might not begin before it is waited for
+}
+
+Image Readback::take() {
+  if (!buffer_) return std::move(image_);
+  Image image(width_, height_, 4);
+  gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_->buffer.id());
+  const void* const pixels = gl_->MapBufferRange(
+      GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(image.pixels.size()), GL_MAP_READ_BIT);
+  if (pixels != nullptr) copy_upside_down(static_cast<const std::uint8_t*>(pixels), image);
+  const bool whole = pixels != nullptr && gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER) == GL_TRUE;
+  gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  if (!whole) throw GlError("reading back", "OpenGL has lost the pixels");
+  buffers_->give_back(std::move(*buffer_));
+  buffer_.reset();
+  return image;
+}
+
+}  // namespace twrench::gl

@@ -1,0 +1,82 @@
+// Frames that are begun before others are ended are the same, to the byte, as those drawn one after
+// the other and read at once.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "gl/test_context.h"
+#include "render/renderer.h"
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+struct Film {
+  const char* name;
+  View view = View::wrench;
+  int blur = 1;
+  int samples = 1;
+  bool transparent = false;
+  double orbit = 0;
+};
+
+void PrintTo(const Film& film, std::ostream* out) { *out << film.name; }
+
+class FramesInFlight : public testing::TestWithParam<Film> {
+ protected:
+  static Scene scene() {
+    Scene scene = t_wrench(320, 180);
+    using enum Feature;
+    scene.overlay.show = {axes,  momentum, omega,   trail, plane,     labels,
+                          floor, sphere,   poinsot, hud,   components};
+    scene.overlay.view = GetParam().view;
+    scene.look.motion_blur = GetParam().blur;
+    scene.look.samples = GetParam().samples;
+    scene.look.transparent = GetParam().transparent;
+    scene.camera.orbit = GetParam().orbit;
+    return scene;
+  }
+};
+
+TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
+  const Scene film = scene();
+  const Timeline timeline(film, {0, 250, 590, 600});
+  const auto context = gl::make_test_context();
+  std::vector<Frame> expected;
+  {
+    Renderer renderer(*context, film, timeline.takes(), gl::ReadMode::at_once);
+    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.moment(i)));
+    ASSERT_NE(expected[0].image.pixels, expected[1].image.pixels);
+  }
+  for (const gl::ReadMode mode : {gl::ReadMode::at_once, gl::ReadMode::buffered}) {
+    Renderer renderer(*context, film, timeline.takes(), mode);
+    std::vector<PendingFrame> begun;
+    for (std::size_t i = 0; i < 3; ++i) begun.push_back(renderer.begin(timeline.moment(i)));
+    const auto expect = [&](std::size_t i) {
+      const Frame frame = begun[i].get();
+      EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
+      EXPECT_EQ(frame.changed, expected[i].changed) << i;
+    };
+    expect(1);
+    begun.push_back(renderer.begin(timeline.moment(3)));
+    for (const std::size_t i : {3U, 0U, 2U}) expect(i);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FramesInFlight,
+                         testing::Values(Film{"plain"}, Film{"orbit", View::quad, 1, 1, false, 0.5},
+                                         Film{"blurred", View::wrench, 12},
+                                         Film{"multisampled", View::quad, 1, 4},
+                                         Film{"transparent", View::wrench, 1, 1, true}),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+TEST(FramesAhead, AreAsManyAsHidePixelsOnTheirWay) {
+  const Scene film = t_wrench();
+  const Timeline timeline(film, {0});
+  const auto context = gl::make_test_context();
+  EXPECT_EQ(Renderer(*context, film, timeline.takes()).frames_ahead(), 0) << "drawn in software";
+  EXPECT_EQ(Renderer(*context, film, timeline.takes(), gl::ReadMode::buffered).frames_ahead(), 1);
+}
+
+}  // namespace
+}  // namespace twrench
