@@ -46,6 +46,13 @@ void blur_line(Cell* line, int count, std::ptrdiff_t stride) {
   }
 }
 
+/// From 0 at a side to 1 at some way from it, both in shares of the pane.
+double ramp(double distance) {
+  constexpr double way = 0.15;
+  const double share = std::clamp(distance / way, 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
 /// A place between the middles of two cells of a line.
 struct Between {
   int first, second;
@@ -68,9 +75,11 @@ void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
 }  // namespace
 
 Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
-             std::span<const Part> parts, double radius)
+             const Area& picture, std::span<const Part> parts, double radius)
     : style_(style),
       pane_(pane),
+      inner_{pane.x > picture.x, pane.x + pane.width<picture.x + picture.width, pane.y> picture.y,
+             pane.y + pane.height < picture.y + picture.height},
       radius_(radius),
       height_(-(1 + gap) * radius),
       columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
@@ -108,6 +117,13 @@ Matrix3d Floor::floor_from_grid(const Camera& camera, int width, int height) con
   return clip_from_floor.inverse() * device_from_grid;
 }
 
+/// How much of the floor is drawn at a place in the pane, in shares of its width and height.
+float Floor::fade(double x, double y) const {
+  const double across = (inner_.left ? ramp(x) : 1) * (inner_.right ? ramp(1 - x) : 1);
+  const double down = (inner_.top ? ramp(y) : 1) * (inner_.bottom ? ramp(1 - y) : 1);
+  return static_cast<float>(across * down);
+}
+
 Layer Floor::light(const Camera& camera) const {
   Layer layer{{pane_.width, pane_.height, 4}, pane_.x, pane_.y};
   const Matrix3d floor_from_pane = floor_from_grid(camera, pane_.width, pane_.height);
@@ -117,7 +133,8 @@ Layer Floor::light(const Camera& camera) const {
     for (int x = 0; x < pane_.width; ++x, out += 4) {
       const Vector3d place = floor_from_pane * Vector3d(x + 0.5, y + 0.5, 1);
       if (place.z() <= 0) continue;
-      const double share = falloff(place.head<2>().norm() / (pool * place.z()));
+      const double share = falloff(place.head<2>().norm() / (pool * place.z())) *
+                           fade((x + 0.5) / pane_.width, (y + 0.5) / pane_.height);
       for (int c = 0; c < 3; ++c) {
         out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + dither(x, y));
       }
@@ -194,13 +211,15 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area
       open *= (1 - 5 * cosine_squared.square() * (1 - (1 - r * r / squared).sqrt())).max(0);
     }
     const auto pool_squared = static_cast<float>(pool * pool);
-    const ArrayXf fade =
-        (closeness > 0).cast<float>() / (1 + (x.square() + z.square()) / pool_squared).square();
+    const ArrayXf reflected = static_cast<float>(style_.reflection) *
+                              (closeness > 0).cast<float>() /
+                              (1 + (x.square() + z.square()) / pool_squared).square();
     Cell* cell = row_of(y, area.width);
     for (int i = 0; i < area.width; ++i) {
       const float shadow = 255 * static_cast<float>(style_.shadow) * (1 - open[i]);
-      cell[i] *= fade[i] * static_cast<float>(style_.reflection);
+      cell[i] *= reflected[i];
       cell[i][3] += (1 - cell[i][3] / 255) * shadow;
+      cell[i] *= fade((area.x + i + 0.5) / columns_, (area.y + y + 0.5) / rows_);
     }
   }
 }

@@ -19,9 +19,10 @@ namespace twrench {
 /// it is soft.
 class Floor {
  public:
-  /// In the pane of a picture, below parts that fill a sphere of that radius about the origin, cm.
+  /// In the pane of a picture of that size, below parts that fill a sphere of that radius about the
+  /// origin, cm. Where another pane adjoins, it fades away: floors would meet in a line.
   Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
-        std::span<const Part> parts, double radius);
+        const Area& picture, std::span<const Part> parts, double radius);
 
   /// The pool of light: the same from wherever the camera, at its height, looks at the origin.
   Layer light(const Camera& camera) const;
@@ -36,12 +37,18 @@ class Floor {
     double radius;           ///< cm
   };
 
+  /// Whether another pane may adjoin the pane's sides.
+  struct Sides {
+    bool left, right, top, bottom;
+  };
+
   /// Premultiplied red, green, blue, alpha, 0 to 255, of a cell of the grid.
   using Cell = Eigen::Array4f;
 
   static std::vector<Ball> balls_of(std::span<const Part> parts);
   Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
   Area seen(const Camera& camera) const;
+  float fade(double x, double y) const;
   gl::Readback begin_reflection(const Camera& camera, const Eigen::Matrix3d& X,
                                 const BodyPass& body, const Area& area);
   void set_reflection(const Image& image);
@@ -52,6 +59,7 @@ class Floor {
 
   FloorStyle style_;
   Area pane_;
+  Sides inner_;
   double radius_;  ///< cm
   double height_;  ///< of the floor, y in space, cm; negative
   int columns_, rows_;

@@ -92,8 +92,9 @@ WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuff
   const auto& floor = style_of(scene.look.theme).floor;
   if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
       scene.camera.elevation >= 0) {
-    floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, visible_parts(scene.body),
-                   radius_);
+    const Area picture{0, 0, framebuffer.width(), framebuffer.height()};
+    floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, picture,
+                   visible_parts(scene.body), radius_);
     floor_lit_ = !scene.look.background;
   }
 }

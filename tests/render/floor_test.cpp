@@ -88,6 +88,19 @@ TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
   EXPECT_LT((near - right).norm(), 0.5);
 }
 
+TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
+  Scene scene = white();
+  scene.overlay.view = View::quad;  // the body has the upper left quarter
+  scene.camera.distance = 1.0;
+  const std::vector<int> darker = change(scene, Matrix3d::Identity());
+  const auto at = [&](int column, int row) {
+    return darker[static_cast<std::size_t>(320 * row + column)];
+  };
+  EXPECT_LT(*std::ranges::min_element(darker), -20);
+  for (int column = 0; column < 160; ++column) EXPECT_GE(at(column, 89), -1) << column;
+  for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
+}
+
 TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   const Matrix3d Id = Matrix3d::Identity();
   Scene below = t_wrench(160, 90);
