@@ -6,8 +6,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "cli/twrench.h"
 #include "run_command.h"
 
@@ -22,16 +20,6 @@ using testing::HasSubstr;
 const std::string film =
     "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
     "v.mp4 ";
-
-/// The digest of each frame file, by name.
-std::map<std::string, std::string> digests(const fs::path& folder) {
-  std::map<std::string, std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), 1 << 24));
-  }
-  return found;
-}
 
 /// What the manifest says of the same.
 std::map<std::string, std::string> told_digests(const fs::path& folder) {

@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "cli/twrench.h"
 #include "run_command.h"
 
@@ -20,15 +17,6 @@ using testing::HasSubstr;
 // 24 frames, of which every second is asked for.
 const std::string film =
     "render --size 64x36 --fps 10 --duration 14.4 --speed 6 --frames 0-23:2 --progress none ";
-
-std::map<std::string, std::string> digests(const fs::path& folder) {
-  std::map<std::string, std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), 1 << 24));
-  }
-  return found;
-}
 
 std::string decoded(const ScratchFolder& folder, const std::string& video) {
   const std::string sums = (folder / (video + ".md5")).string();

@@ -3,10 +3,14 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
+#include "base/file.h"
+#include "base/sha256.h"
 #include "scratch_folder.h"
 
 namespace twrench {
@@ -47,6 +51,16 @@ inline Outcome run_shell(const ScratchFolder& folder, const std::string& command
 inline Outcome run_twrench(const ScratchFolder& folder, const std::string& arguments,
                            const std::string& before = "") {
   return run_shell(folder, before + "\"$TWRENCH\" " + arguments);
+}
+
+/// The digest of each frame file in the folder, by name.
+inline std::map<std::string, std::string> digests(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), 1 << 24));
+  }
+  return found;
 }
 
 }  // namespace twrench
