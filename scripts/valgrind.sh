@@ -7,11 +7,23 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh coverage
 programs=("$@")
-((${#programs[@]})) || programs=(base_test math_test body_test scene_test image_test movie_test)
+((${#programs[@]})) || programs=(
+  base_test math_test body_test motion_test study_test figure_test scene_test timeline_test
+  image_test canvas_test movie_test
+)
+# Not the longest; and not what is otherwise under valgrind: its vfork is a fork, so that only the
+# child's exit status 127 tells of a program that is not there; its long double has 64 bits.
+left_out=-*OfTheLargest*:*WithoutEnd*
+left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
+left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
 scripts/build.sh --tests release "${programs[@]}"
+failed=()
 for program in "${programs[@]}"; do
   echo "== $program"
-  # Not the longest; and not what valgrind does otherwise: a program that is not there.
   valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite \
-    "build/release/bin/$program" --gtest_brief=1 --gtest_filter=-*OfTheLargest*:*WithoutEnd*:*ThatIsNotThere*
+    "build/release/bin/$program" --gtest_brief=1 --gtest_filter="$left_out" || failed+=("$program")
 done
+if ((${#failed[@]})); then
+  echo "twrench: error: valgrind: not clean: ${failed[*]}" >&2
+  exit 1
+fi

@@ -52,6 +52,8 @@ void add_overlay_options(SceneOptions& scene) {
             [](Scene& s, const std::string& text) {
               s.overlay.compare = compared_methods(parse_words(text), "--compare");
             });
+  // In this order, so that --show adds to --bare.
+  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
   scene.add("--show", "LIST",
             "add: floor, axes, momentum, omega, trail, plane, labels, hud, components, sphere, "
             "poinsot",
@@ -65,7 +67,6 @@ void add_overlay_options(SceneOptions& scene) {
       s.overlay.show.erase(feature_of(word, "--hide"));
     }
   });
-  scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
   scene.add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
             [](Scene& s, const std::string& text) {
               s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",

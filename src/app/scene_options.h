@@ -48,7 +48,7 @@ class SceneOptions {
  private:
   CLI::App& command_;
   std::vector<std::string> names_{"dzhanibekov"};
-  std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the command line
+  std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the options' definition
 };
 
 }  // namespace twrench

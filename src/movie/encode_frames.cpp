@@ -64,7 +64,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder,
                                const std::filesystem::path& output, Missing when_missing,
                                const std::function<void(int done, int total)>& progress) {
   Manifest manifest = read_manifests(folder);
-  const std::vector<int> missing = missing_frames(manifest, folder);
+  std::vector<int> missing = missing_frames(manifest, folder);
   const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;

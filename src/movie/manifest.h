@@ -24,6 +24,7 @@ struct FrameRecord {
 };
 
 /// What stands beside the frames of a film and says how they came to be.
+// The destructor of nlohmann's json allocates. NOLINTNEXTLINE(bugprone-exception-escape)
 struct Manifest {
   std::string version;           ///< of the program
   nlohmann::ordered_json scene;  ///< all values resolved

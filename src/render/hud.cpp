@@ -20,25 +20,25 @@ class Figures {
     for (const Take& take : takes) flips_ = std::max(flips_, take.flip_times.size());
   }
 
-  Figure time() const {
+  Reading time() const {
     return {"time", text(longest_),
             [self = *this](const Moment& m) { return self.text(m.instants[0].sample.t); }};
   }
-  Figure energy_drift(std::size_t take) const {
+  Reading energy_drift(std::size_t take) const {
     return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁸", [take](const Moment& m) {
               return hud_text::drift(m.instants[take].diagnostics.energy_drift);
             }};
   }
-  static Figure orthogonality(std::size_t take) {
+  static Reading orthogonality(std::size_t take) {
     return {"off SO(3)", "8.8×10⁻¹⁸", [take](const Moment& m) {
               return hud_text::error(m.instants[take].diagnostics.orthogonality_error);
             }};
   }
-  Figure flips(std::size_t take) const {
+  Reading flips(std::size_t take) const {
     return {"flips", fmt::format("{}", flips_),
             [take](const Moment& m) { return fmt::format("{}", m.instants[take].flips); }};
   }
-  Figure next_flip(std::size_t take) const {
+  Reading next_flip(std::size_t take) const {
     return {"next flip", text(longest_), [take, self = *this](const Moment& m) {
               const auto& next = m.instants[take].next_flip;
               return next ? self.text(*next) : std::string("none");
@@ -87,7 +87,7 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
   }
   if (layout.figures) {
     WordBlock& block = blocks_.emplace_back(style, *layout.figures);
-    std::vector<Figure> row{figures.time(), figures.energy_drift(0)};
+    std::vector<Reading> row{figures.time(), figures.energy_drift(0)};
     if (takes[0].flips) {
       row.push_back(figures.flips(0));
       row.push_back(figures.next_flip(0));

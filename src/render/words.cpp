@@ -48,7 +48,7 @@ void WordBlock::add_line(const std::string& text, const Font& font, double size,
   y_ += height;
 }
 
-void WordBlock::place(const Figure& figure, double x, double y, double caption_width) {
+void WordBlock::place(const Reading& figure, double x, double y, double caption_width) {
   const auto& [title, size, caption] = style_.sizes;
   const Font& font = style_.typeface.regular;
   const double below = style_.compact ? 0 : caption_height * caption;
@@ -58,14 +58,14 @@ void WordBlock::place(const Figure& figure, double x, double y, double caption_w
   values_.push_back({figure.value, size, {x + caption_width, base}, Canvas::Align::left});
 }
 
-void WordBlock::add_figures(const std::vector<Figure>& figures) {
+void WordBlock::add_figures(const std::vector<Reading>& figures) {
   const auto& [title, size, caption] = style_.sizes;
   const Font& font = style_.typeface.regular;
   const double height = figure_height * size + (style_.compact ? 0 : caption_height * caption);
   const bool column = area_.height > area_.width;
   double x = area_.x;
   double y = y_;
-  for (const Figure& figure : figures) {
+  for (const Reading& figure : figures) {
     const double words = width_of(figure.caption, font, caption);
     const double value = width_of(figure.widest, font, size);
     const double before = style_.compact ? words + 0.5 * size : 0;
@@ -82,7 +82,7 @@ void WordBlock::add_figures(const std::vector<Figure>& figures) {
   }
 }
 
-void WordBlock::add_corner(Figure figure) {
+void WordBlock::add_corner(Reading figure) {
   const double size = style_.sizes.figure;
   const double width = width_of(figure.widest, style_.typeface.regular, size);
   const double right = area_.x + area_.width;

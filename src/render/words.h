@@ -21,7 +21,7 @@ struct WordStyle {
 };
 
 /// A figure that changes, with what it is.
-struct Figure {
+struct Reading {
   std::string caption;
   std::string widest;  ///< what no value of it is wider than
   std::function<std::string(const Moment&)> value;
@@ -41,10 +41,10 @@ class WordBlock {
 
   /// Side by side in rows or, where the area is upright, below one another: the first ones, where
   /// there is no room for all.
-  void add_figures(const std::vector<Figure>& figures);
+  void add_figures(const std::vector<Reading>& figures);
 
   /// In the top right corner, without a caption; lines that are added later leave it room.
-  void add_corner(Figure figure);
+  void add_corner(Reading figure);
 
   /// When all is added. `picture`: what the panel's soft edges may reach into.
   void finish(const Area& picture);
@@ -69,7 +69,7 @@ class WordBlock {
   };
 
   void extend(double right, double bottom);
-  void place(const Figure& figure, double x, double y, double caption_width);
+  void place(const Reading& figure, double x, double y, double caption_width);
 
   WordStyle style_;
   Area area_;

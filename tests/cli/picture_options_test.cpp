@@ -1,0 +1,64 @@
+// That each option of the picture sets what it is named after; the manifest tells the scene.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+
+/// The scene of one small frame that is drawn with these options.
+json scene_drawn_with(const std::string& options) {
+  const ScratchFolder folder;
+  const Outcome run =
+      run_twrench(folder, "render --size 64x36 --frames 0 --no-video --progress none " + options);
+  EXPECT_EQ(run.code, 0) << run.err;
+  if (run.code != 0) return {};
+  return json::parse(text_of(folder / "out/dzhanibekov/manifest.json"))["scene"];
+}
+
+TEST(PictureOptions, OfTheCamera) {
+  const json scene = scene_drawn_with(
+      "--azimuth 0.5 --elevation 0.25 --distance 1.5 --orbit 0.125 --field-of-view 0.75");
+  EXPECT_EQ(scene["camera"], json({{"azimuth", 0.5},
+                                   {"elevation", 0.25},
+                                   {"distance", 1.5},
+                                   {"orbit", 0.125},
+                                   {"field_of_view", 0.75}}));
+}
+
+TEST(PictureOptions, OfTheLook) {
+  const json scene = scene_drawn_with(
+      "--theme paper --samples 2 --motion-blur 3 --background '#102030' --color '#405060' "
+      "--metallic 0.25 --roughness 0.75");
+  EXPECT_EQ(scene["look"], json({{"theme", "paper"},
+                                 {"samples", 2},
+                                 {"motion_blur", 3},
+                                 {"background", "#102030"},
+                                 {"color", "#405060"},
+                                 {"metallic", 0.25},
+                                 {"roughness", 0.75}}));
+}
+
+TEST(PictureOptions, OfTheOverlay) {
+  const json scene = scene_drawn_with(
+      "--title Wrench --bare --show trail,plane,omega --hide plane --trail-point 1,2,3 "
+      "--trail-length 4 --font mono");
+  EXPECT_EQ(scene["title"], "Wrench");
+  EXPECT_EQ(scene["overlay"], json({{"view", "wrench"},
+                                    {"show", {"omega", "trail"}},
+                                    {"trail_point", {1.0, 2.0, 3.0}},
+                                    {"trail_length", 4.0},
+                                    {"font", "mono"}}));
+}
+
+TEST(PictureOptions, OfWhatIsSeen) {
+  EXPECT_EQ(scene_drawn_with("--view momentum")["overlay"]["view"], "momentum");
+  EXPECT_EQ(scene_drawn_with("--compare rk4,exact")["overlay"]["compare"], json({"rk4", "exact"}));
+}
+
+}  // namespace
+}  // namespace twrench
