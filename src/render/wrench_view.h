@@ -13,7 +13,7 @@
 namespace twrench {
 
 /// The body as it turns, seen by the scene's camera.
-class WrenchView : public SpaceView {
+class WrenchView final : public SpaceView {
  public:
   /// The take with that index, drawn in `pane` by way of `framebuffer`, which has the film's size
   /// and outlives the view.
