@@ -1,6 +1,7 @@
 #include "motion/method.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/nearest.h"
 
@@ -47,7 +48,7 @@ constexpr ImplicitTrapezoid suzuki_trapezoid{
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
 // order 2 on SO(3), not 4 and 5: one exponential of the averaged stage velocities drops their
 // commutators, first of all (h^3/12) omega x omega'.
-constexpr Method all[] = {
+constexpr auto all = std::to_array<Method>({
     {"euler", RungeKutta{Update::linear, one_stage}, 1, 1, false, false, "specification, eq. (24)",
      "Euler's method on the matrix itself; leaves SO(3), for comparison"},
     {"lie-euler", RungeKutta{Update::averaged, one_stage}, 1, 1, false, false,
@@ -83,7 +84,7 @@ constexpr Method all[] = {
     {"exact", ClosedForm{}, 0, 0, true, true,
      "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
      "the motion in closed form, by elliptic and theta functions; the same cost at any t"},
-};
+});
 
 }  // namespace
 
@@ -107,7 +108,7 @@ std::vector<std::string> method_names() {
 
 const Method& find_method(std::string_view name, const std::string& what) {
   const auto found = std::ranges::find(all, name, &Method::name);
-  if (found == std::end(all)) throw unknown_name(what, name, method_names());
+  if (found == all.end()) throw unknown_name(what, name, method_names());
   return *found;
 }
 

@@ -122,7 +122,7 @@ std::string format_frame_range(std::span<const int> frames) {
 
 std::string brief_frame_range(std::span<const int> frames) {
   constexpr std::size_t longest = 120;
-  const std::string all = format_frame_range(frames);
+  std::string all = format_frame_range(frames);
   if (all.size() <= longest) return all;
   return fmt::format("{},... ({} in all)", all.substr(0, all.rfind(',', longest)), frames.size());
 }

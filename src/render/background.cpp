@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -16,8 +17,8 @@ using Eigen::Array3d;
 /// Ordered dither on a square of two by two, in [0, 1): quarter steps are too fine for bands to be
 /// seen, and a pattern this short costs a PNG file half of what noise would.
 double dither(int x, int y) {
-  static constexpr double pattern[2][2] = {{0.125, 0.625}, {0.875, 0.375}};
-  return pattern[y % 2][x % 2];
+  static constexpr std::array pattern{0.125, 0.625, 0.875, 0.375};
+  return pattern[static_cast<std::size_t>(y % 2 * 2 + x % 2)];
 }
 
 double smooth_step(double low, double high, double x) {
@@ -33,7 +34,9 @@ struct ColumnTerms {
   double droop, vignette;
 };
 
-Array3d array_of(const Color& color) { return Array3d(color.red, color.green, color.blue); }
+Array3d array_of(const Color& color) {
+  return Eigen::Array3i(color.red, color.green, color.blue).cast<double>();
+}
 
 /// Stars: soft dots two pixels and more wide, or video encoding would take them away or let them
 /// twinkle. They lie where a generator with a fixed seed puts them, whatever the size.

@@ -49,6 +49,9 @@ TEST(Backend, WithoutEglIsOsmesa) {
   const Outcome asked = run(folder, small + "--backend egl --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libegl1"));
+  const Outcome doctor = run(folder, "doctor", before);
+  EXPECT_EQ(doctor.code, 0) << doctor.out;
+  EXPECT_THAT(doctor.out, HasSubstr("apt-get install libegl1"));
 }
 
 TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
