@@ -37,13 +37,20 @@ std::string remedy_for(int error_number) {
 /// What fits a path component of 255 bytes with room for the decoration.
 std::string shortened(const std::string& name) { return name.substr(0, 200); }
 
-/// Makes and opens a file beside target. O_EXCL neither follows a link nor takes another's file.
-Descriptor open_beside(const std::filesystem::path& target, std::filesystem::path& path) {
+/// Makes and opens a file beside target, in its folder, which is opened too. O_EXCL neither follows
+/// a link nor takes another's file.
+Descriptor open_beside(const std::filesystem::path& target, Descriptor& folder,
+                       std::filesystem::path& path) {
+  const std::string parent = target.has_parent_path() ? target.parent_path().string() : ".";
+  folder = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!folder) return {};
   constexpr int most_leftovers = 10'000;  // of killed processes that had our number
   for (int n = 0; n < most_leftovers; ++n) {
-    path = target.parent_path() /
-           fmt::format(".{}.{}-{}.tmp", shortened(target.filename().string()), ::getpid(), n);
-    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    const std::string name =
+        fmt::format(".{}.{}-{}.tmp", shortened(target.filename().string()), ::getpid(), n);
+    path = target.parent_path() / name;
+    Descriptor descriptor(
+        ::openat(folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (descriptor || errno != EEXIST) {
       return descriptor;
     }
@@ -76,7 +83,7 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
     throw FileError(cannot_write(target_), "it is there and is not a regular file",
                     "choose another name");
   }
-  descriptor_ = open_beside(target_, path_);
+  descriptor_ = open_beside(target_, folder_, path_);
   if (!descriptor_) {
     throw file_error(cannot_write(target_), errno);
   }
@@ -84,7 +91,7 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
 
 PendingFile::~PendingFile() {
   if (!path_.empty()) {
-    ::unlink(path_.c_str());
+    ::unlinkat(folder_.get(), path_.filename().c_str(), 0);  // wherever the folder is by now
   }
 }
 

@@ -47,6 +47,7 @@ class PendingFile {
  private:
   std::filesystem::path target_;
   std::filesystem::path path_;
+  Descriptor folder_;
   Descriptor descriptor_;
 };
 

@@ -115,6 +115,17 @@ TEST(File, PendingIsUnderAnotherNameInTheSameFolderAndVanishes) {
   EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
+TEST(PendingFile, IsGoneFromAFolderThatWasMoved) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "here");
+  {
+    PendingFile pending(scratch / "here/film.mp4");
+    fs::rename(scratch / "here", scratch / "there");
+    EXPECT_THROW(pending.commit(), FileError);
+  }
+  EXPECT_TRUE(fs::is_empty(scratch / "there"));
+}
+
 TEST(File, PendingTakesNobodysName) {
   const ScratchFolder scratch;
   const PendingFile one(scratch / "a");
