@@ -115,15 +115,15 @@ TEST(File, PendingIsUnderAnotherNameInTheSameFolderAndVanishes) {
   EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
-TEST(PendingFile, IsGoneFromAFolderThatWasMoved) {
+TEST(File, PendingIsGoneFromAFolderThatWasMoved) {
   const ScratchFolder scratch;
-  fs::create_directory(scratch / "here");
+  std::filesystem::create_directory(scratch / "here");
   {
     PendingFile pending(scratch / "here/film.mp4");
-    fs::rename(scratch / "here", scratch / "there");
+    std::filesystem::rename(scratch / "here", scratch / "there");
     EXPECT_THROW(pending.commit(), FileError);
   }
-  EXPECT_TRUE(fs::is_empty(scratch / "there"));
+  EXPECT_TRUE(std::filesystem::is_empty(scratch / "there"));
 }
 
 TEST(File, PendingTakesNobodysName) {
