@@ -61,23 +61,17 @@ void FrameSequence::finish() {
 void FrameSequence::write_manifest() {
   const Clock::time_point start = Clock::now();
   PendingFile file(folder_ / manifest_file_name(manifest_.shard));
-  const auto write = [&file](std::string_view text) {
-    file.write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  };
-  std::string text = format_manifest_head(manifest_);
-  const char* between = "";
-  for (const Frame& frame : frames_) {
-    FrameRecord record = *frame.record;
-    record.file = frame_file_name(record.frame);
-    record.sha256.assign(frame.sha256.begin(), frame.sha256.end());
-    text += between + format_frame(record);
-    between = ",\n";
-    constexpr std::size_t piece = 1 << 16;
-    if (text.size() < piece) continue;
-    write(text);
-    text.clear();
-  }
-  write(text + std::string(manifest_end));
+  twrench::write_manifest(
+      manifest_, frames_.size(),
+      [this](std::size_t i) {
+        FrameRecord record = *frames_[i].record;
+        record.file = frame_file_name(record.frame);
+        record.sha256.assign(frames_[i].sha256.begin(), frames_[i].sha256.end());
+        return record;
+      },
+      [&file](std::string_view text) {
+        file.write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+      });
   file.commit();
   finished_ = true;
   // Every five seconds, but of a long film never more than a twentieth of the time.

@@ -195,11 +195,7 @@ std::vector<std::string> texts(const Place& place) {
   return result;
 }
 
-}  // namespace
-
-std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
-
-std::string format_manifest_head(const Manifest& manifest) {
+std::string format_head(const Manifest& manifest) {
   Json head{{"version", manifest.version},   {"scene", manifest.scene},
             {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
             {"fps", manifest.fps},           {"encoder", manifest.encoder},
@@ -223,13 +219,31 @@ std::string format_frame(const FrameRecord& record) {
       .dump();
 }
 
-std::string format_manifest(const Manifest& manifest) {
-  std::string text = format_manifest_head(manifest);
-  for (const FrameRecord& record : manifest.frames) {
-    if (&record != manifest.frames.data()) text += ",\n";
-    text += format_frame(record);
+}  // namespace
+
+std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
+
+void write_manifest(const Manifest& manifest, std::size_t count,
+                    const std::function<FrameRecord(std::size_t)>& frame,
+                    const std::function<void(std::string_view)>& write) {
+  constexpr std::size_t piece = 1 << 16;
+  std::string text = format_head(manifest);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ",\n";
+    text += format_frame(frame(i));
+    if (text.size() < piece) continue;
+    write(text);
+    text.clear();
   }
-  return text + std::string(manifest_end);
+  write(text + "\n]\n}\n");
+}
+
+std::string format_manifest(const Manifest& manifest) {
+  std::string text;
+  write_manifest(
+      manifest, manifest.frames.size(), [&](std::size_t i) { return manifest.frames[i]; },
+      [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -48,11 +49,11 @@ bool same_film(const Manifest& a, const Manifest& b);
 /// The manifest as JSON, a frame a line; every double is read back as the same double.
 std::string format_manifest(const Manifest& manifest);
 
-/// The pieces of that text, for a manifest too long to be held twice: what stands before the
-/// frames; a frame, between any two of which stands ",\n"; and what stands after them.
-std::string format_manifest_head(const Manifest& manifest);
-std::string format_frame(const FrameRecord& record);
-inline constexpr std::string_view manifest_end = "\n]\n}\n";
+/// That text, piece by piece, for a manifest too long to be held twice: its `count` frames are
+/// those that `frame` gives, not its own.
+void write_manifest(const Manifest& manifest, std::size_t count,
+                    const std::function<FrameRecord(std::size_t)>& frame,
+                    const std::function<void(std::string_view)>& write);
 
 /// The manifest in the text, which may come from anyone. `name` names it in errors.
 /// Throws FileError, with the place, for what is not a manifest: bad JSON, a missing or mistyped
