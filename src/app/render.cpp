@@ -21,6 +21,7 @@
 #include "app/version.h"
 #include "base/file.h"
 #include "gl/backend.h"
+#include "image/picture_memory.h"
 #include "image/png.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
@@ -239,6 +240,7 @@ void render(const Options& options) {
                      "when all shards are done: twrench encode FRAMES_DIR -o " + options.video);
   }
   const Scene scene = options.scene.scene();
+  keep_memory_of_pictures(scene.film.width, scene.film.height);
   const int count = scene.frame_count();
   const std::string all = fmt::format("0-{}", count - 1);
   const std::vector<int> asked =

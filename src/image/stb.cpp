@@ -1,13 +1,16 @@
 #include "image/stb.h"
 
-#include <libdeflate.h>
+#include <isa-l/crc.h>
+#include <isa-l/igzip_lib.h>
 
 #include <cstdlib>
+#include <new>
 
 namespace {
 
 constexpr int png_filter = 1;
 constexpr int deflate_level = 1;
+constexpr std::size_t deflate_memory = ISAL_DEF_LVL1_DEFAULT;
 
 /// A zlib stream of the data in malloc'ed memory, as stb_image_write expects it; null on failure.
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int level);
@@ -18,7 +21,7 @@ unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
 #define STBIW_ZLIB_COMPRESS zlib_compress
-#define STBIW_CRC32(bytes, size) libdeflate_crc32(0, bytes, static_cast<std::size_t>(size))
+#define STBIW_CRC32(bytes, size) crc32_gzip_refl(0, bytes, static_cast<std::uint64_t>(size))
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
@@ -31,18 +34,28 @@ unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size
 namespace {
 
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int) {
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(deflate_level), &libdeflate_free_compressor);
-  if (!compressor) {
+  const std::unique_ptr<std::uint8_t[]> memory(new (std::nothrow) std::uint8_t[deflate_memory]);
+  // What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC
+  // 1951, 3.2.4), between the 6 bytes of zlib (RFC 1950).
+  const auto length = static_cast<std::uint32_t>(size);
+  const std::uint32_t bound = length + 5 * (length / 65535 + 1) + 6 + ISAL_DEF_MAX_HDR_SIZE;
+  auto* out = static_cast<unsigned char*>(std::malloc(bound));
+  isal_zstream stream;
+  isal_deflate_stateless_init(&stream);
+  stream.level = deflate_level;
+  stream.level_buf = memory.get();
+  stream.level_buf_size = deflate_memory;
+  stream.gzip_flag = IGZIP_ZLIB;
+  stream.end_of_stream = 1;
+  stream.next_in = data;
+  stream.avail_in = length;
+  stream.next_out = out;
+  stream.avail_out = bound;
+  if (!memory || out == nullptr || isal_deflate_stateless(&stream) != COMP_OK) {
+    std::free(out);
     return nullptr;
   }
-  const auto length = static_cast<std::size_t>(size);
-  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), length);
-  auto* out = static_cast<unsigned char*>(std::malloc(bound));
-  if (out != nullptr) {
-    *compressed_size =
-        static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, length, out, bound));
-  }
+  *compressed_size = static_cast<int>(stream.total_out);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/sha256.h"
+#include "image/picture_memory.h"
 #include "image/png.h"
 #include "movie/encoder.h"
 #include "movie/frame_range.h"
@@ -67,6 +68,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder,
   std::vector<int> missing = missing_frames(manifest, folder);
   const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
+  keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
   const VideoFormat format{manifest.width, manifest.height, manifest.fps, container_of(output),
                            transparent};
