@@ -38,8 +38,11 @@ void fill_standard_streams() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   fill_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error to report, not a death
+  // A reader that went away is an error to report, not a death.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   return static_cast<int>(run(argc, argv));
+} catch (...) {  // there is not the memory to report it
+  return static_cast<int>(twrench::ExitCode::internal);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/message.h"
@@ -12,7 +13,7 @@ namespace {
 
 /// "1:02:03" or "2:03"
 std::string clock_text(double seconds) {
-  const auto s = static_cast<long>(seconds + 0.5);
+  const long s = std::lround(seconds);
   if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
@@ -78,7 +79,7 @@ void Progress::draw(int done, int total, double seconds) const {
     const auto filled = static_cast<std::size_t>(width * static_cast<double>(done) / total);
     say("\r[{:.<{}}] {}/{}  {:.1f} frames/s  {} left \x1b[K", std::string(filled, '#'), width, done,
         total, rate, clock_text(left));
-    std::fflush(stderr);
+    static_cast<void>(std::fflush(stderr));
   }
 }
 

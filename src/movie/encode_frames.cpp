@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <thread>
 #include <vector>
 
 #include "base/error.h"
@@ -74,10 +78,19 @@ std::vector<int> encode_frames(const std::filesystem::path& folder,
                            transparent};
   require_encoder(format);
   VideoEncoder encoder(output, format);
+  // To decode a frame takes longer than to encode it, so a few are decoded side by side.
+  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+  std::deque<std::future<Image>> begun;
   const int total = static_cast<int>(manifest.frames.size());
-  for (int done = 0; done < total; ++done) {
-    encoder.write(read_frame(manifest.frames[static_cast<std::size_t>(done)], folder, manifest));
-    progress(done + 1, total);
+  int done = 0;
+  for (auto next = manifest.frames.begin(); done < total; progress(++done, total)) {
+    for (; begun.size() < at_once && next != manifest.frames.end(); ++next) {
+      begun.push_back(std::async(std::launch::async, [&manifest, &folder, &record = *next] {
+        return read_frame(record, folder, manifest);
+      }));
+    }
+    encoder.write(begun.front().get());
+    begun.pop_front();
   }
   encoder.finish();
   return missing;
