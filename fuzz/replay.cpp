@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   if (corpus.empty()) return EXIT_FAILURE;
   for (const Bytes& input : corpus) LLVMFuzzerTestOneInput(input.data(), input.size());
   std::mt19937 random(20201);
-  const int count = std::atoi(argv[2]);
-  for (int i = 0; i < count; ++i) {
+  const long count = std::strtol(argv[2], nullptr, 10);
+  for (long i = 0; i < count; ++i) {
     const Bytes& input = corpus[random() % corpus.size()];
     const Bytes& other = corpus[random() % corpus.size()];
     const Bytes changed = mutated(input, other, random);
