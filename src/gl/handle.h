@@ -6,32 +6,22 @@
 
 namespace twrench::gl {
 
-/// The name of a GL object, owned: made on construction, deleted with the value. Move-only. The
-/// function table, and its context, outlive it.
+/// The name of a GL object, owned: made on construction, deleted with the value. It can be moved,
+/// not copied. The function table, and its context, outlive it.
 template <auto Generate, auto Delete>
 class Handle {
  public:
   explicit Handle(const Functions& gl) : gl_(&gl) { (gl.*Generate)(1, &id_); }
-  ~Handle() { release(); }
-  Handle(Handle&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
-  Handle& operator=(Handle&& other) noexcept {
-    if (this != &other) {
-      release();
-      gl_ = other.gl_;
-      id_ = std::exchange(other.id_, 0);
-    }
-    return *this;
+  ~Handle() {
+    if (id_ != 0) (gl_->*Delete)(1, &id_);
   }
+  Handle(Handle&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
   GLuint id() const { return id_; }
 
  private:
-  void release() {
-    if (id_ != 0) (gl_->*Delete)(1, &id_);
-  }
-
   const Functions* gl_;
   GLuint id_ = 0;
 };

@@ -63,7 +63,7 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
     turn_upside_down(image_);
     return;
   }
-  buffer_ = buffers->get(GLsizeiptr{4} * width_ * height_);
+  buffer_.emplace(buffers->get(GLsizeiptr{4} * width_ * height_));
   read_pixels(gl, area, nullptr);
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   gl.Flush();  // or the card might not begin before it is waited for

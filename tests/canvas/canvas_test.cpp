@@ -11,7 +11,8 @@ using testing::ElementsAre;
 constexpr Color ink{200, 100, 50};
 
 std::vector<int> pixel(const Image& image, int x, int y) {
-  const auto at = static_cast<std::size_t>(4 * (y * image.width + x));
+  const std::size_t at =
+      static_cast<std::size_t>(y) * image.row_bytes() + 4 * static_cast<std::size_t>(x);
   return {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2], image.pixels[at + 3]};
 }
 

@@ -43,7 +43,8 @@ TEST_P(Typesetting, MakesBlanksAsWideAsDigits) {
 TEST_P(Typesetting, ShortensWithAnEllipsis) {
   const std::string title = "The Dzhanibekov effect";
   EXPECT_EQ(typeset_within(font, title, 100).glyphs.size(), title.size());
-  for (double room = 12; room >= 0; room -= 0.25) {
+  for (int quarters = 48; quarters >= 0; --quarters) {
+    const double room = 0.25 * quarters;
     const Line line = typeset_within(font, title, room);
     EXPECT_LE(line.width, room);
     if (room < 1.5) continue;
