@@ -40,7 +40,7 @@ unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size
   const auto length = static_cast<std::uint32_t>(size);
   const std::uint32_t bound = length + 5 * (length / 65535 + 1) + 6 + ISAL_DEF_MAX_HDR_SIZE;
   auto* out = static_cast<unsigned char*>(std::malloc(bound));
-  isal_zstream stream;
+  isal_zstream stream{};  // the next line leaves some unset of what is read
   isal_deflate_stateless_init(&stream);
   stream.level = deflate_level;
   stream.level_buf = memory.get();
