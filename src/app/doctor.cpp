@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/output.h"
 #include "base/child_process.h"
 #include "base/disk_space.h"
+#include "base/processors.h"
 #include "canvas/font.h"
 #include "figure/gnuplot.h"
 #include "gl/backend.h"
@@ -114,9 +114,8 @@ Diagnosis diagnose() {
   diagnosis.others.push_back(examine("disk", "frames and films, here in out/", [] {
     return format_bytes(static_cast<double>(free_space("out"))) + " free";
   }));
-  diagnosis.others.push_back(examine("processors", "drawing and compressing at once", [] {
-    return fmt::format("{}", std::thread::hardware_concurrency());
-  }));
+  diagnosis.others.push_back(examine("processors", "drawing and compressing at once",
+                                     [] { return fmt::format("{}", processor_count()); }));
   return diagnosis;
 }
 

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "app/arguments.h"
 #include "app/commands.h"
@@ -20,6 +18,7 @@
 #include "app/scene_options.h"
 #include "app/version.h"
 #include "base/file.h"
+#include "base/processors.h"
 #include "gl/backend.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
@@ -109,7 +108,7 @@ Options::Options(CLI::App& command) : scene(command) {
 }
 
 int job_count(const std::string& text) {
-  if (text.empty()) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (text.empty()) return static_cast<int>(processor_count());
   return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
 }
 

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <deque>
 #include <future>
-#include <thread>
 #include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/processors.h"
 #include "base/sha256.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
@@ -79,7 +78,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder,
   require_encoder(format);
   VideoEncoder encoder(output, format);
   // To decode a frame takes longer than to encode it, so a few are decoded side by side.
-  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t at_once = processor_count();
   std::deque<std::future<Image>> begun;
   const int total = static_cast<int>(manifest.frames.size());
   int done = 0;
