@@ -22,8 +22,12 @@ void main() {
   vec3 to_eye = normalize(towards_eye);
   // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
   // direction runs away, would flicker.
-  n = normalize(n + max(0.15 - dot(n, to_eye), 0.0) * to_eye);
-  float n_v = dot(n, to_eye);
+  float facing = dot(n, to_eye);
+  float lifted = max(facing, 0.15);
+  // The root of 1 + x for the little x by which the square of the length grows.
+  float length_back = 1.0 - 0.5 * (lifted * lifted - facing * facing);
+  n = (n + (lifted - facing) * to_eye) * length_back;
+  float n_v = lifted * length_back;
   vec3 mirrored = 2.0 * n_v * n - to_eye;
 
   // Normals that turn within a pixel widen the lobe, or thin bevels would sparkle (Tokuyoshi and
@@ -32,12 +36,12 @@ void main() {
   vec3 turn_y = dFdy(n);
   float alpha = roughness * roughness;
   float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.18);
-  float width = sqrt(alpha * alpha + variance);
+  // Reflection doubles the angle of the half vector, hence a half.
+  float sharpness = 0.5 * inversesqrt(alpha * alpha + variance);
 
-  // Reflection doubles the angle of the half vector, hence 2.
-  vec3 arriving_there = arriving(stage_position, mirrored, 0.5 / width);
+  vec3 arriving_there = arriving(stage_position, mirrored, sharpness);
   // Another part there shows the room's light, dimmed by one reflection more.
-  float shade = shaded(stage_position, mirrored, 2.0 * width);
+  float shade = shaded(stage_position, mirrored, sharpness);
   vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
   vec3 light = reflected * reflected_share(n_v) + scattered(stage_position, n);
   light *= seam(stage_position);

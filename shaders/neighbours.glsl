@@ -1,24 +1,33 @@
 // What other parts near by, taken for capsules, hide of the light that comes to a part.
 
-flat in vec4 neighbour_from[neighbour_count];  // stage; an end of the axis, and the radius
-flat in vec4 neighbour_to[neighbour_count];    // the other end; 1 for a cylinder drawn before, else 0
+flat in vec4 neighbour_end[neighbour_count];   // stage; an end of the axis, and the radius
+flat in vec4 neighbour_axis[neighbour_count];  // to the other end; 1 for a cylinder drawn before, else 0
+flat in vec3 neighbour_size[neighbour_count];  // the axis' length squared; 1 over that; 1 / radius
 
-// How much of a lobe of that width about `direction` capsule i hides from `place`: 0 to 1, by how
-// far the direction misses it, seen as an angle.
-float hidden_by(int i, vec3 place, vec3 direction, float width) {
-  vec3 axis = neighbour_to[i].xyz - neighbour_from[i].xyz;
-  vec3 to_end = neighbour_from[i].xyz - place;
+// The square of the distance from `place` to the point of the axis at the share s of its length.
+float square_to_axis(int i, vec3 place, float s) {
+  vec3 to_end = neighbour_end[i].xyz - place;
+  float along = dot(neighbour_axis[i].xyz, to_end);
+  return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
+}
+
+// How much of a lobe of width 1 / sharpness about `direction` capsule i hides from `place`: 0 to 1,
+// by how far the direction misses it, seen as an angle.
+float hidden_by(int i, vec3 place, vec3 direction, float sharpness) {
+  vec3 axis = neighbour_axis[i].xyz;
+  vec3 to_end = neighbour_end[i].xyz - place;
   // The point of the axis that the ray passes nearest: the feet of the common normal of two lines.
   float along = dot(axis, direction);
-  float s = (along * dot(to_end, direction) - dot(axis, to_end)) /
-            max(dot(axis, axis) - along * along, 1e-4);
-  vec3 to_axis = to_end + clamp(s, 0.0, 1.0) * axis;
-  float closeness = inversesqrt(dot(to_axis, to_axis));
-  float ahead = dot(to_axis, direction);
+  float end_ahead = dot(to_end, direction);
+  float s = clamp((along * end_ahead - dot(axis, to_end)) /
+                      max(neighbour_size[i].x - along * along, 1e-4), 0.0, 1.0);
+  float closeness = inversesqrt(square_to_axis(i, place, s));
+  float ahead = end_ahead + s * along;
+  float cosine = closeness * max(ahead, 0.0);
   // Of what lies behind, the farther the less.
-  float miss = closeness * (length(to_axis - max(ahead, 0.0) * direction) - neighbour_from[i].w -
-                            min(ahead, 0.0));
-  return 1.0 - smoothstep(-width, width, miss);
+  float miss = sqrt(max(1.0 - cosine * cosine, 0.0)) -
+               closeness * (neighbour_end[i].w + min(ahead, 0.0));
+  return 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * sharpness * miss);
 }
 
 // What is left of the light close to where another part begins: there it comes by way of two
@@ -26,10 +35,9 @@ float hidden_by(int i, vec3 place, vec3 direction, float width) {
 float seam(vec3 place) {
   float left = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
-    vec3 axis = neighbour_to[i].xyz - neighbour_from[i].xyz;
-    vec3 to_end = neighbour_from[i].xyz - place;
-    float s = clamp(-dot(axis, to_end) / dot(axis, axis), 0.0, 1.0);
-    float gap = length(to_end + s * axis) / neighbour_from[i].w - 1.0;
+    vec3 to_end = neighbour_end[i].xyz - place;
+    float s = clamp(-dot(neighbour_axis[i].xyz, to_end) * neighbour_size[i].y, 0.0, 1.0);
+    float gap = sqrt(square_to_axis(i, place, s)) * neighbour_size[i].z - 1.0;
     left *= 1.0 - 0.45 * exp2(-9.0 * max(gap, 0.0));
   }
   return left;
@@ -41,23 +49,24 @@ float seam(vec3 place) {
 float seam_coverage(vec3 place, vec3 to_eye) {
   float outside = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
-    vec3 axis = neighbour_to[i].xyz - neighbour_from[i].xyz;
-    vec3 to_end = neighbour_from[i].xyz - place;
-    float s = -dot(axis, to_end) / dot(axis, axis);
-    vec3 from_axis = -(to_end + s * axis);
-    float gap = length(from_axis) - neighbour_from[i].w;
-    float seen = smoothstep(0.2, 0.4, dot(normalize(from_axis), to_eye));
+    vec3 axis = neighbour_axis[i].xyz;
+    vec3 to_end = neighbour_end[i].xyz - place;
+    float s = -dot(axis, to_end) * neighbour_size[i].y;
+    float closeness = inversesqrt(square_to_axis(i, place, s));
+    float gap = 1.0 / closeness - neighbour_end[i].w;
+    float facing = -closeness * (dot(to_end, to_eye) + s * dot(axis, to_eye));
+    float seen = smoothstep(0.0, 1.0, 5.0 * facing - 1.0);  // from 0.2 to 0.4
     float share = clamp(gap / max(fwidth(gap), 1e-6) + 0.5, 0.0, 1.0);
     bool beside = s > 0.0 && s < 1.0;
-    outside *= beside ? mix(1.0, share, seen * neighbour_to[i].w) : 1.0;
+    outside *= beside ? mix(1.0, share, seen * neighbour_axis[i].w) : 1.0;
   }
   return outside;
 }
 
-float shaded(vec3 place, vec3 direction, float width) {
+float shaded(vec3 place, vec3 direction, float sharpness) {
   float open = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
-    open *= 1.0 - hidden_by(i, place, direction, width);
+    open *= 1.0 - hidden_by(i, place, direction, sharpness);
   }
   return 1.0 - open;
 }

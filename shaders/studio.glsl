@@ -8,20 +8,27 @@
 // shares of its two sides, exact for long strips.
 
 // The share of the lobe of width 1 / sharpness about `direction` that light i fills, from `place`.
+//
+// The direction meets the light's plane at (d.across, d.along) away / d.outward from the point there
+// that is next to `place`, which is `away` from it. All is multiplied by `away`, and the shares of
+// the two sides are brought over one denominator: roots and divisions are what a pixel waits for.
 float light_share(int i, vec3 place, vec3 direction, float sharpness) {
   vec3 across = light_across[i];
   vec3 along = light_along[i];
   vec3 outward = cross(across, along);
   vec3 to_centre = light_centre[i] - place;
-  // 1 / distance, along the direction, to the light's plane; 0 where it points away from it.
-  float closeness = max(dot(direction, outward), 0.0) / max(dot(to_centre, outward), 0.1);
-  vec2 middle = vec2(dot(direction, across), dot(direction, along)) -
-                closeness * vec2(dot(to_centre, across), dot(to_centre, along));
-  vec2 half_size = closeness * light_half_size[i];
-  vec2 low = sharpness * (middle - half_size);
-  vec2 high = sharpness * (middle + half_size);
-  vec2 share = high * inversesqrt(1.0 + high * high) - low * inversesqrt(1.0 + low * low);
-  return 0.25 * share.x * share.y;
+  float away = max(dot(to_centre, outward), 0.1);
+  float ahead = max(dot(direction, outward), 0.0);  // none where it points away from the light
+  vec2 middle = sharpness * (away * vec2(dot(direction, across), dot(direction, along)) -
+                             ahead * vec2(dot(to_centre, across), dot(to_centre, along)));
+  vec2 half_size = sharpness * ahead * light_half_size[i];
+  vec2 low = middle - half_size;
+  vec2 high = middle + half_size;
+  vec2 low_root = sqrt(away * away + low * low);
+  vec2 high_root = sqrt(away * away + high * high);
+  vec2 share = high * low_root - low * high_root;
+  vec2 whole = high_root * low_root;
+  return 0.25 * (share.x * share.y) / (whole.x * whole.y);
 }
 
 // What the room itself sends from a direction: a dark ceiling, a brighter floor.

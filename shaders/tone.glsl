@@ -2,7 +2,10 @@
 // stock that has the display's gamma in it, and so needs no power function.
 vec3 filmic_srgb(vec3 light) {
   vec3 x = max(light - 0.004, 0.0);
-  return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);
+  vec3 above = x * (6.2 * x + 0.5);
+  vec3 below = x * (6.2 * x + 1.7) + 0.06;
+  float each = 1.0 / (below.r * below.g * below.b);  // one division for three
+  return above * each * vec3(below.g * below.b, below.b * below.r, below.r * below.g);
 }
 
 // Against banding: the background's pattern of two by two, up and down by quarter steps of 8 bits.
