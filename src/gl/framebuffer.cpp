@@ -90,21 +90,24 @@ Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples
   check_complete(gl, width, height, samples);
 }
 
-void Framebuffer::draw_within(const Rectangle& area, const Rectangle& viewport) const {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-  gl_->Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
-  gl_->Enable(GL_SCISSOR_TEST);
-  gl_->Scissor(area.x, area.y, area.width, area.height);
-}
-
-void Framebuffer::clear() const {
+void Framebuffer::clear(std::span<const Rectangle> areas) const {
   clear_program_.use();
   gl_->BindVertexArray(no_vertices_.id());
   gl_->Disable(GL_CULL_FACE);
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_ALWAYS);
-  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  for (const Rectangle& area : areas) {
+    draw_within(area, area);
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  }
   gl_->DepthFunc(GL_LESS);
+}
+
+void Framebuffer::draw_within(const Rectangle& area, const Rectangle& viewport) const {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  gl_->Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  gl_->Enable(GL_SCISSOR_TEST);
+  gl_->Scissor(area.x, area.y, area.width, area.height);
 }
 
 Readback Framebuffer::begin_read(const Rectangle& area) const {

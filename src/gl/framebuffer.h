@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "gl/handle.h"
 #include "gl/program.h"
@@ -20,12 +21,12 @@ class Framebuffer {
   int height() const { return height_; }
   ReadMode read_mode() const { return buffers_ ? ReadMode::buffered : ReadMode::at_once; }
 
+  /// Makes the areas transparent black, and as far as can be. Not by glClear: within a scissor Mesa
+  /// draws a quad too, whose colour llvmpipe fetches for each pixel.
+  void clear(std::span<const Rectangle> areas) const;
+
   /// What is drawn from now on lands here, within `area`; device coordinates span `viewport`.
   void draw_within(const Rectangle& area, const Rectangle& viewport) const;
-
-  /// Makes the area that is drawn within transparent black, and as far as can be. Not by
-  /// glClear: within a scissor Mesa draws a quad too, whose colour llvmpipe fetches for each pixel.
-  void clear() const;
 
   /// Begins to read the pixels of `area`, samples averaged. The area's size is at least 1 x 1 and
   /// it lies inside. Throws GlError when there is no memory for them.

@@ -154,6 +154,7 @@ Floor::Cell* Floor::row_of(int row, int width) {
 /// Cells of the grid from which the body's shadow can be seen.
 Area Floor::seen(const Camera& camera) const {
   ScreenArea screen({0, 0, columns_, rows_}, rows_);
+  screen.begin_shape();
   constexpr int points = 32;
   for (int i = 0; i < points; ++i) {
     const double angle = 2 * std::numbers::pi * i / points;
@@ -161,14 +162,14 @@ Area Floor::seen(const Camera& camera) const {
     const Eigen::Vector4d place(r * std::cos(angle), height_, r * std::sin(angle), 1);
     screen.add((camera.projection * (camera.view * place)).cast<float>());
   }
-  return screen.area();
+  return screen.bounds();
 }
 
 gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
                                      const Area& area) {
   const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
+  framebuffer_.clear({&rectangle, 1});
   framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
-  framebuffer_.clear();
   body.draw_mirrored(camera, X, height_);
   return framebuffer_.begin_read(rectangle);
 }

@@ -145,6 +145,7 @@ class MeshBuilder {
   }
 
   Mesh take() {
+    mesh_.vertex_ends = {mesh_.vertices.size()};
     mesh_.part_ends = {mesh_.indices.size()};
     return std::move(mesh_);
   }
@@ -189,6 +190,7 @@ Mesh body_mesh(std::span<const Part> parts, double tolerance) {
     const Mesh mesh = part_mesh(part, tolerance);
     result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     for (const std::uint32_t index : mesh.indices) result.indices.push_back(offset + index);
+    result.vertex_ends.push_back(result.vertices.size());
     result.part_ends.push_back(result.indices.size());
   }
   return result;

@@ -19,7 +19,8 @@ struct Vertex {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<std::size_t> part_ends;  ///< in indices, the end of each part's own
+  std::vector<std::size_t> vertex_ends;  ///< in vertices, the end of each part's own
+  std::vector<std::size_t> part_ends;    ///< in indices
 };
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by

@@ -54,6 +54,7 @@ void Sketch::begin(const Camera& camera, const Area& pane) {
   half_size_ = 0.5 * Vector2d(pane.width, pane.height);
   scale_ = camera.projection(1, 1) * half_size_.y();
   vertices_.clear();
+  things_.clear();
   indices_.clear();
   fin_indices_.clear();
 }
@@ -99,6 +100,7 @@ bool Sketch::may_skip(const Projected& last, const Vector2d& heading, const Proj
 }
 
 void Sketch::line(std::span<const Point> points) {
+  begin_thing();
   run_.clear();
   for (const Point& point : points) {
     const Vector4d c = clip(point.place);
@@ -148,6 +150,7 @@ void Sketch::add_ends(const Projected& here, const Vector2d& across) {
 void Sketch::dot(const Vector3d& place, double radius, const Ink& ink) {
   const Vector4d c = clip(place);
   if (!(c.w() > 1e-6 * std::abs(c.z()))) return;
+  begin_thing();
   const double reach = radius + 1;
   const auto n = static_cast<std::uint32_t>(vertices_.size());
   for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
@@ -272,6 +275,7 @@ void Sketch::add_fin(std::uint32_t first, std::uint32_t second, const Vector4d& 
 void Sketch::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink) {
   const double length = (to - from).norm();
   if (!(length > 0)) return;
+  begin_thing();
   const double scale = std::min(1.0, length / (head_length * radius));
   const double head = head_length * radius * scale, shaft = length - head;
   const Matrix3d frame = frame_with_z_along(to - from);
@@ -283,6 +287,7 @@ void Sketch::arrow(const Vector3d& from, const Vector3d& to, double radius, cons
 
 void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius, const Ink& middle,
                   const Ink& rim) {
+  begin_thing();
   const Matrix3d frame = frame_with_z_along(normal);
   const std::uint32_t hub = add(clip(centre), middle, everywhere);
   for (std::uint32_t i = 0; i < around_disc; ++i) {
@@ -298,6 +303,7 @@ void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius,
 void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
   const Vector3d eye = space_from_unit.inverse() * eye_;
   if (!(eye.norm() > 1)) return;
+  begin_thing();
   const Matrix3d frame = frame_with_z_along(eye);
   const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
   const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
@@ -335,8 +341,11 @@ void Sketch::soften_rim(std::uint32_t first, std::uint32_t count) {
 }
 
 void Sketch::add_to(ScreenArea& area) const {
-  for (const Vertex& vertex : vertices_) {
-    area.add({vertex.clip.x, vertex.clip.y, vertex.clip.z, vertex.clip.w});
+  auto next = things_.begin();
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for (; next != things_.end() && *next == i; ++next) area.begin_shape();
+    const glm::vec4& clip = vertices_[i].clip;
+    area.add({clip.x, clip.y, clip.z, clip.w});
   }
 }
 

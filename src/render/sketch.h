@@ -81,6 +81,8 @@ class Sketch {
 
   static bool may_skip(const Projected& last, const Eigen::Vector2d& heading, const Projected& here,
                        const Projected& next);
+  /// What is added from now on is another thing.
+  void begin_thing() { things_.push_back(vertices_.size()); }
   void add_run();
   void add_ends(const Projected& here, const Eigen::Vector2d& across);
   Eigen::Vector4d clip(const Eigen::Vector3d& place) const;
@@ -109,6 +111,7 @@ class Sketch {
   double scale_;                ///< pixels of a length 1 at the distance 1
   std::vector<Projected> run_;  ///< of the line being added, as far as it is in sight
   std::vector<Vertex> vertices_;
+  std::vector<std::size_t> things_;  ///< the first vertex of each
   std::vector<std::uint32_t> indices_, fin_indices_;
 };
 

@@ -17,12 +17,14 @@ PendingLayer SketchPad::layer() const {
   ScreenArea screen(area_, framebuffer_.height());
   solid.add_to(screen);
   sheer.add_to(screen);
-  framebuffer_.draw_within(screen.rectangle(), screen.viewport());
-  framebuffer_.clear();
+  const Area area = screen.bounds();
+  const gl::Rectangle rectangle = screen.rectangle(area);
+  framebuffer_.clear({&rectangle, 1});
+  framebuffer_.draw_within(rectangle, screen.viewport());
   pass_.draw_solid(solid);
   pass_.draw_fins(solid);
   pass_.draw_sheer(sheer);
-  return made_of(framebuffer_.begin_read(screen.rectangle()), screen.area().x, screen.area().y);
+  return made_of(framebuffer_.begin_read(rectangle), area.x, area.y);
 }
 
 }  // namespace twrench

@@ -41,6 +41,7 @@ CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverl
 class PendingExposure {
  public:
   PendingExposure(int width, int height) : exposure_(width, height) {}
+  PendingExposure(PendingExposure&&) = default;
 
   void add(gl::Readback picture) {
     on_their_way_.push_back(std::move(picture));
@@ -74,12 +75,19 @@ double tolerance(const Camera& camera, int height) {
   return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
+/// A software rasteriser pays for each pixel that is cleared, read back and laid over; a card for
+/// each rectangle.
+int band_height(const gl::Framebuffer& framebuffer) {
+  return framebuffer.read_mode() == gl::ReadMode::at_once ? 32 : framebuffer.height();
+}
+
 }  // namespace
 
 WrenchView::WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
                        const Scene& scene, const std::vector<Take>& takes, std::size_t take,
                        const Layout::Pane& pane)
     : framebuffer_(framebuffer),
+      band_height_(band_height(framebuffer)),
       take_(take),
       pane_(pane),
       radius_(reach(visible_parts(scene.body))),
@@ -112,14 +120,19 @@ std::vector<Layer> WrenchView::still() {
 
 ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> poses) const {
   ScreenArea screen(pane_.area, framebuffer_.height());
+  const Mesh& mesh = body_.mesh();
   for (const Matrix3d& X : poses) {
     Matrix4d space_from_body = Matrix4d::Identity();
     space_from_body.topLeftCorner<3, 3>() = X;
     const Eigen::Matrix4f clip_from_body =
         (camera.projection * camera.view * space_from_body).cast<float>();
-    for (const Vertex& vertex : body_.mesh().vertices) {
-      const auto& [x, y, z] = std::tie(vertex.position.x, vertex.position.y, vertex.position.z);
-      screen.add(clip_from_body * Eigen::Vector4f(x, y, z, 1), 1);  // a fin's half pixel
+    std::size_t i = 0;
+    for (const std::size_t end : mesh.vertex_ends) {
+      screen.begin_shape(1);  // a fin's half pixel
+      for (; i < end; ++i) {
+        const glm::vec3& place = mesh.vertices[i].position;
+        screen.add(clip_from_body * Eigen::Vector4f(place.x, place.y, place.z, 1));
+      }
     }
   }
   solid_.add_to(screen);
@@ -127,10 +140,14 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
   return screen;
 }
 
-gl::Readback WrenchView::picture(const Camera& camera, const Matrix3d& X,
-                                 const ScreenArea& screen) {
-  framebuffer_.draw_within(screen.rectangle(), screen.viewport());
-  framebuffer_.clear();
+/// What is in the areas, which hold all that is drawn.
+std::vector<gl::Readback> WrenchView::picture(const Camera& camera, const Matrix3d& X,
+                                              const ScreenArea& screen,
+                                              std::span<const Area> areas) {
+  std::vector<gl::Rectangle> rectangles;
+  for (const Area& area : areas) rectangles.push_back(screen.rectangle(area));
+  framebuffer_.clear(rectangles);
+  framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
   if (multisampled_) {
     body_.draw(camera, X);
     sketch_pass_.draw_solid(solid_);
@@ -141,20 +158,34 @@ gl::Readback WrenchView::picture(const Camera& camera, const Matrix3d& X,
   }
   sketch_pass_.draw_fins(solid_);
   sketch_pass_.draw_sheer(sheer_);
-  return framebuffer_.begin_read(screen.rectangle());
+  std::vector<gl::Readback> readbacks;
+  for (const auto& rectangle : rectangles) readbacks.push_back(framebuffer_.begin_read(rectangle));
+  return readbacks;
 }
 
-PendingLayer WrenchView::sharp(const Camera& camera, const Matrix3d& X) {
+void WrenchView::draw_sharp(const Camera& camera, const Matrix3d& X,
+                            std::vector<PendingLayer>& layers) {
   const ScreenArea screen = covered(camera, {&X, 1});
-  return made_of(picture(camera, X, screen), screen.area().x, screen.area().y);
+  const std::vector<Area> areas = screen.bands(band_height_);
+  std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    layers.push_back(made_of(std::move(pixels[i]), areas[i].x, areas[i].y));
+  }
 }
 
-PendingLayer WrenchView::blurred(const Camera& camera, std::span<const Matrix3d> poses) {
+void WrenchView::draw_blurred(const Camera& camera, std::span<const Matrix3d> poses,
+                              std::vector<PendingLayer>& layers) {
   const ScreenArea screen = covered(camera, poses);
-  const Area area = screen.area();
-  PendingExposure exposure(area.width, area.height);
-  for (const Matrix3d& X : poses) exposure.add(picture(camera, X, screen));
-  return made_of(std::move(exposure), area.x, area.y);
+  const std::vector<Area> areas = screen.bands(band_height_);
+  std::vector<PendingExposure> exposures;
+  for (const Area& area : areas) exposures.emplace_back(area.width, area.height);
+  for (const Matrix3d& X : poses) {
+    std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
+    for (std::size_t i = 0; i < areas.size(); ++i) exposures[i].add(std::move(pixels[i]));
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    layers.push_back(made_of(std::move(exposures[i]), areas[i].x, areas[i].y));
+  }
 }
 
 std::vector<PendingLayer> WrenchView::draw(const Moment& moment) {
@@ -166,7 +197,11 @@ std::vector<PendingLayer> WrenchView::draw(const Moment& moment) {
   overlay_.draw(instant, solid_, sheer_);
   std::vector<PendingLayer> layers;
   if (floor_) layers.push_back(floor_->draw(now, X, body_));
-  layers.push_back(instant.blur.empty() ? sharp(now, X) : blurred(now, instant.blur));
+  if (instant.blur.empty()) {
+    draw_sharp(now, X, layers);
+  } else {
+    draw_blurred(now, instant.blur, layers);
+  }
   return layers;
 }
 

@@ -28,11 +28,15 @@ class WrenchView final : public SpaceView {
 
  private:
   ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
-  gl::Readback picture(const Camera& camera, const Eigen::Matrix3d& X, const ScreenArea& screen);
-  PendingLayer sharp(const Camera& camera, const Eigen::Matrix3d& X);
-  PendingLayer blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses);
+  std::vector<gl::Readback> picture(const Camera& camera, const Eigen::Matrix3d& X,
+                                    const ScreenArea& screen, std::span<const Area> areas);
+  void draw_sharp(const Camera& camera, const Eigen::Matrix3d& X,
+                  std::vector<PendingLayer>& layers);
+  void draw_blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses,
+                    std::vector<PendingLayer>& layers);
 
   const gl::Framebuffer& framebuffer_;
+  int band_height_;  ///< rows of the picture that are cleared and read back together
   std::size_t take_;
   Layout::Pane pane_;
   double radius_;  ///< cm, of the sphere that holds the body in every pose

@@ -21,8 +21,8 @@ class Drawn {
 
   void draw(float shade) const {
     constexpr Rectangle all{0, 0, width, height};
+    framebuffer_.clear({&all, 1});
     framebuffer_.draw_within(all, all);
-    framebuffer_.clear();
     program_.use();
     program_.set("shade", shade);
     gl_.BindVertexArray(none_.id());

@@ -132,7 +132,7 @@ TEST_F(SketchTest, TellsTheAreaItCovers) {
   ScreenArea screen(pane, 320);
   sketch.add_to(screen);
   const Vector2d middle = pixel_of(camera(), pane, {0.3, 0.2, 0.1});
-  const Area area = screen.area();
+  const Area area = screen.bounds();
   EXPECT_LT(area.x, middle.x() - 5.5);
   EXPECT_GT(area.x + area.width, middle.x() + 5.5);
   EXPECT_LT(area.width, 17);

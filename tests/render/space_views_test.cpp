@@ -36,6 +36,12 @@ class SpaceViews : public testing::Test {
   gl::Functions gl{*context};
   gl::Framebuffer framebuffer{gl, 320, 180, 4, gl::ReadMode::at_once};
   Layout::Pane pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
+
+  Image drawn_picture(Element& element, const Moment& moment) const {
+    Image picture(framebuffer.width(), framebuffer.height(), 4);
+    for (const Layer& layer : drawn_layers(element, moment)) lay_over(picture, layer);
+    return picture;
+  }
 };
 
 TEST(TrailPoint, IsJustOutsideTheTipOfTheLeg) {
@@ -98,12 +104,10 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     EXPECT_LT((labels[0].anchor - pixel_of(camera, pane.area, tip)).norm(), 1e-9);
     // Within the head, whose colour is that of L.
     const Vector2d inside = pixel_of(camera, pane.area, 0.97 * tip);
-    const Layer layer = drawn_layers(view, moment).at(0);
-    const auto x = static_cast<int>(inside.x()) - layer.x;
-    const auto y = static_cast<int>(inside.y()) - layer.y;
-    ASSERT_TRUE(x >= 0 && y >= 0 && x < layer.image.width && y < layer.image.height) << azimuth;
-    const std::uint8_t* p =
-        &layer.image.pixels[static_cast<std::size_t>(4 * (y * layer.image.width + x))];
+    const Image picture = drawn_picture(view, moment);
+    const auto x = static_cast<int>(inside.x()), y = static_cast<int>(inside.y());
+    ASSERT_TRUE(x >= 0 && y >= 0 && x < picture.width && y < picture.height) << azimuth;
+    const std::uint8_t* p = &picture.pixels[static_cast<std::size_t>(4 * (y * picture.width + x))];
     EXPECT_GT(p[3], 250) << azimuth;
     EXPECT_GT(p[0], p[2] + 40) << "yellow, " << azimuth;
   }
@@ -119,13 +123,12 @@ TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
     if (omega) scene.overlay.show.insert(Feature::omega);
     const Timeline timeline(scene, {0});
     WrenchView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
-    return drawn_layers(view, timeline.moment(0)).at(0);
+    return drawn_picture(view, timeline.moment(0));
   };
-  const Layer with_omega = pictures(true), without = pictures(false);
-  ASSERT_EQ(with_omega.image.width, without.image.width);
-  EXPECT_EQ(with_omega.image.pixels, without.image.pixels);
+  const Image with_omega = pictures(true), without = pictures(false);
+  EXPECT_EQ(with_omega.pixels, without.pixels);
   scene.camera.azimuth = std::numbers::pi / 2;
-  EXPECT_NE(pictures(true).image.pixels, without.image.pixels);
+  EXPECT_NE(pictures(true).pixels, without.pixels);
 }
 
 TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
