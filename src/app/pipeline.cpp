@@ -20,6 +20,15 @@ struct DrawnFrame {
   std::shared_ptr<const Picture> picture;
 };
 
+/// The picture, given back when nobody holds it any more.
+std::shared_ptr<const Picture> lent(Picture picture,
+                                    const std::function<void(Picture)>& give_back) {
+  if (!give_back) return std::make_shared<const Picture>(std::move(picture));
+  return {new Picture(std::move(picture)), [&give_back](Picture* returned) {
+            give_back(std::move(*std::unique_ptr<Picture>(returned)));
+          }};
+}
+
 class Pipeline {
  public:
   Pipeline(const Outputs& outputs, StageTimes& times)
@@ -139,7 +148,7 @@ std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& 
     std::shared_ptr<const Picture> picture;
     {
       const Timed timed(times.draw);
-      picture = std::make_shared<const Picture>(begun.front().get());
+      picture = lent(begun.front().get(), drawing.reuse);
       begun.pop_front();
     }
     if (!pipeline.pass_on({&frames[done], std::move(picture)})) break;

@@ -36,6 +36,8 @@ struct Drawing {
   /// Begins a frame, whose get() ends it.
   std::function<std::future<Picture>(const FrameRecord&)> begin;
   std::size_t ahead = 0;  ///< how many are begun before the one that is being ended
+  /// Takes a picture when all stages are done with it, on the thread of the last; may be empty.
+  std::function<void(Picture)> reuse = {};
 };
 
 /// Draws `frames` one after the other on this thread, while other threads compress and write those

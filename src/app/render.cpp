@@ -277,9 +277,12 @@ void render(const Options& options) {
     return begin_picture(frame, output ? &*output : nullptr, encoder != nullptr,
                          [&] { return renderer.begin(timeline.moment(index)); });
   };
+  const auto reuse = [&](Picture picture) {
+    if (picture.changed) renderer.reuse({std::move(picture.image), std::move(*picture.changed)});
+  };
   const auto stop = [&] { return interruption.arrived().has_value(); };
   const std::size_t done =
-      run_pipeline(frames, {begin, renderer.frames_ahead()}, stop, outputs, progress, times);
+      run_pipeline(frames, {begin, renderer.frames_ahead(), reuse}, stop, outputs, progress, times);
   if (sequence != nullptr) sequence->finish();
   progress.finish();
   if (done < frames.size()) throw_interrupted(*interruption.arrived(), done, frames.size());

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <iterator>
+#include <mutex>
 #include <optional>
 
 #include "gl/framebuffer.h"
@@ -28,10 +29,56 @@ Image empty_picture(const Scene& scene) {
   return background(scene.look, scene.film.width, scene.film.height);
 }
 
+/// Makes `image` what `still` is, within `area`.
+void restore(Image& image, const Image& still, const Area& area) {
+  const auto channels = static_cast<std::size_t>(still.channels);
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    const auto first =
+        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * still.row_bytes() +
+                                    static_cast<std::size_t>(area.x) * channels);
+    std::copy_n(still.pixels.begin() + first, static_cast<std::size_t>(area.width) * channels,
+                image.pixels.begin() + first);
+  }
+}
+
+/// Frames that are to be drawn on, and those that were drawn and are needed no more.
+class BlankFrames {
+ public:
+  explicit BlankFrames(Image still) : still_(std::move(still)) { used_.reserve(most); }
+
+  const Image& still() const { return still_; }
+
+  Frame take() {
+    Frame frame;
+    {
+      const std::lock_guard lock(mutex_);
+      if (used_.empty()) return {still_, {}};
+      frame = std::move(used_.back());
+      used_.pop_back();
+    }
+    for (const Area& area : frame.changed) restore(frame.image, still_, area);
+    frame.changed.clear();
+    return frame;
+  }
+
+  void give_back(Frame frame) noexcept {
+    if (still_.channels == 4) return;  // a frame's alpha is straight, the still picture's is not
+    const std::lock_guard lock(mutex_);
+    if (used_.size() < most) used_.push_back(std::move(frame));
+  }
+
+ private:
+  static constexpr std::size_t most = 16;  // as many as are on their way at once
+
+  Image still_;  // premultiplied where it is RGBA
+  std::mutex mutex_;
+  std::vector<Frame> used_;
+};
+
 /// Layers, one over the other: each is laid as soon as it and all below it are ready.
 class Composition {
  public:
-  explicit Composition(const Image& still) : frame_{still, {}} {}
+  explicit Composition(Frame blank) : frame_(std::move(blank)) {}
 
   void add(PendingLayer layer) {
     layers_.push_back(std::move(layer));
@@ -73,7 +120,7 @@ struct Renderer::Parts {
   std::vector<std::unique_ptr<Element>> elements;  // in the order in which they are laid over
   std::optional<LabelPainter> label_painter;
   const SpaceView* first = nullptr;
-  Image still;  // premultiplied where it is RGBA
+  std::optional<BlankFrames> blank;
 };
 
 Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
@@ -81,8 +128,7 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
     : gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
                   mode.value_or(gl::best_read_mode(gl))),
-      typeface(load_typeface(scene.overlay.font)),
-      still(empty_picture(scene)) {
+      typeface(load_typeface(scene.overlay.font)) {
   const Layout layout = layout_of(scene);
   const auto add = [&]<typename View>(std::in_place_type_t<View>, std::size_t take,
                                       const Layout::Pane& pane) {
@@ -106,9 +152,11 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   elements.push_back(std::move(hud));
   label_painter.emplace(typeface.regular, layout.text.figure, colors.panel,
                         Area{0, 0, scene.film.width, scene.film.height}, taken);
+  Image still = empty_picture(scene);
   for (const auto& element : elements) {
     for (const Layer& layer : element->still()) lay_over(still, layer);
   }
+  blank.emplace(std::move(still));
 }
 
 Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
@@ -119,7 +167,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 PendingFrame Renderer::begin(const Moment& moment) {
-  Composition composition(parts_->still);
+  Composition composition(parts_->blank->take());
   std::vector<Label> labels;
   for (const auto& element : parts_->elements) {
     for (PendingLayer& layer : element->draw(moment)) composition.add(std::move(layer));
@@ -133,11 +181,13 @@ PendingFrame Renderer::begin(const Moment& moment) {
   });
 }
 
+void Renderer::reuse(Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
+
 std::size_t Renderer::frames_ahead() const {
   return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
-const Image& Renderer::still() const { return parts_->still; }
+const Image& Renderer::still() const { return parts_->blank->still(); }
 std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
 Camera Renderer::camera(double film_time) const { return parts_->first->camera(film_time); }
 

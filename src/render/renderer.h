@@ -44,6 +44,10 @@ class Renderer {
 
   Frame draw(const Moment& moment) { return begin(moment).get(); }
 
+  /// Takes a frame that it drew and that nobody needs any more, so that a later one is drawn in its
+  /// memory: only what changed in it has then to be made still again. On any thread.
+  void reuse(Frame frame) noexcept;
+
   /// How many frames should be begun before the one that is being ended, so that drawing does not
   /// wait for what is read back.
   std::size_t frames_ahead() const;

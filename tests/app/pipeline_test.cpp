@@ -7,6 +7,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -69,6 +70,33 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
     for (const FrameRecord& frame : manifest.frames) {
       EXPECT_EQ(read_png(frames_folder / frame.file).pixels[0], frame.frame);
+    }
+  }
+}
+
+TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
+  for (const bool film : {false, true}) {
+    const ScratchFolder folder;
+    FrameSequence sequence(folder / "f", manifest_of(count));
+    std::optional<VideoEncoder> encoder;
+    if (film) encoder.emplace(folder / "film.mp4", VideoFormat{16, 16, 25});
+    std::mutex mutex;
+    std::vector<int> back;
+    Drawing lending = drawing();
+    lending.reuse = [&](Picture picture) {
+      const std::lock_guard lock(mutex);
+      back.push_back(picture.image.pixels[0]);
+      picture.image.pixels.assign(picture.image.pixels.size(), 255);  // nobody looks at it now
+    };
+    run_pipeline(frames_, lending, go_on, {&sequence, film ? &*encoder : nullptr, 2}, progress_,
+                 times_);
+    sequence.finish();
+    if (film) encoder->finish();
+    std::ranges::sort(back);
+    ASSERT_EQ(back.size(), std::size_t{count});
+    for (int i = 0; i < count; ++i) EXPECT_EQ(back[static_cast<std::size_t>(i)], i);
+    for (const FrameRecord& frame : read_manifest(folder / "f" / manifest_name).frames) {
+      EXPECT_EQ(read_png(folder / "f" / frame.file).pixels[0], frame.frame);
     }
   }
 }

@@ -83,6 +83,35 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
   }
 }
 
+TEST_P(FramesInFlight, AreTheSameInTheMemoryOfOthers) {
+  const Scene film = scene();
+  const Timeline timeline(film, {0, 250, 590, 600});
+  const auto context = gl::make_test_context();
+  std::vector<Frame> expected;
+  {
+    Renderer renderer(*context, film, timeline.takes());
+    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.moment(i)));
+  }
+  Renderer renderer(*context, film, timeline.takes());
+  for (const std::size_t i : {2U, 0U, 3U, 1U, 1U, 2U}) {
+    Frame frame = renderer.draw(timeline.moment(i));
+    EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
+    EXPECT_EQ(frame.changed, expected[i].changed) << i;
+    renderer.reuse(std::move(frame));
+  }
+}
+
+TEST(FramesGivenBack, LendTheirMemory) {
+  const Scene film = t_wrench();
+  const Timeline timeline(film, {0, 250});
+  const auto context = gl::make_test_context();
+  Renderer renderer(*context, film, timeline.takes());
+  Frame first = renderer.draw(timeline.moment(0));
+  const std::uint8_t* const memory = first.image.pixels.data();
+  renderer.reuse(std::move(first));
+  EXPECT_EQ(renderer.draw(timeline.moment(1)).image.pixels.data(), memory);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, FramesInFlight,
                          testing::Values(Film{"plain"}, Film{"orbit", View::quad, 1, 1, false, 0.5},
                                          Film{"blurred", View::wrench, 12},
