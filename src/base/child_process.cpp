@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -134,6 +135,18 @@ class Idleness {
   ChildProcess::Time left_;
 };
 
+ssize_t copy_into(int pipe, std::span<const std::uint8_t> bytes) {
+  return ::write(pipe, bytes.data(), bytes.size());
+}
+
+/// Copies where the system does not lend, as some sandboxes.
+ssize_t lend_to(int pipe, std::span<const std::uint8_t> bytes) {
+  const iovec pages{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // they are only read
+  const ssize_t lent = ::vmsplice(pipe, &pages, 1, SPLICE_F_NONBLOCK);
+  const bool as_write_would = errno == EAGAIN || errno == EINTR || errno == EPIPE;
+  return lent >= 0 || as_write_would ? lent : copy_into(pipe, bytes);
+}
+
 /// As a shell gives it.
 int exit_status(int status) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -178,7 +191,14 @@ void ChildProcess::give_up() {
   ::kill(-pid_, SIGKILL);
 }
 
-bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
+bool ChildProcess::write(std::span<const std::uint8_t> bytes) { return send(bytes, &copy_into); }
+bool ChildProcess::lend(std::span<const std::uint8_t> bytes) { return send(bytes, &lend_to); }
+
+std::size_t ChildProcess::pipe_size() const {
+  return static_cast<std::size_t>(::fcntl(input_.get(), F_GETPIPE_SZ));
+}
+
+bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
   const SigpipeBlocked blocked;
   Idleness idle(patience_);
   while (!bytes.empty()) {
@@ -195,7 +215,7 @@ bool ChildProcess::write(std::span<const std::uint8_t> bytes) {
     if (ready[0].revents == 0) {
       continue;
     }
-    const ssize_t written = ::write(input_.get(), bytes.data(), bytes.size());
+    const ssize_t written = put(input_.get(), bytes);
     if (written >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
       idle = Idleness(patience_);

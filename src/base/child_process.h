@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -39,6 +40,14 @@ class ChildProcess {
   /// more, which mostly means that it died; or it hangs, and was killed. Raises no SIGPIPE.
   bool write(std::span<const std::uint8_t> bytes);
 
+  /// As write(), but the bytes are lent to the pipe and not copied into it. They are to stay as
+  /// they are until pipe_size() bytes more were taken, or the child has ended: then they have been
+  /// read.
+  bool lend(std::span<const std::uint8_t> bytes);
+
+  /// How many bytes may have been taken that the child has not yet read.
+  std::size_t pipe_size() const;
+
   /// Closes the child's standard input, waits for its end, and returns its exit status as a shell
   /// does: 0 to 255, 128 + n when signal n ended it. Kills it when it takes longer than its
   /// patience and this, which is for work that it is known to have left.
@@ -51,6 +60,9 @@ class ChildProcess {
   const std::string& error_output() const { return error_output_; }
 
  private:
+  using Put = ssize_t (*)(int pipe, std::span<const std::uint8_t> bytes);
+
+  bool send(std::span<const std::uint8_t> bytes, Put put);
   void read_errors();
   void give_up();
 

@@ -124,8 +124,7 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
       // "file:" keeps a name from being an option or a protocol.
       command_(ffmpeg_command(encoder_arguments(format), {"file:" + file_.path().string()})),
       ffmpeg_(start(command_, patience)),
-      planes_(format.width, format.height),
-      changed_before_{{0, 0, format.width, format.height}} {}
+      converted_{Converted(format), Converted(format)} {}
 
 void VideoEncoder::convert(const Image& frame) {
   convert(frame, std::array{Area{0, 0, format_.width, format_.height}});
@@ -144,16 +143,20 @@ void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
     blend_over_black(frame, opaque_);
     shown = &opaque_;
   }
-  changed_before_.insert(changed_before_.end(), changed.begin(), changed.end());
-  for (const Area& area : merged(std::move(changed_before_))) planes_.update(*shown, area);
-  changed_before_.assign(changed.begin(), changed.end());
+  current_ = 1 - current_;
+  auto& [planes, changed_before] = converted_[current_];
+  changed_before.insert(changed_before.end(), changed.begin(), changed.end());
+  for (const Area& area : merged(std::move(changed_before))) planes.update(*shown, area);
+  changed_before.assign(changed.begin(), changed.end());
 }
 
 void VideoEncoder::write_converted() {
-  if (!ffmpeg_.write(format_.has_alpha() ? std::span<const std::uint8_t>(with_alpha_)
-                                         : planes_.bytes())) {
-    fail();
-  }
+  const auto frame = format_.has_alpha() ? std::span<const std::uint8_t>(with_alpha_)
+                                         : converted_[current_].planes.bytes();
+  // Lent, it has been read when the next but one is made in its place: the one between, as large as
+  // the pipe, has pushed it through.
+  const bool may_lend = !format_.has_alpha() && frame.size() >= ffmpeg_.pipe_size();
+  if (!(may_lend ? ffmpeg_.lend(frame) : ffmpeg_.write(frame))) fail();
 }
 
 void VideoEncoder::write(const Image& frame) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -68,8 +70,15 @@ class VideoEncoder {
   ChildProcess ffmpeg_;                   // after the file: killed before the file is removed
   Image opaque_;                          ///< an RGBA frame over black
   std::vector<std::uint8_t> with_alpha_;  ///< RGBA, for a film that keeps alpha
-  Yuv420 planes_;
-  std::vector<Area> changed_before_;
+  /// A frame as ffmpeg takes it, and where it is not the still background.
+  struct Converted {
+    explicit Converted(const VideoFormat& format)
+        : planes(format.width, format.height), changed{{0, 0, format.width, format.height}} {}
+    Yuv420 planes;
+    std::vector<Area> changed;
+  };
+  std::array<Converted, 2> converted_;  ///< one is made while the other is read
+  std::size_t current_ = 0;
 };
 
 }  // namespace twrench

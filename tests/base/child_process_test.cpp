@@ -2,7 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -16,6 +20,17 @@
 
 #include "base/file.h"
 #include "scratch_folder.h"
+
+namespace {
+bool vmsplice_is_there = true;
+}
+
+/// In place of the C library's.
+extern "C" ssize_t vmsplice(int pipe, const iovec* pages, std::size_t count, unsigned flags) {
+  if (vmsplice_is_there) return ::syscall(SYS_vmsplice, pipe, pages, count, flags);
+  errno = ENOSYS;
+  return -1;
+}
 
 namespace twrench {
 namespace {
@@ -44,6 +59,44 @@ TEST(ChildProcess, GetsEveryByte) {
   twice.insert(twice.end(), sent.begin(), sent.end());
   EXPECT_EQ(read_file(scratch / "out", 20'000'000), twice);
 }
+
+/// With the real call or, as in a sandbox, without.
+class LentBytes : public testing::TestWithParam<bool> {
+ protected:
+  LentBytes() { vmsplice_is_there = GetParam(); }
+  ~LentBytes() override { vmsplice_is_there = true; }
+};
+
+TEST_P(LentBytes, MayChangeWhenThePipeWasFilledAnew) {
+  const ScratchFolder scratch;
+  ChildProcess slow(shell("cd " + scratch.path().string() +
+                          "; while dd bs=256k count=1 status=none of=part && [ -s part ]; "
+                          "do cat part >>out; sleep 0.01; done"));
+  std::array<std::vector<std::uint8_t>, 2> memory;
+  std::vector<std::uint8_t> sent;
+  for (std::size_t i = 0; i < 9; ++i) {
+    auto& lent = memory[i % 2];
+    lent.resize(slow.pipe_size() + 5000);
+    for (std::size_t j = 0; j < lent.size(); ++j) {
+      lent[j] = static_cast<std::uint8_t>((j * 31 >> 4U) + 41 * i);
+    }
+    EXPECT_TRUE(slow.lend(lent));
+    sent.insert(sent.end(), lent.begin(), lent.end());
+  }
+  EXPECT_EQ(slow.wait(), 0);
+  EXPECT_EQ(read_file(scratch / "out", 20'000'000), sent);
+}
+
+TEST_P(LentBytes, ADeadOneTakesNone) {
+  ChildProcess child(shell("exit 0"));
+  while (child.lend(bytes(1000))) {
+  }
+  EXPECT_EQ(child.wait(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(If, LentBytes, testing::Bool(), [](const auto& param) {
+  return std::string(param.param ? "lent" : "copied");
+});
 
 TEST(ChildProcess, TakesArgumentsAsTheyAre) {
   const std::string odd = "a 'b' \"c\" $(d) *;\n";

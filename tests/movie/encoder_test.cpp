@@ -184,6 +184,35 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
   EXPECT_EQ(decode(scratch, "areas.mp4"), decode(scratch, "whole.mp4"));
 }
 
+TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
+  const ScratchFolder scratch;
+  const std::string raw = (scratch / "raw").string();
+  const StubFfmpeg slow(scratch, "part=" + raw +
+                                     ".part; while dd bs=256k count=1 status=none "
+                                     "of=$part && [ -s $part ]; do cat $part >>" +
+                                     raw +
+                                     "; sleep 0.01; done; "
+                                     "for film; do :; done; exec touch \"${film#file:}\"");
+  constexpr int width = 1280, height = 720;  // more than the pipe holds
+  VideoEncoder encoder(scratch / "film.mp4", {width, height, 30});
+  std::vector<std::uint8_t> expected;
+  for (int k = 0; k < 9; ++k) {
+    Image frame(width, height, 3);
+    const Area area{130 * k, 3 + 70 * k, 200, 100};
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      std::fill_n(&frame.pixels[static_cast<std::size_t>(3 * (y * width + area.x))], 3 * area.width,
+                  static_cast<std::uint8_t>(90 + 15 * k));
+    }
+    encoder.convert(frame, std::array{area});
+    encoder.write_converted();
+    Yuv420 planes(width, height);
+    planes.update(frame, {0, 0, width, height});
+    expected.insert(expected.end(), planes.bytes().begin(), planes.bytes().end());
+  }
+  encoder.finish();
+  EXPECT_EQ(read_file(raw, 100'000'000), expected);
+}
+
 TEST(Encoder, ShowsTransparentFramesOverBlack) {
   const ScratchFolder scratch;
   Image image(format.width, format.height, 4);
