@@ -76,7 +76,7 @@ void ScreenArea::add(const Eigen::Vector4f& clip) {
   const Eigen::Vector4d c = clip.cast<double>();
   const Pixel size(pane_.width, pane_.height);
   const Pixel place(c.x() / c.w(), -c.y() / c.w());
-  shapes_.back().points.push_back(Pixel(pane_.x, pane_.y) + (0.5 + 0.5 * place) * size);
+  shapes_.back().points.emplace_back(Pixel(pane_.x, pane_.y) + (0.5 + 0.5 * place) * size);
 }
 
 /// The pixels of the pane that are touched; one at least.

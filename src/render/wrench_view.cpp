@@ -145,6 +145,7 @@ std::vector<gl::Readback> WrenchView::picture(const Camera& camera, const Matrix
                                               const ScreenArea& screen,
                                               std::span<const Area> areas) {
   std::vector<gl::Rectangle> rectangles;
+  rectangles.reserve(areas.size());
   for (const Area& area : areas) rectangles.push_back(screen.rectangle(area));
   framebuffer_.clear(rectangles);
   framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
@@ -159,6 +160,7 @@ std::vector<gl::Readback> WrenchView::picture(const Camera& camera, const Matrix
   sketch_pass_.draw_fins(solid_);
   sketch_pass_.draw_sheer(sheer_);
   std::vector<gl::Readback> readbacks;
+  readbacks.reserve(areas.size());
   for (const auto& rectangle : rectangles) readbacks.push_back(framebuffer_.begin_read(rectangle));
   return readbacks;
 }
@@ -178,6 +180,7 @@ void WrenchView::draw_blurred(const Camera& camera, std::span<const Matrix3d> po
   const ScreenArea screen = covered(camera, poses);
   const std::vector<Area> areas = screen.bands(band_height_);
   std::vector<PendingExposure> exposures;
+  exposures.reserve(areas.size());
   for (const Area& area : areas) exposures.emplace_back(area.width, area.height);
   for (const Matrix3d& X : poses) {
     std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);

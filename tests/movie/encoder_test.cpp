@@ -172,7 +172,9 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
     const Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
     for (int y = area.y; y < area.y + area.height; ++y) {
       for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
-        frame.pixels[static_cast<std::size_t>(3 * y * format.width + i)] = 230;
+        frame
+            .pixels[static_cast<std::size_t>(y) * frame.row_bytes() + static_cast<std::size_t>(i)] =
+            230;
       }
     }
     whole.write(frame);
