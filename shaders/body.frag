@@ -5,6 +5,8 @@ in vec3 stage_position;
 in vec3 stage_normal;
 in vec3 towards_eye;
 in float coverage;
+flat in vec4 bulge;
+flat in float scale;
 
 out vec4 color;
 
@@ -18,7 +20,13 @@ vec3 reflected_share(float n_v) {
 }
 
 void main() {
-  vec3 n = normalize(stage_normal);
+  // Between the corners of a facet the normal is shorter than 1. In a cylinder of radius 1 it is the
+  // place across the axis, as deep in it as the facet; the eye sees the surface where it has come
+  // back to the length 1, t further towards it. Other surfaces keep their place.
+  float along = dot(stage_normal, bulge.xyz);
+  float t = sqrt(max(along * along + 1.0 - dot(stage_normal, stage_normal), 0.0)) - along;
+  vec3 n = stage_normal + t * bulge.xyz;
+  vec3 place = stage_position + t * bulge.w * towards_eye;
   vec3 to_eye = normalize(towards_eye);
   // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
   // direction runs away, would flicker.
@@ -39,11 +47,11 @@ void main() {
   // Reflection doubles the angle of the half vector, hence a half.
   float sharpness = 0.5 * inversesqrt(alpha * alpha + variance);
 
-  vec3 arriving_there = arriving(stage_position, mirrored, sharpness);
+  vec3 arriving_there = arriving(place, mirrored, sharpness);
   // Another part there shows the room's light, dimmed by one reflection more.
-  float shade = shaded(stage_position, mirrored, sharpness);
+  float shade = shaded(place, mirrored, sharpness);
   vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
-  vec3 light = reflected * reflected_share(n_v) + scattered(stage_position, n);
-  light *= seam(stage_position);
-  color = coverage * seam_coverage(stage_position, to_eye) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
+  vec3 light = reflected * reflected_share(n_v) + scattered(place, n);
+  light *= seam(place);
+  color = coverage * seam_coverage(place, to_eye, scale) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
 }

@@ -11,11 +11,14 @@ uniform vec3 picture;  // half its size in pixels, and how many an offset of 1 i
 uniform vec3 eye;
 uniform float part_lift;    // pixels towards the eye: over a part that this one meets
 uniform float part_radius;  // stage; of the surface where its outline is, about
+uniform vec3 side_axis;     // stage, unit: of the cylinder whose side it is; else 0
 
 out vec3 stage_position;
 out vec3 stage_normal;
 out vec3 towards_eye;
-out float coverage;  // 1 on the body, falling to 0 across a fin
+out float coverage;     // 1 on the body, falling to 0 across a fin
+flat out vec4 bulge;    // the way to the surface that lies over a facet, see body.frag
+flat out float scale;   // pixels of a length 1
 
 void main() {
   stage_position = stage_from_body * position;
@@ -31,14 +34,22 @@ void main() {
   towards_eye = eye - stage_position;
   vec3 to_eye = normalize(towards_eye);
   float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
+  scale = 1.0 / max(pixel, 1e-6);
   vec4 lifted = clip_from_stage * vec4(stage_position + part_lift * pixel * to_eye, 1.0);
   gl_Position.z = lifted.z * place.w / lifted.w;
+
+  vec3 n = normalize(stage_normal);
+  vec3 across_axis = towards_eye - dot(side_axis, towards_eye) * side_axis;
+  bulge = vec4(across_axis, dot(side_axis, side_axis) * part_radius) *
+          inversesqrt(max(dot(across_axis, across_axis), 1e-6));
 
   // Moved in by s pixels it shows the surface there, where on a circle of radius r the cosine
   // between normal and line of sight is sqrt(2 s / r).
   float radius = part_radius * clip_from_stage[1][1] * picture.y / place.w;
   float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));
-  vec3 n = normalize(stage_normal);
-  if (offset * picture.z != 0.0) stage_normal = n + max(facing - dot(n, to_eye), 0.0) * to_eye;
+  stage_normal = n;
+  if (offset * picture.z != 0.0) {
+    stage_normal = normalize(n + max(facing - dot(n, to_eye), 0.0) * to_eye);
+  }
   pass_on_neighbours();
 }

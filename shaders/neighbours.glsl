@@ -45,18 +45,20 @@ float seam(vec3 place) {
 
 // How much of a pixel lies outside the cylinders that this part meets: where it enters one, it
 // fades over the width of a pixel, and there is no jagged edge. Not towards the cylinder's outline:
-// there, drawn in, it does not lie behind what fades.
-float seam_coverage(vec3 place, vec3 to_eye) {
+// there, drawn in, it does not lie behind what fades. Nor over more than two pixels, as a face seen
+// edge-on would.
+float seam_coverage(vec3 place, vec3 to_eye, float scale) {
   float outside = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
     vec3 axis = neighbour_axis[i].xyz;
     vec3 to_end = neighbour_end[i].xyz - place;
     float s = -dot(axis, to_end) * neighbour_size[i].y;
     float closeness = inversesqrt(square_to_axis(i, place, s));
-    float gap = 1.0 / closeness - neighbour_end[i].w;
+    float gap = scale * (1.0 / closeness - neighbour_end[i].w);
     float facing = -closeness * (dot(to_end, to_eye) + s * dot(axis, to_eye));
-    float seen = smoothstep(0.0, 1.0, 5.0 * facing - 1.0);  // from 0.2 to 0.4
-    float share = clamp(gap / max(fwidth(gap), 1e-6) + 0.5, 0.0, 1.0);
+    float within = 0.5 * scale * neighbour_end[i].w * facing * max(facing, 0.0);
+    float seen = smoothstep(0.0, 1.0, 0.8 * within - 0.6);  // from 0.75 to 2 pixels
+    float share = clamp(gap / clamp(fwidth(gap), 1e-3, 2.0) + 0.5, 0.0, 1.0);
     bool beside = s > 0.0 && s < 1.0;
     outside *= beside ? mix(1.0, share, seen * neighbour_axis[i].w) : 1.0;
   }

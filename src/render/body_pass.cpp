@@ -10,6 +10,7 @@
 #include <string>
 
 #include "embedded/shaders.h"
+#include "render/facets.h"
 #include "render/glm_from_eigen.h"
 #include "render/shader_constants.h"
 
@@ -35,6 +36,25 @@ std::vector<float> part_radii(std::span<const Part> parts, double unit) {
   for (const Part& part : parts)
     radii.push_back(static_cast<float>(capsule_of(part).radius / unit));
   return radii;
+}
+
+/// In indices, where the side of each part begins: at its end, if it is no cylinder.
+std::vector<std::size_t> side_begins(const Mesh& mesh) {
+  std::vector<std::size_t> begins;
+  for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
+    begins.push_back(mesh.sides[part] ? mesh.sides[part]->begin : mesh.part_ends[part]);
+  }
+  return begins;
+}
+
+/// Unit, body axes; 0 for what is no cylinder.
+std::vector<Vector3d> part_axes(std::span<const Part> parts) {
+  std::vector<Vector3d> axes;
+  for (const Part& part : parts) {
+    const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+    axes.push_back(is_cylinder ? Vector3d(part.body_from_part.col(2)) : Vector3d::Zero());
+  }
+  return axes;
 }
 
 bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
@@ -103,14 +123,17 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
                    double radius, const Material& material, const Studio& studio)
     : gl_(&gl),
       mesh_(body_mesh(parts, tolerance)),
+      side_begins_(side_begins(mesh_)),
       neighbours_(neighbours(parts, most_neighbours)),
       neighbour_count_(most_of_any(neighbours_)),
       part_radii_(part_radii(parts, radius)),
+      part_axes_(part_axes(parts)),
       program_(body_program(gl, material, studio, neighbour_count_)),
       array_(gl),
       fin_array_(gl),
       vertices_(gl),
       indices_(gl),
+      seen_indices_(gl),
       offsets_(gl),
       fins_(gl),
       fin_indices_(gl),
@@ -138,7 +161,7 @@ void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
   set_stage(camera, X, Affine3d::Identity());
   program_.set("picture", as_drawn);
   gl_->FrontFace(GL_CCW);
-  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), false);
+  draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
 
 void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double height) const {
@@ -149,21 +172,27 @@ void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double hei
   set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
   program_.set("picture", as_drawn);
   gl_->FrontFace(GL_CW);  // a mirror turns the triangles round
-  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), false);
+  draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
 
 void BodyPass::draw_inset(const Camera& camera, const Matrix3d& X, const Area& pane) {
   if (!outline_) outline_.emplace(mesh_);
   const Matrix3d body_from_camera = (camera.camera_from_space() * X).inverse();
   const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
-  outline_->find(glm_from_eigen((camera.distance * body_from_camera.col(2)).eval()),
-                 static_cast<float>(scale));
+  const glm::vec3 eye = glm_from_eigen((camera.distance * body_from_camera.col(2)).eval());
+  outline_->find(eye, static_cast<float>(scale));
+  const Facets seen = facets_seen(mesh_, eye);
+  lift_ = 1 + scale * seen.depth;
+  gl_->BindVertexArray(array_.id());
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, seen_indices_.id());
+  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
   gl_->BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
   upload(*gl_, GL_ARRAY_BUFFER, outline_->offsets(), GL_STREAM_DRAW);
   set_stage(camera, X, Affine3d::Identity());
   program_.set("picture", glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
   gl_->FrontFace(GL_CCW);
-  draw_parts(array_, mesh_.part_ends, stage_from_body(camera, X), true);
+  draw_parts(array_, seen_indices_, {seen.side_begins, seen.part_ends}, stage_from_body(camera, X),
+             lift_);
 }
 
 void BodyPass::draw_fins(const Camera& camera, const Matrix3d& X) const {
@@ -174,7 +203,8 @@ void BodyPass::draw_fins(const Camera& camera, const Matrix3d& X) const {
   upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, outline_->indices(), GL_STREAM_DRAW);
   gl_->Disable(GL_CULL_FACE);
   gl_->DepthMask(GL_FALSE);
-  draw_parts(fin_array_, outline_->part_ends(), stage_from_body(camera, X), true);
+  draw_parts(fin_array_, fin_indices_, {outline_->part_ends(), outline_->part_ends()},
+             stage_from_body(camera, X), lift_);
   gl_->DepthMask(GL_TRUE);
 }
 
@@ -200,22 +230,30 @@ void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
   gl_->Enable(GL_CULL_FACE);
 }
 
-/// Triangles of `array`, those of each part up to its end; `smooth` where parts meet, too.
-void BodyPass::draw_parts(const gl::VertexArray& array, std::span<const std::size_t> ends,
-                          const Matrix3d& stage_from_body, bool smooth) const {
+/// Triangles of `array`, in indices. Parts that meet ones drawn before are lifted over them by so
+/// many pixels, and fade where they enter them; not at all where it is 0.
+void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indices,
+                          const Ranges& ranges, const Matrix3d& stage_from_body,
+                          double lift) const {
   gl_->BindVertexArray(array.id());
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   std::size_t begin = 0;
-  for (std::size_t part = 0; part < ends.size(); ++part) {
-    const std::size_t end = ends[part];
-    set_neighbours(neighbours_[part], stage_from_body, smooth);
-    program_.set("part_lift",
-                 smooth && std::ranges::any_of(neighbours_[part], &Capsule::meets) ? 1.0F : 0.0F);
-    program_.set("part_radius", part_radii_[part]);
+  const auto draw_to = [&](std::size_t end, const Vector3d& side_axis) {
+    if (begin == end) return;
+    program_.set("side_axis", glm_from_eigen((radius_ * stage_from_body * side_axis).eval()));
     gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
                       pointer(begin * sizeof(std::uint32_t)));
     begin = end;
+  };
+  for (std::size_t part = 0; part < ranges.part_ends.size(); ++part) {
+    set_neighbours(neighbours_[part], stage_from_body, lift > 0);
+    const bool meets = std::ranges::any_of(neighbours_[part], &Capsule::meets);
+    program_.set("part_lift", meets ? static_cast<float>(lift) : 0.0F);
+    program_.set("part_radius", part_radii_[part]);
+    draw_to(ranges.side_begins[part], Vector3d::Zero());
+    draw_to(ranges.part_ends[part], part_axes_[part]);
   }
   gl_->Disable(GL_BLEND);
 }

@@ -48,19 +48,26 @@ class BodyPass {
   void set_stage(const Camera& camera, const Eigen::Matrix3d& X,
                  const Eigen::Affine3d& seen_from_stage) const;
   Eigen::Matrix3d stage_from_body(const Camera& camera, const Eigen::Matrix3d& X) const;
-  void draw_parts(const gl::VertexArray& array, std::span<const std::size_t> ends,
-                  const Eigen::Matrix3d& stage_from_body, bool smooth) const;
+  /// In indices: of each part where its side begins, and its end.
+  struct Ranges {
+    std::span<const std::size_t> side_begins, part_ends;
+  };
+  void draw_parts(const gl::VertexArray& array, const gl::Buffer& indices, const Ranges& ranges,
+                  const Eigen::Matrix3d& stage_from_body, double lift) const;
 
   const gl::Functions* gl_;
   Mesh mesh_;
+  std::vector<std::size_t> side_begins_;          // in the mesh's indices
   std::vector<std::vector<Capsule>> neighbours_;  // of each part
   std::size_t neighbour_count_;                   // the most of any
   std::vector<float> part_radii_;                 // stage
+  std::vector<Eigen::Vector3d> part_axes_;        // unit, body axes; 0 for what is no cylinder
   gl::Program program_;
   gl::VertexArray array_, fin_array_;
-  gl::Buffer vertices_, indices_, offsets_;
+  gl::Buffer vertices_, indices_, seen_indices_, offsets_;
   gl::Buffer fins_, fin_indices_;
   std::optional<Outline> outline_;  ///< once draw_inset() was asked for
+  double lift_ = 0;                 ///< pixels, as draw_inset() drew
   double radius_;
 };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/glm_from_eigen.h"
+#include "render/polygon.h"
 
 namespace twrench {
 namespace {
@@ -133,20 +134,30 @@ class MeshBuilder {
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
   }
 
-  /// Fills the flat polygon of the vertices first, first + 1, ..., last, which turns
-  /// counter-clockwise seen from outside or clockwise, with triangles as fat as can be: a fan would
-  /// be all slivers.
-  void fill(std::uint32_t first, std::uint32_t last, bool clockwise) {
-    if (last - first < 2) return;
-    const std::uint32_t middle = first + (last - first) / 2;
-    triangle(first, clockwise ? last : middle, clockwise ? middle : last);
-    fill(first, middle, clockwise);
-    fill(middle, last, clockwise);
+  void fill_ring(std::uint32_t first, std::uint32_t count, bool clockwise) {
+    fill_polygon(first, first + count - 1, clockwise,
+                 [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
+  }
+
+  /// From a ring of `count` vertices to the one over it.
+  void join(std::uint32_t low, std::uint32_t high, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t next = (i + 1) % count;
+      triangle(low + i, low + next, high + next);
+      triangle(low + i, high + next, high + i);
+    }
+  }
+
+  /// The same, for the side of a cylinder, which is added last.
+  void join_side(std::uint32_t low, std::uint32_t high, std::uint32_t count) {
+    side_ = {low, high, count, mesh_.indices.size()};
+    join(low, high, count);
   }
 
   Mesh take() {
     mesh_.vertex_ends = {mesh_.vertices.size()};
     mesh_.part_ends = {mesh_.indices.size()};
+    mesh_.sides = {side_};
     return std::move(mesh_);
   }
 
@@ -157,6 +168,7 @@ class MeshBuilder {
 
   const Part& part_;
   Mesh mesh_;
+  std::optional<Side> side_;
 };
 
 }  // namespace
@@ -170,16 +182,14 @@ Mesh part_mesh(const Part& part, double tolerance) {
   for (const auto& ring : rings) {
     for (const Point& point : ring) mesh.add(point);
   }
+  mesh.fill_ring(last_ring, count, false);
+  mesh.fill_ring(0, count, true);
+  const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+  const std::uint32_t side = is_cylinder ? (last_ring - count) / 2 : last_ring;
   for (std::uint32_t low = 0; low < last_ring; low += count) {
-    const std::uint32_t high = low + count;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t next = (i + 1) % count;
-      mesh.triangle(low + i, low + next, high + next);
-      mesh.triangle(low + i, high + next, high + i);
-    }
+    if (low != side) mesh.join(low, low + count, count);
   }
-  mesh.fill(last_ring, last_ring + count - 1, false);
-  mesh.fill(0, count - 1, true);
+  if (is_cylinder) mesh.join_side(side, side + count, count);
   return mesh.take();
 }
 
@@ -192,6 +202,12 @@ Mesh body_mesh(std::span<const Part> parts, double tolerance) {
     for (const std::uint32_t index : mesh.indices) result.indices.push_back(offset + index);
     result.vertex_ends.push_back(result.vertices.size());
     result.part_ends.push_back(result.indices.size());
+    result.sides.push_back(mesh.sides.front());
+    if (auto& side = result.sides.back()) {
+      side->low += offset;
+      side->high += offset;
+      side->begin += result.indices.size() - mesh.indices.size();
+    }
   }
   return result;
 }

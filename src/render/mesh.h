@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,12 +16,21 @@ struct Vertex {
   glm::vec3 normal;    ///< unit, outward
 };
 
+/// The side of a cylinder between its bevels: strips of two triangles, each between two vertices of
+/// the lower ring and the two over them in the upper.
+struct Side {
+  std::uint32_t low, high;  ///< the first vertex of each ring, counter-clockwise seen from the top
+  std::uint32_t count;      ///< of the vertices of a ring, and of the strips
+  std::size_t begin;        ///< in indices; from here to the end of its part
+};
+
 /// Triangles, three indices each, counter-clockwise seen from outside.
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<std::size_t> vertex_ends;  ///< in vertices, the end of each part's own
-  std::vector<std::size_t> part_ends;    ///< in indices
+  std::vector<std::size_t> vertex_ends;    ///< in vertices, the end of each part's own
+  std::vector<std::size_t> part_ends;      ///< in indices
+  std::vector<std::optional<Side>> sides;  ///< of each part that is a cylinder
 };
 
 /// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/test_context.h"
+#include "render/joined_parts.h"
 #include "t_wrench.h"
 
 namespace twrench {
@@ -87,6 +91,56 @@ TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
     EXPECT_TRUE(reflection.is_set(gl.GetUniformLocation(program, name.c_str()))) << name;
   }
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+}
+
+/// Levels that a pixel of one picture differs by from that of another at most.
+int difference(const Image& a, const Image& b, std::size_t pixel) {
+  int most = 0;
+  for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) {
+    most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
+  }
+  return most;
+}
+
+/// The pixels of a picture that lie four pixels or more within what is drawn.
+std::vector<std::size_t> within_outline(const Image& image) {
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t rows = static_cast<std::size_t>(image.height) - 4;
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 4 * width; i < rows * width; ++i) {
+    const auto is_drawn = [&](std::size_t pixel) { return image.pixels[4 * pixel + 3] == 255; };
+    if (is_drawn(i - 4) && is_drawn(i + 4) && is_drawn(i - 4 * width) && is_drawn(i + 4 * width)) {
+      pixels.push_back(i);
+    }
+  }
+  return pixels;
+}
+
+TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
+  constexpr int side = 400;
+  constexpr gl::Rectangle all{0, 0, side, side};
+  const gl::Framebuffer framebuffer(gl, side, side, 1, gl::ReadMode::at_once);
+  const Camera camera = frame_sphere({{0, 5, 20}, 0.55, 1, 4.5});
+  const auto picture = [&](double tolerance, const Eigen::Matrix3d& X) {
+    BodyPass body(gl, joined_parts(t_wrench().body.parts), tolerance, 4.5,
+                  Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0.3F}, dark_studio());
+    framebuffer.clear({&all, 1});
+    framebuffer.draw_within(all, all);
+    body.draw_inset(camera, X, {0, 0, side, side});
+    body.draw_fins(camera, X);
+    return framebuffer.begin_read(all).take();
+  };
+  for (const double angle : {0.3, 1.2, 2.6}) {
+    const Eigen::Matrix3d X =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    const Image wide = picture(0.003, X), narrow = picture(0.003 / 16, X);
+    const std::vector<std::size_t> pixels = within_outline(narrow);
+    ASSERT_GT(pixels.size(), 10'000);
+    const auto differ = std::ranges::count_if(
+        pixels, [&](std::size_t i) { return difference(wide, narrow, i) > 3; });
+    EXPECT_LT(static_cast<double>(differ), 0.01 * static_cast<double>(pixels.size()))
+        << "more than edges and seams, at " << angle;
+  }
 }
 
 }  // namespace
