@@ -11,7 +11,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build pkgconf
   libeigen3-dev libglm-dev libstb-dev libcli11-dev libtomlplusplus-dev libfmt-dev
-  nlohmann-json3-dev libboost-dev libisal-dev libssl-dev libgl-dev libosmesa6-dev
+  nlohmann-json3-dev libboost-dev libisal-dev zlib1g-dev libssl-dev libgl-dev libosmesa6-dev
   libegl-dev libegl1 libegl-mesa0 libcairo2-dev fonts-roboto-unhinted fonts-firacode
   ffmpeg
 )

@@ -82,7 +82,8 @@ class Pipeline {
       std::vector<std::uint8_t> png;
       {
         const Timed timed(times_.compress);
-        png = encode_png(frame->picture->image);
+        const auto& [image, is_new, changed] = *frame->picture;
+        png = changed ? encode_png(image, {*changed, still_bands_}) : encode_png(image);
       }
       const Timed timed(times_.write);
       outputs_.sequence->write(*frame->record, png);
@@ -118,6 +119,7 @@ class Pipeline {
 
   const Outputs& outputs_;
   StageTimes& times_;
+  StillBands still_bands_;
   BoundedQueue<DrawnFrame> to_compress_;
   BoundedQueue<DrawnFrame> to_encode_{4};
   std::atomic_flag first_;

@@ -12,19 +12,30 @@
 #include "image/stb.h"
 
 namespace twrench {
+namespace {
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encoded(const Image& image, const StillPart* still) {
   const auto allowed = [](int side) { return side >= 1 && side <= max_image_side; };
   if (!allowed(image.width) || !allowed(image.height)) {
     throw UsageError(fmt::format("size {}x{}", image.width, image.height),
                      fmt::format("a side must be 1 to {} pixels", max_image_side));
   }
-  const stb::Bytes png =
-      stb::encode_png(image.pixels.data(), image.width, image.height, image.channels);
+  const stb::Bytes png = stb::encode_png(image.pixels.data(), image.width, image.height,
+                                         image.channels, [&](std::span<const std::uint8_t> rows) {
+                                           return compress_rows(rows, image.row_bytes() + 1, still);
+                                         });
   if (!png.data) {
     throw std::bad_alloc();
   }
   return {png.data.get(), png.data.get() + png.size};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image) { return encoded(image, nullptr); }
+
+std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still) {
+  return encoded(image, &still);
 }
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {

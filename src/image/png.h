@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/row_bands.h"
 
 namespace twrench {
 
@@ -17,6 +18,9 @@ constexpr int max_image_side = 16384;
 /// May be called from several threads at once. Throws UsageError when a side is not 1 to
 /// max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image);
+
+/// The same bytes, for less where `still` tells that rows are those of other frames of a film.
+std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still);
 
 /// The image in the bytes of a PNG file: RGB or RGBA as stored; gray becomes RGB, 16 bits become 8.
 /// `name` names it in errors. Throws FileError when it is no PNG, is damaged or too large.

@@ -1,16 +1,16 @@
 #include "image/stb.h"
 
 #include <isa-l/crc.h>
-#include <isa-l/igzip_lib.h>
 
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-constexpr int png_filter = 1;
-constexpr int deflate_level = 1;
-constexpr std::size_t deflate_memory = ISAL_DEF_LVL1_DEFAULT;
+constexpr int png_filter = 1;  // the left neighbour's
+
+/// With what this thread compresses: stb_image_write's hook is a plain function.
+thread_local const twrench::stb::Compress* compress_of_thread = nullptr;
 
 /// A zlib stream of the data in malloc'ed memory, as stb_image_write expects it; null on failure.
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int level);
@@ -34,29 +34,13 @@ unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size
 namespace {
 
 unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int) {
-  const std::unique_ptr<std::uint8_t[]> memory(new (std::nothrow) std::uint8_t[deflate_memory]);
-  // What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC
-  // 1951, 3.2.4), between the 6 bytes of zlib (RFC 1950).
-  const auto length = static_cast<std::uint32_t>(size);
-  const std::uint32_t bound = length + 5 * (length / 65535 + 1) + 6 + ISAL_DEF_MAX_HDR_SIZE;
-  auto* out = static_cast<unsigned char*>(std::malloc(bound));
-  isal_zstream stream{};  // the next line leaves some unset of what is read
-  isal_deflate_stateless_init(&stream);
-  stream.level = deflate_level;
-  stream.level_buf = memory.get();
-  stream.level_buf_size = deflate_memory;
-  stream.gzip_flag = IGZIP_ZLIB;
-  stream.end_of_stream = 1;
-  stream.next_in = data;
-  stream.avail_in = length;
-  stream.next_out = out;
-  stream.avail_out = bound;
-  if (!memory || out == nullptr || isal_deflate_stateless(&stream) != COMP_OK) {
-    std::free(out);
+  try {
+    auto stream = (*compress_of_thread)({data, static_cast<std::size_t>(size)});
+    *compressed_size = static_cast<int>(stream.size);
+    return stream.data.release();
+  } catch (const std::bad_alloc&) {  // through C code no exception goes
     return nullptr;
   }
-  *compressed_size = static_cast<int>(stream.total_out);
-  return out;
 }
 
 }  // namespace
@@ -65,10 +49,18 @@ namespace twrench::stb {
 
 void Free::operator()(void* memory) const noexcept { std::free(memory); }
 
-Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels) {
+Memory allocate(std::size_t size) {
+  Memory memory(static_cast<std::uint8_t*>(std::malloc(size)));
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels,
+                 const Compress& compress) {
   // The initialisation of a local static happens once, before any thread gets past it.
   static const int filter = stbi_write_force_png_filter = png_filter;
   static_cast<void>(filter);
+  compress_of_thread = &compress;
   int size = 0;
   Memory data(stbi_write_png_to_mem(pixels, 0, width, height, channels, &size));
   return {std::move(data), static_cast<std::size_t>(size)};

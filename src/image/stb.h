@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,13 +15,21 @@ struct Free {
 };
 using Memory = std::unique_ptr<std::uint8_t, Free>;
 
+/// Throws std::bad_alloc.
+Memory allocate(std::size_t size);
+
 struct Bytes {
   Memory data;  ///< null when memory ran out
   std::size_t size = 0;
 };
 
-/// The PNG file of 8-bit pixels, rows from the top without padding. Any number of threads at once.
-Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels);
+/// Makes the zlib stream of a picture's filtered rows. Throws std::bad_alloc and nothing else.
+using Compress = std::function<Bytes(std::span<const std::uint8_t> rows)>;
+
+/// The PNG file of 8-bit pixels, rows from the top without padding. A row is filtered without
+/// regard to others, and becomes one byte longer. Any number of threads at once.
+Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels,
+                 const Compress& compress);
 
 struct Pixels {
   Memory data;  ///< null when `failure` says why

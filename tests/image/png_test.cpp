@@ -114,6 +114,61 @@ TEST(Png, BytesDependOnTheImageAloneWhicheverThreadsRun) {
   EXPECT_EQ(together, alone);
 }
 
+/// Frames of a film: what is the same in all, but for an area that is elsewhere in each.
+struct FilmFrame {
+  Image image;
+  Area changed;
+};
+
+std::vector<FilmFrame> film_frames(int height, int channels) {
+  std::vector<FilmFrame> frames;
+  for (int k = 0; k < 6; ++k) {
+    FilmFrame frame{sample_image(150, height, channels, 7), {20 * k, k * height / 7, 30, 20}};
+    for (int y = frame.changed.y; y < std::min(frame.changed.y + 20, height); ++y) {
+      std::fill_n(
+          frame.image.pixels.begin() +
+              static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * frame.image.row_bytes()) +
+              frame.changed.x * channels,
+          30 * channels, static_cast<std::uint8_t>(40 * k));
+    }
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+TEST(Png, OfAFilmIsTheSameBytesAsAlone) {
+  for (const int height : {1, 31, 32, 33, 200}) {
+    for (const int channels : {3, 4}) {
+      const auto frames = film_frames(height, channels);
+      std::vector<std::vector<std::uint8_t>> together(frames.size());
+      StillBands bands;
+      std::vector<std::jthread> threads;
+      for (std::size_t k = 0; k < frames.size(); ++k) {
+        threads.emplace_back([&, k] {
+          together[k] = encode_png(frames[k].image, {{&frames[k].changed, 1}, bands});
+        });
+      }
+      threads.clear();  // joins
+      for (std::size_t k = 0; k < frames.size(); ++k) {
+        EXPECT_EQ(together[k], encode_png(frames[k].image)) << height << " rows, frame " << k;
+      }
+    }
+  }
+}
+
+TEST(Png, OfAFilmHasItsStillRowsFromTheFirstFrameThatHasThem) {
+  StillBands bands;
+  const Image first = sample_image(50, 96, 3, 1), other = sample_image(50, 96, 3, 2);
+  const Area above{10, 3, 5, 28}, below{30, 32, 5, 1};  // the rows from 64 on are still in both
+  encode_png(first, {{&below, 1}, bands});
+  const Image read = decode_png(encode_png(other, {{&above, 1}, bands}), "a.png");
+  const auto last_band = static_cast<std::ptrdiff_t>(64 * first.row_bytes());
+  EXPECT_TRUE(std::equal(first.pixels.begin() + last_band, first.pixels.end(),
+                         read.pixels.begin() + last_band));
+  EXPECT_TRUE(
+      std::equal(other.pixels.begin(), other.pixels.begin() + last_band, read.pixels.begin()));
+}
+
 TEST(Png, CompressesASmoothFrameWell) {
   Image image(640, 360, 3);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
