@@ -1,10 +1,11 @@
 #include "image/png.h"
 
 #include <fmt/format.h>
+#include <isa-l/crc.h>
 
 #include <cstring>
 #include <limits>
-#include <new>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -14,20 +15,40 @@
 namespace twrench {
 namespace {
 
-std::vector<std::uint8_t> encoded(const Image& image, const StillPart* still) {
+using Bytes = std::vector<std::uint8_t>;
+
+/// The greatest byte first (PNG specification, 7.1).
+void add_number(Bytes& file, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) file.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+/// PNG specification, 5.3.
+void add_chunk(Bytes& file, std::string_view type, std::span<const std::uint8_t> data) {
+  add_number(file, static_cast<std::uint32_t>(data.size()));
+  const std::size_t checked = file.size();
+  file.insert(file.end(), type.begin(), type.end());
+  file.insert(file.end(), data.begin(), data.end());
+  add_number(file, crc32_gzip_refl(0, &file[checked], file.size() - checked));
+}
+
+Bytes encoded(const Image& image, const StillPart* still) {
   const auto allowed = [](int side) { return side >= 1 && side <= max_image_side; };
   if (!allowed(image.width) || !allowed(image.height)) {
     throw UsageError(fmt::format("size {}x{}", image.width, image.height),
                      fmt::format("a side must be 1 to {} pixels", max_image_side));
   }
-  const stb::Bytes png = stb::encode_png(image.pixels.data(), image.width, image.height,
-                                         image.channels, [&](std::span<const std::uint8_t> rows) {
-                                           return compress_rows(rows, image.row_bytes() + 1, still);
-                                         });
-  if (!png.data) {
-    throw std::bad_alloc();
-  }
-  return {png.data.get(), png.data.get() + png.size};
+  constexpr std::uint8_t depth = 8, rgb = 2, rgba = 6;  // PNG specification, 11.2.2
+  Bytes header;
+  add_number(header, static_cast<std::uint32_t>(image.width));
+  add_number(header, static_cast<std::uint32_t>(image.height));
+  header.insert(header.end(), {depth, image.channels == 4 ? rgba : rgb, 0, 0, 0});
+  const Bytes rows = compress_rows(image, still);
+  Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  file.reserve(rows.size() + 100);
+  add_chunk(file, "IHDR", header);
+  add_chunk(file, "IDAT", rows);
+  add_chunk(file, "IEND", {});
+  return file;
 }
 
 }  // namespace

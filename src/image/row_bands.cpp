@@ -8,6 +8,8 @@
 #include <memory>
 #include <new>
 
+#include "image/stb.h"
+
 namespace twrench {
 namespace {
 
@@ -18,7 +20,6 @@ constexpr int band_height =
 
 constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
 constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.6: empty
-constexpr std::size_t checksum_size = 4;
 
 /// What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC 1951,
 /// 3.2.4), and an empty one ends the band.
@@ -26,33 +27,56 @@ std::size_t most_compressed(std::size_t size) {
   return size + 5 * (size / 65535 + 2) + ISAL_DEF_MAX_HDR_SIZE;
 }
 
-/// Compresses bands, one after the other.
-class Deflate {
+/// Compresses bands of a picture, one after the other. A band's memory stays in the cache from the
+/// filter to the checksum, which a whole picture's would not.
+class BandCompressor {
  public:
-  /// Writes the part of a stream that the rows become to `out`, which has room for the most that it
-  /// can be, and returns its size.
-  std::size_t operator()(std::span<const std::uint8_t> rows, std::uint8_t* out) {
-    isal_deflate_stateless_init(&stream_);
-    stream_.level = level;
-    stream_.level_buf = memory_.get();
-    stream_.level_buf_size = level_memory;
-    stream_.flush = FULL_FLUSH;
-    stream_.next_in = const_cast<std::uint8_t*>(rows.data());  // it is only read
-    stream_.avail_in = static_cast<std::uint32_t>(rows.size());
-    stream_.next_out = out;
-    stream_.avail_out = static_cast<std::uint32_t>(most_compressed(rows.size()));
-    if (isal_deflate_stateless(&stream_) != COMP_OK) throw std::bad_alloc();
-    return stream_.total_out;
+  explicit BandCompressor(const Image& image)
+      : image_(image), compressed_(new std::uint8_t[most_compressed(size_of(band_height))]) {}
+
+  /// How many bytes so many rows are, filtered.
+  std::size_t size_of(int rows) const {
+    return static_cast<std::size_t>(rows) * (image_.row_bytes() + 1);
+  }
+
+  /// What rows become, until the next are compressed.
+  struct Result {
+    std::span<const std::uint8_t> bytes;
+    std::uint32_t checksum;
+  };
+  Result operator()(int first_row, int rows) {
+    Result result{};
+    const std::size_t first = static_cast<std::size_t>(first_row) * image_.row_bytes();
+    stb::filter_rows(
+        &image_.pixels[first], image_.width, rows, image_.channels,
+        [&](std::span<std::uint8_t> filtered) {
+          result = {deflate(filtered), isal_adler32(1, filtered.data(), filtered.size())};
+        });
+    if (result.bytes.empty()) throw std::bad_alloc();
+    return result;
   }
 
  private:
-  std::unique_ptr<std::uint8_t[]> memory_{new std::uint8_t[level_memory]};
+  /// A part of a stream; empty where igzip failed.
+  std::span<const std::uint8_t> deflate(std::span<std::uint8_t> rows) {
+    isal_deflate_stateless_init(&stream_);
+    stream_.level = level;
+    stream_.level_buf = level_memory_.get();
+    stream_.level_buf_size = level_memory;
+    stream_.flush = FULL_FLUSH;
+    stream_.next_in = rows.data();
+    stream_.avail_in = static_cast<std::uint32_t>(rows.size());
+    stream_.next_out = compressed_.get();
+    stream_.avail_out = static_cast<std::uint32_t>(most_compressed(rows.size()));
+    const bool done = isal_deflate_stateless(&stream_) == COMP_OK;
+    return {compressed_.get(), done ? stream_.total_out : 0};
+  }
+
+  const Image& image_;
+  std::unique_ptr<std::uint8_t[]> compressed_;
+  std::unique_ptr<std::uint8_t[]> level_memory_{new std::uint8_t[level_memory]};
   isal_zstream stream_{};  // its initialisation leaves some unset of what is read
 };
-
-std::uint32_t checksum_of(std::span<const std::uint8_t> rows) {
-  return isal_adler32(1, rows.data(), rows.size());
-}
 
 bool is_still(const StillPart& still, int first_row) {
   return std::ranges::none_of(still.changed, [&](const Area& area) {
@@ -73,41 +97,32 @@ const CompressedBand& StillBands::get(int first_row,
   return entry->band;
 }
 
-stb::Bytes compress_rows(std::span<const std::uint8_t> rows, std::size_t row_bytes,
-                         const StillPart* still) {
-  const std::size_t band_bytes = band_height * row_bytes;
-  const std::size_t bands = (rows.size() + band_bytes - 1) / band_bytes;
-  stb::Bytes stream{stb::allocate(header.size() + bands * most_compressed(band_bytes) +
-                                  last_block.size() + checksum_size)};
-  Deflate deflate;
-  std::uint8_t* out = std::ranges::copy(header, stream.data.get()).out;
+std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* still) {
+  BandCompressor compress(image);
+  std::vector<std::uint8_t> stream(header.begin(), header.end());
   std::uint32_t checksum = 1;
-  for (std::size_t i = 0; i < bands; ++i) {
-    const auto band =
-        rows.subspan(i * band_bytes, std::min(band_bytes, rows.size() - i * band_bytes));
-    std::uint32_t band_checksum = 0;
-    const int first_row = band_height * static_cast<int>(i);
+  const auto add = [&](std::span<const std::uint8_t> bytes, std::uint32_t band_checksum, int rows) {
+    stream.insert(stream.end(), bytes.begin(), bytes.end());
+    checksum = static_cast<std::uint32_t>(
+        adler32_combine(checksum, band_checksum, static_cast<z_off_t>(compress.size_of(rows))));
+  };
+  for (int first_row = 0; first_row < image.height; first_row += band_height) {
+    const int rows = std::min(band_height, image.height - first_row);
     if (still != nullptr && is_still(*still, first_row)) {
       const CompressedBand& kept = still->bands.get(first_row, [&] {
-        CompressedBand made{std::vector<std::uint8_t>(most_compressed(band.size())),
-                            checksum_of(band)};
-        made.bytes.resize(deflate(band, made.bytes.data()));
-        made.bytes.shrink_to_fit();
-        return made;
+        const auto [bytes, band_checksum] = compress(first_row, rows);
+        return CompressedBand{{bytes.begin(), bytes.end()}, band_checksum};
       });
-      out = std::ranges::copy(kept.bytes, out).out;
-      band_checksum = kept.checksum;
+      add(kept.bytes, kept.checksum, rows);
     } else {
-      out += deflate(band, out);
-      band_checksum = checksum_of(band);
+      const auto [bytes, band_checksum] = compress(first_row, rows);
+      add(bytes, band_checksum, rows);
     }
-    checksum = static_cast<std::uint32_t>(
-        adler32_combine(checksum, band_checksum, static_cast<z_off_t>(band.size())));
   }
-  out = std::ranges::copy(last_block, out).out;
-  for (unsigned shift = 32; shift > 0;)
-    *out++ = static_cast<std::uint8_t>(checksum >> (shift -= 8));
-  stream.size = static_cast<std::size_t>(out - stream.data.get());
+  stream.insert(stream.end(), last_block.begin(), last_block.end());
+  for (const int shift : {24, 16, 8, 0}) {
+    stream.push_back(static_cast<std::uint8_t>(checksum >> shift));
+  }
   return stream;
 }
 

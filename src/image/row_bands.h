@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -9,7 +8,7 @@
 #include <vector>
 
 #include "image/area.h"
-#include "image/stb.h"
+#include "image/image.h"
 
 namespace twrench {
 
@@ -42,10 +41,9 @@ struct StillPart {
   StillBands& bands;
 };
 
-/// The zlib stream (RFC 1950) of the filtered rows of a picture, made by ISA-L's igzip. It is
-/// always cut into the same bands of rows, so that it is the same bytes with a `still` part and
-/// without (null). Throws std::bad_alloc.
-stb::Bytes compress_rows(std::span<const std::uint8_t> rows, std::size_t row_bytes,
-                         const StillPart* still);
+/// The zlib stream (RFC 1950) of a picture's filtered rows, made by ISA-L's igzip. It is always cut
+/// into the same bands of rows, so that it is the same bytes with a `still` part and without
+/// (null).
+std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* still);
 
 }  // namespace twrench

@@ -1,7 +1,5 @@
 #include "image/stb.h"
 
-#include <isa-l/crc.h>
-
 #include <cstdlib>
 #include <new>
 
@@ -9,19 +7,19 @@ namespace {
 
 constexpr int png_filter = 1;  // the left neighbour's
 
-/// With what this thread compresses: stb_image_write's hook is a plain function.
-thread_local const twrench::stb::Compress* compress_of_thread = nullptr;
+/// What takes this thread's rows: stb_image_write's hook is a plain function.
+thread_local const std::function<void(std::span<std::uint8_t>)>* taker = nullptr;
 
-/// A zlib stream of the data in malloc'ed memory, as stb_image_write expects it; null on failure.
-unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int level);
+/// In place of a compressor: no bytes, in malloc'ed memory as stb_image_write expects them; null on
+/// failure.
+unsigned char* take_rows(unsigned char* data, int size, int* compressed_size, int level);
 
 }  // namespace
 
 // Static: the settings of stb_image_write, which are variables, are then this file's alone.
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
-#define STBIW_ZLIB_COMPRESS zlib_compress
-#define STBIW_CRC32(bytes, size) crc32_gzip_refl(0, bytes, static_cast<std::uint64_t>(size))
+#define STBIW_ZLIB_COMPRESS take_rows
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
@@ -33,14 +31,10 @@ unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size
 
 namespace {
 
-unsigned char* zlib_compress(unsigned char* data, int size, int* compressed_size, int) {
-  try {
-    auto stream = (*compress_of_thread)({data, static_cast<std::size_t>(size)});
-    *compressed_size = static_cast<int>(stream.size);
-    return stream.data.release();
-  } catch (const std::bad_alloc&) {  // through C code no exception goes
-    return nullptr;
-  }
+unsigned char* take_rows(unsigned char* data, int size, int* compressed_size, int) {
+  (*taker)({data, static_cast<std::size_t>(size)});
+  *compressed_size = 0;
+  return static_cast<unsigned char*>(std::malloc(1));
 }
 
 }  // namespace
@@ -49,21 +43,15 @@ namespace twrench::stb {
 
 void Free::operator()(void* memory) const noexcept { std::free(memory); }
 
-Memory allocate(std::size_t size) {
-  Memory memory(static_cast<std::uint8_t*>(std::malloc(size)));
-  if (!memory) throw std::bad_alloc();
-  return memory;
-}
-
-Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels,
-                 const Compress& compress) {
+void filter_rows(const std::uint8_t* pixels, int width, int rows, int channels,
+                 const std::function<void(std::span<std::uint8_t>)>& take) {
   // The initialisation of a local static happens once, before any thread gets past it.
   static const int filter = stbi_write_force_png_filter = png_filter;
   static_cast<void>(filter);
-  compress_of_thread = &compress;
+  taker = &take;
   int size = 0;
-  Memory data(stbi_write_png_to_mem(pixels, 0, width, height, channels, &size));
-  return {std::move(data), static_cast<std::size_t>(size)};
+  const Memory dropped(stbi_write_png_to_mem(pixels, 0, width, rows, channels, &size));
+  if (!dropped) throw std::bad_alloc();
 }
 
 Pixels decode_png(std::span<const std::uint8_t> file, int max_side) {

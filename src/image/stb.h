@@ -15,21 +15,12 @@ struct Free {
 };
 using Memory = std::unique_ptr<std::uint8_t, Free>;
 
-/// Throws std::bad_alloc.
-Memory allocate(std::size_t size);
-
-struct Bytes {
-  Memory data;  ///< null when memory ran out
-  std::size_t size = 0;
-};
-
-/// Makes the zlib stream of a picture's filtered rows. Throws std::bad_alloc and nothing else.
-using Compress = std::function<Bytes(std::span<const std::uint8_t> rows)>;
-
-/// The PNG file of 8-bit pixels, rows from the top without padding. A row is filtered without
-/// regard to others, and becomes one byte longer. Any number of threads at once.
-Bytes encode_png(const std::uint8_t* pixels, int width, int height, int channels,
-                 const Compress& compress);
+/// Filters rows of 8-bit pixels as PNG has them, each without regard to others and then one byte
+/// longer, and gives them to `take`, which throws nothing. stb_image_write filters only what it
+/// writes: the file that it makes of the rows is dropped. Any number of threads at once. Throws
+/// std::bad_alloc.
+void filter_rows(const std::uint8_t* pixels, int width, int rows, int channels,
+                 const std::function<void(std::span<std::uint8_t>)>& take);
 
 struct Pixels {
   Memory data;  ///< null when `failure` says why
