@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <new>
 
 #include "image/stb.h"
@@ -32,7 +31,7 @@ std::size_t most_compressed(std::size_t size) {
 class BandCompressor {
  public:
   explicit BandCompressor(const Image& image)
-      : image_(image), compressed_(new std::uint8_t[most_compressed(size_of(band_height))]) {}
+      : image_(image), compressed_(most_compressed(size_of(band_height))) {}
 
   /// How many bytes so many rows are, filtered.
   std::size_t size_of(int rows) const {
@@ -61,20 +60,20 @@ class BandCompressor {
   std::span<const std::uint8_t> deflate(std::span<std::uint8_t> rows) {
     isal_deflate_stateless_init(&stream_);
     stream_.level = level;
-    stream_.level_buf = level_memory_.get();
+    stream_.level_buf = level_memory_.data();
     stream_.level_buf_size = level_memory;
     stream_.flush = FULL_FLUSH;
     stream_.next_in = rows.data();
     stream_.avail_in = static_cast<std::uint32_t>(rows.size());
-    stream_.next_out = compressed_.get();
+    stream_.next_out = compressed_.data();
     stream_.avail_out = static_cast<std::uint32_t>(most_compressed(rows.size()));
     const bool done = isal_deflate_stateless(&stream_) == COMP_OK;
-    return {compressed_.get(), done ? stream_.total_out : 0};
+    return {compressed_.data(), done ? stream_.total_out : 0};
   }
 
   const Image& image_;
-  std::unique_ptr<std::uint8_t[]> compressed_;
-  std::unique_ptr<std::uint8_t[]> level_memory_{new std::uint8_t[level_memory]};
+  std::vector<std::uint8_t> compressed_;
+  std::vector<std::uint8_t> level_memory_ = std::vector<std::uint8_t>(level_memory);
   isal_zstream stream_{};  // its initialisation leaves some unset of what is read
 };
 
