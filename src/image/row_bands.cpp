@@ -14,8 +14,9 @@ namespace {
 
 constexpr int level = 1;
 constexpr std::size_t level_memory = ISAL_DEF_LVL1_DEFAULT;
-constexpr int band_height =
-    32;  // rows: half of it loses a percent of size, the double is less used
+
+/// Rows: half as many make files a percent larger, twice as many are less often still.
+constexpr int band_height = 32;
 
 constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
 constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.6: empty
