@@ -96,7 +96,7 @@ Options::Options(CLI::App& command) : scene(command) {
   command.add_flag("--no-video", no_video, "PNG frames only");
   command.add_flag("--no-frames", no_frames, "video only");
   add_backend_options(command, backend);
-  command.add_option("--jobs", jobs, "threads that compress frames; default: one a processor")
+  command.add_option("--jobs", jobs, "threads that compress frames; default: half the processors")
       ->type_name("N");
   Progress::add_option(command, progress);
   command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
@@ -107,8 +107,10 @@ Options::Options(CLI::App& command) : scene(command) {
       ->check(CLI::IsMember({"text", "json"}));
 }
 
+/// Drawing and the encoder have the other half of the processors: more jobs would only take turns
+/// with them, in each other's caches.
 int job_count(const std::string& text) {
-  if (text.empty()) return static_cast<int>(processor_count());
+  if (text.empty()) return std::max(1, static_cast<int>(processor_count() / 2));
   return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
 }
 
