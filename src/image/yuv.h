@@ -6,6 +6,7 @@
 
 #include "image/area.h"
 #include "image/image.h"
+#include "image/yuv_rows.h"
 
 namespace twrench {
 
@@ -32,8 +33,10 @@ class Yuv420 {
 
   int width_;
   int height_;
+  YuvRows rows_;
   std::vector<std::uint8_t> bytes_;
-  std::vector<int> columns_;  ///< scratch: the sums of two rows' pixels, RGB
+  std::vector<int> blue_columns_;  ///< scratch: of two rows, from the one before the first column
+  std::vector<int> red_columns_;
 };
 
 }  // namespace twrench
