@@ -3,7 +3,7 @@
 
 in vec3 stage_position;
 in vec3 stage_normal;
-in vec3 towards_eye;
+flat in vec3 stage_eye;
 in float coverage;
 flat in vec4 bulge;
 flat in float scale;
@@ -20,6 +20,7 @@ vec3 reflected_share(float n_v) {
 }
 
 void main() {
+  vec3 towards_eye = stage_eye - stage_position;
   // Between the corners of a facet the normal is shorter than 1. In a cylinder of radius 1 it is the
   // place across the axis, as deep in it as the facet; the eye sees the surface where it has come
   // back to the length 1, t further towards it. Other surfaces keep their place.
@@ -45,11 +46,11 @@ void main() {
   float alpha = roughness * roughness;
   float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.18);
   // Reflection doubles the angle of the half vector, hence a half.
-  float sharpness = 0.5 * inversesqrt(alpha * alpha + variance);
+  float width_squared = 4.0 * (alpha * alpha + variance);
 
-  vec3 arriving_there = arriving(place, mirrored, sharpness);
   // Another part there shows the room's light, dimmed by one reflection more.
-  float shade = shaded(place, mirrored, sharpness);
+  float shade = shaded(place, mirrored, width_squared);
+  vec3 arriving_there = arriving(place, mirrored, width_squared);
   vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
   vec3 light = reflected * reflected_share(n_v) + scattered(place, n);
   light *= seam(place);

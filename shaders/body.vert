@@ -15,7 +15,7 @@ uniform vec3 side_axis;     // stage, unit: of the cylinder whose side it is; el
 
 out vec3 stage_position;
 out vec3 stage_normal;
-out vec3 towards_eye;
+flat out vec3 stage_eye;  // at a pixel cheaper than a uniform
 out float coverage;     // 1 on the body, falling to 0 across a fin
 flat out vec4 bulge;    // the way to the surface that lies over a facet, see body.frag
 flat out float scale;   // pixels of a length 1
@@ -31,7 +31,8 @@ void main() {
   place.xy += offset * picture.z * place.w * across / picture.xy;
   gl_Position = place;
 
-  towards_eye = eye - stage_position;
+  stage_eye = eye;
+  vec3 towards_eye = eye - stage_position;
   vec3 to_eye = normalize(towards_eye);
   float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
   scale = 1.0 / max(pixel, 1e-6);

@@ -11,9 +11,9 @@ float square_to_axis(int i, vec3 place, float s) {
   return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
 }
 
-// How much of a lobe of width 1 / sharpness about `direction` capsule i hides from `place`: 0 to 1,
+// How much of a lobe about `direction` capsule i hides from `place`: 0 to 1,
 // by how far the direction misses it, seen as an angle.
-float hidden_by(int i, vec3 place, vec3 direction, float sharpness) {
+float hidden_by(int i, vec3 place, vec3 direction, float width_squared) {
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;
   // The point of the axis that the ray passes nearest: the feet of the common normal of two lines.
@@ -21,13 +21,12 @@ float hidden_by(int i, vec3 place, vec3 direction, float sharpness) {
   float end_ahead = dot(to_end, direction);
   float s = clamp((along * end_ahead - dot(axis, to_end)) /
                       max(neighbour_size[i].x - along * along, 1e-4), 0.0, 1.0);
-  float closeness = inversesqrt(square_to_axis(i, place, s));
+  float square = square_to_axis(i, place, s);
   float ahead = end_ahead + s * along;
-  float cosine = closeness * max(ahead, 0.0);
+  float aside = sqrt(max(square - ahead * max(ahead, 0.0), 0.0));
   // Of what lies behind, the farther the less.
-  float miss = sqrt(max(1.0 - cosine * cosine, 0.0)) -
-               closeness * (neighbour_end[i].w + min(ahead, 0.0));
-  return 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * sharpness * miss);
+  float miss = aside - (neighbour_end[i].w + min(ahead, 0.0));
+  return 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
 }
 
 // What is left of the light close to where another part begins: there it comes by way of two
@@ -65,10 +64,10 @@ float seam_coverage(vec3 place, vec3 to_eye, float scale) {
   return outside;
 }
 
-float shaded(vec3 place, vec3 direction, float sharpness) {
+float shaded(vec3 place, vec3 direction, float width_squared) {
   float open = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
-    open *= 1.0 - hidden_by(i, place, direction, sharpness);
+    open *= 1.0 - hidden_by(i, place, direction, width_squared);
   }
   return 1.0 - open;
 }

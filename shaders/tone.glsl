@@ -5,11 +5,11 @@ vec3 filmic_srgb(vec3 light) {
   vec3 above = x * (6.2 * x + 0.5);
   vec3 below = x * (6.2 * x + 1.7) + 0.06;
   float each = 1.0 / (below.r * below.g * below.b);  // one division for three
-  return above * each * vec3(below.g * below.b, below.b * below.r, below.r * below.g);
+  return above * vec3(below.g * below.b, below.b * below.r, below.r * below.g) * each;
 }
 
 // Against banding: the background's pattern of two by two, up and down by quarter steps of 8 bits.
 float dither(vec2 pixel) {
-  vec2 odd = mod(floor(pixel), 2.0);
-  return (0.5 * odd.x + 0.75 * odd.y - odd.x * odd.y - 0.375) / 255.0;
+  vec2 f = fract(0.5 * pixel);  // a quarter on even ones, three on odd ones
+  return (2.0 * f.x + 2.5 * f.y - 4.0 * f.x * f.y - 1.25) / 255.0;
 }
