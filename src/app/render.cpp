@@ -155,14 +155,15 @@ std::future<void> try_encoder(const Options& options, const Scene& scene) {
                     [format = video_format(options, scene)] { require_encoder(format); });
 }
 
-/// The encoder, known to work; null with --no-video.
+/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
                                            std::future<void> trial) {
   if (options.no_video) return nullptr;
-  trial.get();
   const fs::path path = video_path(options, scene);
   if (path.has_parent_path()) make_folder(path.parent_path());
-  return std::make_unique<VideoEncoder>(path, video_format(options, scene));
+  auto encoder = std::make_unique<VideoEncoder>(path, video_format(options, scene));
+  trial.get();
+  return encoder;
 }
 
 Manifest manifest_of(const Options& options, const Scene& scene, const Renderer& renderer,
