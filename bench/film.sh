@@ -8,7 +8,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 twrench=build/release/bin/twrench
-frames=120 rounds=3 before='' vtk=''
+frames=240 rounds=3 before='' vtk=''
 while (($#)); do
   case "$1" in
     --frames) frames=$2 ;;
@@ -29,8 +29,17 @@ film() {
     --frames-dir "$folder/frames" -o "$folder/film.mp4" "${@:2}"
 }
 
-# The encoder's settings, as the manifest tells them, from yuv420p or, converted by ffmpeg, rgb24.
-film "$twrench" --bare
+# The encoder's settings, as the manifest tells them, from yuv420p or, converted by ffmpeg, rgb24; and
+# the very frames that the encoder is given, which one that stands in for it keeps. (Those of the film,
+# decoded, are smoother, and faster to encode.)
+cat >"$folder/ffmpeg" <<'END'
+#!/usr/bin/env bash
+[[ $* == *" 1920x1080 "* ]] || exec "$REAL_FFMPEG" "$@"  # the trial
+exec "$REAL_FFMPEG" "$@" < <(tee "$RAW_FRAMES")
+END
+chmod +x "$folder/ffmpeg"
+REAL_FFMPEG=$(command -v ffmpeg) RAW_FRAMES=$folder/raw.yuv PATH=$folder:$PATH \
+  film "$twrench" --bare
 read -ra yuv_settings < <(grep '"encoder"' "$folder/frames/manifest.json" | cut -d: -f2- |
   sed 's/pipe:0/pipe:/' | tr -d '[]"' | tr ',' ' ')
 rgb_settings=()
@@ -40,7 +49,6 @@ for word in "${yuv_settings[@]}"; do
   rgb_settings+=("${word/#yuv420p/rgb24}")
 done
 ffmpeg -v error -i "$folder/frames/frame_%06d.png" -f rawvideo -pix_fmt rgb24 "$folder/raw.rgb"
-ffmpeg -v error -i "$folder/film.mp4" -f rawvideo -pix_fmt yuv420p "$folder/raw.yuv"
 
 encode_yuv() { ffmpeg "${yuv_settings[@]}" "$folder/alone.mp4" <"$folder/raw.yuv"; }
 encode_rgb() { ffmpeg "${rgb_settings[@]}" "$folder/alone.mp4" <"$folder/raw.rgb"; }
