@@ -1,8 +1,5 @@
 // What a film's time goes into, function by function, at 1920x1080 unless the name says otherwise.
 #include <benchmark/benchmark.h>
-#include <chrono>
-#include <algorithm>
-
 
 #include "gl/backend.h"
 #include "image/png.h"
@@ -51,27 +48,6 @@ BENCHMARK(Draw)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-
-void Least(benchmark::State& state) {
-  const auto opened = context();
-  Scene scene = full_scene();
-  PoseRenderer renderer(*opened.context, scene);
-  double best[16];
-  for (double& b : best) b = 1e9;
-  for (auto _ : state) {
-    for (int round = 0; round < 25; ++round) {
-      for (int i = 0; i < 16; ++i) {
-        const auto begin = std::chrono::steady_clock::now();
-        benchmark::DoNotOptimize(renderer.draw(pose(7 * i)).pixels.data());
-        best[i] = std::min(best[i], std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-      }
-    }
-    double sum = 0;
-    for (double b : best) sum += b;
-    state.SetIterationTime(sum / 16 * 1e-3);
-  }
-}
-BENCHMARK(Least)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 void Open(benchmark::State& state) {
   for (auto _ : state) {

@@ -1,5 +1,7 @@
 #include "image/yuv_rows.h"
 
+#include <cstddef>
+
 namespace twrench {
 namespace {
 
@@ -35,7 +37,7 @@ TWRENCH_INLINE std::uint8_t level(int sum, int offset, int doublings) {
 
 TWRENCH_INLINE void luma_row(const std::uint8_t* __restrict rgb, std::uint8_t* __restrict out,
                              int count) {
-  for (int i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     out[i] = level(weighted(luma, rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), 16, 0);
   }
 }
@@ -43,7 +45,7 @@ TWRENCH_INLINE void luma_row(const std::uint8_t* __restrict rgb, std::uint8_t* _
 TWRENCH_INLINE void column_row(const std::uint8_t* __restrict upper,
                                const std::uint8_t* __restrict lower, int* __restrict blue,
                                int* __restrict red, int count) {
-  for (int i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     const int r = upper[3 * i] + lower[3 * i];
     const int g = upper[3 * i + 1] + lower[3 * i + 1];
     const int b = upper[3 * i + 2] + lower[3 * i + 2];
@@ -54,7 +56,7 @@ TWRENCH_INLINE void column_row(const std::uint8_t* __restrict upper,
 
 TWRENCH_INLINE void chroma_row(const int* __restrict columns, std::uint8_t* __restrict out,
                                int count) {
-  for (int i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     out[i] = level(columns[2 * i] + 2 * columns[2 * i + 1] + columns[2 * i + 2], 128, 3);
   }
 }
@@ -92,7 +94,7 @@ namespace {
 }  // namespace
 
 YuvRows fastest_yuv_rows() {
-  if (__builtin_cpu_supports("avx2") == 0) return common_yuv_rows();
+  if (!__builtin_cpu_supports("avx2")) return common_yuv_rows();
   return {wide_luma, wide_columns, wide_chroma};
 }
 

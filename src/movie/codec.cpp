@@ -24,9 +24,9 @@ std::string muxer(Container container) {
 constexpr const char* vp9 =
     "-c:v libvpx-vp9 -crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0";
 constexpr const char* prores = "-c:v prores_ks -profile:v 4444 -alpha_bits 16 -vendor apl0";
-/// aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first. Smooth surfaces that
-/// turn gain nothing from smaller blocks with motion of their own: without, the encoder takes a sixth
-/// less time for the same quality and size.
+/// aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first. Smooth surfaces
+/// that turn gain nothing from smaller blocks with motion of their own: without, the encoder takes
+/// a sixth less time for the same quality and size.
 constexpr const char* h264 =
     "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 -partitions i4x4 -movflags +faststart";
 
