@@ -155,14 +155,18 @@ std::future<void> try_encoder(const Options& options, const Scene& scene) {
                     [format = video_format(options, scene)] { require_encoder(format); });
 }
 
-/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end.
+/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end, but
+/// for one that works a folder is made first.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
                                            std::future<void> trial) {
   if (options.no_video) return nullptr;
   const fs::path path = video_path(options, scene);
-  if (path.has_parent_path()) make_folder(path.parent_path());
+  if (path.has_parent_path() && !fs::exists(path.parent_path())) {
+    trial.get();
+    make_folder(path.parent_path());
+  }
   auto encoder = std::make_unique<VideoEncoder>(path, video_format(options, scene));
-  trial.get();
+  if (trial.valid()) trial.get();
   return encoder;
 }
 
