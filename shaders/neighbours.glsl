@@ -11,8 +11,8 @@ float square_to_axis(int i, vec3 place, float s) {
   return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
 }
 
-// How much of a lobe about `direction` capsule i hides from `place`: 0 to 1,
-// by how far the direction misses it, seen as an angle.
+// How much of a lobe about `direction` capsule i hides from `place`: 0 to 1, by how far the direction
+// misses it, seen as an angle.
 float hidden_by(int i, vec3 place, vec3 direction, float width_squared) {
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;

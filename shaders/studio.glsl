@@ -8,8 +8,7 @@
 // shares of its two sides, exact for long strips.
 
 // The share of the lobe about `direction` that light i fills, from `place`. The lobe is told by the
-// square of its width, which comes late and is needed late; the lights stand off the stage, so that
-// all are `away`.
+// square of its width, which comes late and is needed late.
 //
 // The direction meets the light's plane at (d.across, d.along) away / d.outward from the point there
 // that is next to `place`, which is `away` from it. All is multiplied by `away`, and the shares of
@@ -19,7 +18,7 @@ float light_share(int i, vec3 place, vec3 direction, float width_squared) {
   vec3 along = light_along[i];
   vec3 outward = cross(across, along);
   vec3 to_centre = light_centre[i] - place;
-  float away = dot(to_centre, outward);
+  float away = max(dot(to_centre, outward), 0.1);
   float ahead = max(dot(direction, outward), 0.0);  // none where it points away from the light
   vec2 middle = away * vec2(dot(direction, across), dot(direction, along)) -
                 ahead * vec2(dot(to_centre, across), dot(to_centre, along));

@@ -155,8 +155,8 @@ std::future<void> try_encoder(const Options& options, const Scene& scene) {
                     [format = video_format(options, scene)] { require_encoder(format); });
 }
 
-/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end,
-/// but for one that works a folder is made first.
+/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end; a
+/// folder that is yet to be made is made when the trial is passed, so that none is left behind.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
                                            std::future<void> trial) {
   if (options.no_video) return nullptr;

@@ -65,14 +65,7 @@ TWRENCH_INLINE void chroma_row(const int* __restrict columns, std::uint8_t* __re
 
 }  // namespace
 
-YuvRows common_yuv_rows() {
-  return {
-      [](const std::uint8_t* rgb, std::uint8_t* out, int count) { luma_row(rgb, out, count); },
-      [](const std::uint8_t* upper, const std::uint8_t* lower, int* blue, int* red, int count) {
-        column_row(upper, lower, blue, red, count);
-      },
-      [](const int* columns, std::uint8_t* out, int count) { chroma_row(columns, out, count); }};
-}
+YuvRows common_yuv_rows() { return {luma_row, column_row, chroma_row}; }
 
 #ifdef __x86_64__
 
