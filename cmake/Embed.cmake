@@ -1,6 +1,7 @@
 # twrench_embed(TARGET NAME FILES ...): compiles files into TARGET, found at run time through
 # the generated header "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view.
 # The bytes are included by the assembler (.incbin), so that large assets cost no compile time.
+# %progbits: on 32-bit Arm an @ begins a comment.
 
 function(twrench_embed target name)
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/embedded)
@@ -13,7 +14,7 @@ function(twrench_embed target name)
     get_filename_component(base ${file} NAME)
     set(symbol twrench_${name}_${index})
     string(APPEND assembly
-      "asm(\".pushsection .rodata,\\\"a\\\",@progbits\\n\""
+      "asm(\".pushsection .rodata,\\\"a\\\",%progbits\\n\""
       "    \".global ${symbol}_begin\\n.balign 16\\n${symbol}_begin:\\n.incbin \\\"${path}\\\"\\n\""
       "    \".global ${symbol}_end\\n${symbol}_end:\\n.byte 0\\n.popsection\\n\");\n")
     string(APPEND symbols "extern const char ${symbol}_begin[], ${symbol}_end[];\n")

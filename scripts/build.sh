@@ -4,6 +4,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
 tests=OFF
 if [[ ${1-} == --tests ]]; then
   tests=ON
@@ -11,6 +12,7 @@ if [[ ${1-} == --tests ]]; then
 fi
 preset=${1:?usage: build.sh [--tests] PRESET [TARGET...]}
 shift
+targets=("${@:-all}")
 dir=build/$preset
 cache=$dir/CMakeCache.txt
 
@@ -25,23 +27,28 @@ elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then
   configure=(cmake "${options[@]}")
 else
   configure=()
+  # A dry run that would first have to configure again says something else.
+  if [[ $(ninja -C "$dir" -n "${targets[@]}" | tail -n 1) == "ninja: no work to do." ]]; then
+    exit 0
+  fi
 fi
+require_writable "$dir"
+
 if ((${#configure[@]})); then
-  echo "twrench: configuring $dir" >&2
-  mkdir -p "$dir"
+  # Older ones do not read CMakePresets.json, and do not say so.
+  oldest=3.25
+  version=$(cmake --version | awk 'NR == 1 { print $3 }')
+  [[ $(printf '%s\n' "$oldest" "$version" | sort --version-sort | head -n 1) == "$oldest" ]] ||
+    die "CMake $version is too old: $oldest or newer is needed" "install a newer one, from cmake.org"
+  say "configuring $dir"
   if ! "${configure[@]}" >"$dir/configure.log" 2>&1; then
-    cat "$dir/configure.log" >&2
-    echo "twrench: error: cmake could not configure $dir: its reasons are above" >&2
-    exit 1
+    sed -n '/^CMake Error/,/^Call Stack/ { /^CMake Error/d; /^Call Stack/d; p }' "$dir/configure.log" |
+      cat -s >&2
+    die "cmake could not configure $dir, for what is said above" "all it said is in $dir/configure.log"
   fi
 fi
 
-targets=("${@:-all}")
-# A dry run that would first have to configure again says something else.
-if [[ $(ninja -C "$dir" -n "${targets[@]}" | tail -n 1) == "ninja: no work to do." ]]; then
-  exit 0
-fi
-echo "twrench: building $dir" >&2
+say "building $dir"
 # A terminal gets ninja's one moving line, a log only what goes wrong.
 quiet=()
 [[ -t 2 ]] || quiet=(--quiet)

@@ -2,7 +2,7 @@
 # Holds our C++ sources against .clang-format and .clang-tidy (version 14 of both tools):
 #   lint.sh format   says which lines are laid out differently
 #   lint.sh fix      lays them out
-#   lint.sh tidy     clang-tidy over all of them: installs it, builds, then runs for minutes
+#   lint.sh tidy     clang-tidy over all of them: installs it, then runs for minutes
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,6 +14,10 @@ sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | so
 
 case "${1-}" in
   format)
+    if ! command -v clang-format-14 >/dev/null; then
+      echo "twrench: clang-format 14 is not here: the layout of the sources is not checked" >&2
+      exit 0
+    fi
     if ! sources | xargs -0 clang-format-14 --dry-run -Werror; then
       echo "twrench: error: some lines are laid out differently; $0 fix lays them out" >&2
       exit 1
@@ -22,9 +26,10 @@ case "${1-}" in
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
     scripts/setup.sh tidy
-    scripts/build.sh --tests release # the compile commands and the generated headers
+    # The compile commands and the generated headers; clang does not read GCC's precompiled ones.
+    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern keeps generated sources out: they lie under build/.
-    run-clang-tidy-14 -quiet -p build/release -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench)/"
+    run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench)/"
     ;;
   *)
     echo "usage: $0 format|fix|tidy" >&2

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The main job, on a bare Debian 12 or Ubuntu 24.04 too: installs what is missing, builds what is
+# The main job, on a bare Debian or Ubuntu too: installs what is missing, builds what is
 # out of date, then runs `twrench render` with the arguments given (none: the default film).
 set -euo pipefail
 

@@ -2,53 +2,133 @@
 # Installs what is missing of the Debian or Ubuntu packages that this project uses:
 #   setup.sh render   to build the program and make films with it
 #   setup.sh test     to run its tests as well
+#   setup.sh check    to run the checks of the project as well
 #   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
 #   setup.sh bench    to build its benchmarks, and the rival to run beside it
 #   setup.sh coverage to count the lines that the tests run, and to run them under valgrind
-# When nothing is missing it says nothing and calls neither apt nor sudo.
+#   setup.sh arm64    to build for arm64 and run the tests of the core in an emulator
+#   setup.sh distros  to try the project in other releases of Debian
+# Packages are chosen by what the release has, not by its name. When nothing is missing it says
+# nothing and calls neither apt nor sudo.
 set -euo pipefail
 
-packages=(
-  g++ cmake ninja-build pkgconf
-  libeigen3-dev libglm-dev libstb-dev libcli11-dev libtomlplusplus-dev libfmt-dev
-  nlohmann-json3-dev libboost-dev libisal-dev zlib1g-dev libssl-dev libgl-dev libosmesa6-dev
-  libegl-dev libegl1 libegl-mesa0 libcairo2-dev fonts-roboto-unhinted fonts-firacode
-  ffmpeg
-)
-# The formatter by its version: another one would lay the same sources out differently.
-# gnuplot is for the figures of `twrench plot` and `study --plot`; films do without it. ImageMagick
-# and libpng's tools read our PNG files.
-test_packages=(libgtest-dev libgmock-dev clang-format-14 gnuplot-nox imagemagick libpng-tools)
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+
+# What it is for | what it is | packages, of which the first that the release has is taken | what is
+# done where there is none; where this is left out, the package must be there.
+needs() {
+  cat <<'END'
+render   | the C++ compiler              | g++
+render   | CMake                         | cmake
+render   | Ninja                         | ninja-build
+render   | pkg-config                    | pkgconf pkg-config
+render   | Eigen                         | libeigen3-dev
+render   | GLM                           | libglm-dev
+render   | stb                           | libstb-dev
+render   | CLI11                         | libcli11-dev
+render   | toml++                        | libtomlplusplus-dev
+render   | fmt                           | libfmt-dev
+render   | nlohmann-json                 | nlohmann-json3-dev
+render   | Boost's headers               | libboost-dev
+render   | ISA-L                         | libisal-dev
+render   | zlib                          | zlib1g-dev libz-dev
+render   | OpenSSL                       | libssl-dev
+render   | OpenGL's headers              | libgl-dev
+render   | EGL's headers                 | libegl-dev
+render   | EGL                           | libegl1
+render   | Mesa's EGL                    | libegl-mesa0
+render   | OSMesa                        | libosmesa6                | EGL in software is used
+render   | Cairo                         | libcairo2-dev
+render   | the typeface Roboto           | fonts-roboto-unhinted
+render   | the typeface Fira Code        | fonts-firacode
+render   | ffmpeg                        | ffmpeg
+test     | GoogleTest                    | libgtest-dev
+test     | GoogleMock                    | libgmock-dev
+test     | gnuplot, for figures          | gnuplot-nox gnuplot
+test     | ImageMagick, to read our PNG  | imagemagick
+test     | libpng's tools, for the same  | libpng-tools
+check    | clang-format 14               | clang-format-14           | the layout of the sources is not checked
+tidy     | clang-tidy 14                 | clang-tidy-14
+tidy     | Clang 14                      | clang-14
+tidy     | Clang 14's sanitizers         | libclang-rt-14-dev
+bench    | Google Benchmark              | libbenchmark-dev
+bench    | GSL                           | libgsl-dev
+bench    | SUNDIALS                      | libsundials-dev
+bench    | VTK                           | python3-vtk9
+bench    | a screen for VTK              | xvfb
+bench    | its access control            | xauth
+coverage | gcovr                         | gcovr
+coverage | valgrind                      | valgrind
+distros  | debootstrap                   | debootstrap
+arm64    | CMake                         | cmake
+arm64    | Ninja                         | ninja-build
+arm64    | pkg-config                    | pkgconf pkg-config
+arm64    | the C++ compiler for arm64    | g++-aarch64-linux-gnu
+arm64    | the emulator                  | qemu-user-static qemu-user
+arm64    | Eigen                         | libeigen3-dev
+arm64    | GLM                           | libglm-dev
+arm64    | CLI11                         | libcli11-dev
+arm64    | nlohmann-json                 | nlohmann-json3-dev
+arm64    | Boost's headers               | libboost-dev
+arm64    | the typeface Roboto           | fonts-roboto-unhinted
+arm64    | the typeface Fira Code        | fonts-firacode
+arm64    | stb for arm64                 | libstb-dev:arm64
+arm64    | toml++ for arm64              | libtomlplusplus-dev:arm64
+arm64    | fmt for arm64                 | libfmt-dev:arm64
+arm64    | ISA-L for arm64               | libisal-dev:arm64
+arm64    | zlib for arm64                | zlib1g-dev:arm64 libz-dev:arm64
+arm64    | OpenSSL for arm64             | libssl-dev:arm64
+arm64    | OpenGL's headers for arm64    | libgl-dev:arm64
+arm64    | EGL's headers for arm64       | libegl-dev:arm64
+arm64    | Cairo for arm64               | libcairo2-dev:arm64
+arm64    | GoogleTest for arm64          | libgtest-dev:arm64
+arm64    | GoogleMock for arm64          | libgmock-dev:arm64
+END
+}
 
 case "${1-}" in
-  render) ;;
-  test) packages+=("${test_packages[@]}") ;;
-  tidy) packages+=("${test_packages[@]}" clang-tidy-14 clang-14 libclang-rt-14-dev) ;;
-  bench) packages+=(libbenchmark-dev libgsl-dev libsundials-dev python3-vtk9 xvfb xauth) ;;
-  coverage) packages+=("${test_packages[@]}" gcovr valgrind) ;;
+  render | arm64 | distros) uses=("$1") ;;
+  test | bench) uses=(render "$1") ;;
+  check | tidy | coverage) uses=(render test "$1") ;;
   *)
-    echo "usage: $0 render|test|tidy|bench|coverage" >&2
+    echo "usage: $0 render|test|check|tidy|bench|coverage|arm64|distros" >&2
     exit 2
     ;;
 esac
 
-say() { printf 'twrench: %s\n' "$*" >&2; }
+roles=() candidates=() otherwise=()
+while IFS='|' read -r use role packages instead; do
+  read -r use <<<"$use"
+  [[ " ${uses[*]} " == *" $use "* ]] || continue
+  read -r roles[${#roles[@]}] <<<"$role"
+  candidates+=("$packages")
+  read -r otherwise[${#otherwise[@]}] <<<"${instead-}" || true
+done < <(needs)
 
 if ! command -v apt-get >/dev/null; then
-  say "error: no apt-get here: this script sets up Debian 12 and Ubuntu 24.04"
-  say "elsewhere install the like of: ${packages[*]}; then: cmake --preset release && cmake --build --preset release"
-  exit 1
+  die "this system has no apt-get: scripts/setup.sh installs packages of Debian and Ubuntu only" \
+    "cmake --preset release names what is missing, and its package on Fedora and Arch" \
+    "(docs/platforms.md); then: cmake --build --preset release"
 fi
 
-installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${packages[@]}" \
-  2>/dev/null || true)
-missing=()
-for package in "${packages[@]}"; do
-  grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
-done
-((${#missing[@]})) || exit 0
+all_packages() { printf '%s ' "${candidates[@]}"; }
+# shellcheck disable=SC2046 # words
+installed=$(dpkg-query --show \
+  --showformat='${db:Status-Status} ${Package}\n${db:Status-Status} ${Package}:${Architecture}\n' \
+  $(all_packages) 2>/dev/null || true)
 
-install=(apt-get install --yes --no-install-recommends "${missing[@]}")
+missing=() must=0
+for i in "${!roles[@]}"; do
+  for package in ${candidates[i]}; do
+    ! grep -qxF "installed $package" <<<"$installed" || continue 2
+  done
+  missing+=("$i")
+  [[ -n ${otherwise[i]} ]] || must=1
+done
+# What the project does without is installed along with the rest, never for its own sake.
+((must)) || exit 0
+require_writable build
 
 # Sets as_root to the words that go before a command to run it as root; false if there are none.
 find_root() {
@@ -59,39 +139,103 @@ find_root() {
   sudo -n true 2>/dev/null && return
   [[ -t 0 && -t 2 ]] && say "sudo is needed to install ${#missing[@]} packages" && sudo -v
 }
-if ! find_root; then
-  command="apt-get update && ${install[*]}"
-  ! command -v sudo >/dev/null || command="sudo sh -c '$command'"
-  say "error: ${#missing[@]} packages are missing, and installing them takes an administrator's rights"
-  say "have an administrator run this one command, then start again:"
-  printf '%s\n' "$command" >&2
-  exit 1
-fi
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-mkdir -p build
-log=$PWD/build/setup.log
-# LC_ALL: the log is read below. The lock is often held for a while on a machine just started.
-run_apt() {
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
-    "$@" -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 </dev/null >>"$log" 2>&1
+# Sets `chosen` to a package for each that is missing, `absent` to what the release has none for, and
+# `notes` to what is done without.
+choose() {
+  chosen=() absent=() notes=()
+  local offered='' i package
+  # shellcheck disable=SC2046 # words
+  offered=$(LC_ALL=C apt-cache policy $(all_packages) 2>/dev/null |
+    awk '/^[^ ]/ { name = $1; sub(/:$/, "", name) } /Candidate:/ && $2 != "(none)" { print name }')
+  for i in "${missing[@]}"; do
+    for package in ${candidates[i]}; do
+      if grep -qxF "$package" <<<"$offered"; then
+        chosen+=("$package")
+        continue 2
+      fi
+    done
+    if [[ -n ${otherwise[i]} ]]; then
+      notes+=("${roles[i]} is not in this release; ${otherwise[i]}")
+    else
+      absent+=("${roles[i]} (${candidates[i]})")
+    fi
+  done
 }
 
-say "installing ${#missing[@]} packages with apt-get: ${missing[*]}"
-say "this takes a minute or two (log: $log)"
-: >"$log"
-# A source that cannot be reached need not hold what is missing: the installation decides.
-lists=whole
-run_apt apt-get update --error-on=any || lists=partial
-if ! run_apt "${install[@]}"; then
-  tail -n 15 "$log" >&2
-  say "error: apt-get could not install them; its last lines are above, all of them in $log"
-  if [[ $lists == partial ]]; then
-    say "it could not fetch every package list: check the network and /etc/apt/sources.list*"
-  elif grep -qE 'Unable to locate package|no installation candidate' "$log"; then
-    say "they are packages of Debian 12 and Ubuntu 24.04; on Ubuntu some are in 'universe', which"
-    say "the Components of /etc/apt/sources.list.d/ubuntu.sources must name"
+if ! find_root; then
+  choose
+  command="apt-get update && apt-get install --yes --no-install-recommends ${chosen[*]}"
+  # Without package lists nothing is on offer: then the first that may provide each.
+  if ((${#absent[@]})); then
+    command="apt-get update && apt-get install --yes --no-install-recommends"
+    for i in "${missing[@]}"; do
+      [[ -n ${otherwise[i]} ]] || command+=" $(awk '{ print $1 }' <<<"${candidates[i]}")"
+    done
   fi
-  exit 1
+  ! command -v sudo >/dev/null || command="sudo sh -c '$command'"
+  die "${#missing[@]} packages are missing, and installing them takes an administrator's rights" \
+    "have an administrator run this one command, then start again:" "$command"
 fi
+
+log=$PWD/build/setup.log
+: >"$log"
+# run_apt COMMAND...: runs it as root; its words go to the log, in English, for they are read below.
+# Waits for a lock: on a machine just started apt is often at work.
+run_apt() {
+  local patience=300 told='' words status
+  while true; do
+    status=0
+    words=$("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
+      "$@" -o Dpkg::Use-Pty=0 -o Acquire::Retries=2 </dev/null 2>&1) || status=$?
+    printf '%s\n' "$words" >>"$log"
+    ((status)) && grep -qE 'Could not get lock|Unable to acquire' <<<"$words" || return "$status"
+    ((SECONDS < patience)) || return "$status"
+    if [[ -z $told ]]; then
+      told=$(grep -m 1 -oE 'process [0-9]+ \([^)]*\)' <<<"$words" || echo "another program")
+      say "waiting, five minutes at most: $told holds apt's lock"
+    fi
+    sleep 2
+  done
+}
+
+# Why apt-get failed, of what its log says; the last resort is its own last lines.
+explain() {
+  said() { grep -qE "$1" "$log"; }
+  if said 'Could not get lock|Unable to acquire'; then
+    die "apt's lock was not free within five minutes: $(grep -oE 'It is held by .*' "$log" | tail -n 1)" \
+      "wait until that has ended, then start again"
+  elif said 'dpkg was interrupted'; then
+    die "an earlier installation of packages was interrupted" \
+      "end it, then start again: ${as_root[*]:+sudo }dpkg --configure -a"
+  elif said 'fix-broken|Unmet dependencies|unmet dependencies|half-installed|very bad inconsistent state'; then
+    die "packages of this system are broken or only half installed ($log says which)" \
+      "mend them, then start again: ${as_root[*]:+sudo }apt-get --fix-broken install"
+  elif said 'enough free space|No space left'; then
+    die "the disk is too full to install ${#chosen[@]} packages" "free some space, then start again"
+  elif [[ $lists == partial ]] || said 'Failed to fetch|Could not resolve'; then
+    die "packages could not be fetched: $(grep -m 1 -E '^[EW]: ' "$log" | cut -c 4-)" \
+      "check the network and the sources in /etc/apt, then start again"
+  fi
+  tail -n 15 "$log" >&2
+  die "apt-get could not install ${chosen[*]}" "its last lines are above, all of them in $log"
+}
+
+say "installing what is missing with apt-get, which takes a minute or two (log: $log)"
+lists=whole
+if [[ $1 == arm64 ]] && ! dpkg --print-foreign-architectures | grep -qx arm64; then
+  "${as_root[@]}" dpkg --add-architecture arm64
+fi
+# A source that cannot be reached need not hold what is missing: the installation decides.
+run_apt apt-get update --error-on=any || lists=partial
+choose
+if ((${#absent[@]})); then
+  [[ $lists == whole ]] || explain
+  die "this release has no package for: $(printf '%s; ' "${absent[@]}")" \
+    "on Ubuntu some are in 'universe', which the Components of its sources must name;" \
+    "for a copy from elsewhere see docs/platforms.md"
+fi
+for note in "${notes[@]}"; do say "$note"; done
+say "packages: ${chosen[*]}"
+run_apt apt-get install --yes --no-install-recommends --no-remove "${chosen[@]}" || explain
 say "installed"

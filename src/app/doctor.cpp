@@ -51,6 +51,12 @@ std::vector<Finding> examine_backends() {
                         report.why_not.substr(0, line),
                         line == std::string::npos ? "" : report.why_not.substr(line + 1)});
   }
+  const auto usable = std::ranges::find_if(findings, &Finding::is_there);
+  if (usable == findings.end()) return findings;
+  for (Finding& finding : findings) {
+    if (!finding.is_there())
+      finding.used_for += fmt::format("; not needed: {} does it", usable->name);
+  }
   return findings;
 }
 

@@ -52,7 +52,7 @@ OpenedContext fall_back(bool egl_alone) {
   } catch (const Error& error) {
     throw GlError("no usable OpenGL", error.what() + osmesa_reason,
                   egl_alone ? error.remedy()
-                            : "install one: apt-get install libosmesa6, or libegl1 libegl-mesa0");
+                            : "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
   }
 }
 

@@ -1,4 +1,4 @@
-#include <GL/osmesa.h>
+#include <GL/glcorearb.h>
 
 #include <array>
 
@@ -9,8 +9,28 @@
 namespace twrench::gl {
 namespace {
 
+// What is used of OSMesa's interface, as include/GL/osmesa.h of Mesa 22.3 to 25.0 declares it. Mesa
+// has dropped OSMesa in 25.1, and so the header may not be there where this is compiled.
+using OSMesaContext = struct osmesa_context*;
+using OSMesaFunction = void (*)();
+using OSMesaCreateContextAttribs = OSMesaContext(const int* attributes, OSMesaContext shared);
+using OSMesaMakeCurrent = GLboolean(OSMesaContext context, void* pixels, GLenum type, GLsizei width,
+                                    GLsizei height);
+using OSMesaGetCurrentContext = OSMesaContext();
+using OSMesaDestroyContext = void(OSMesaContext context);
+using OSMesaGetProcAddress = OSMesaFunction(const char* name);
+constexpr int OSMESA_FORMAT = 0x22;
+constexpr int OSMESA_RGBA = GL_RGBA;
+constexpr int OSMESA_PROFILE = 0x33;
+constexpr int OSMESA_CORE_PROFILE = 0x34;
+constexpr int OSMESA_CONTEXT_MAJOR_VERSION = 0x36;
+constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
+
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
-constexpr const char* remedy = "install OSMesa: apt-get install libosmesa6";
+constexpr const char* remedy =
+    "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
+    "draws "
+    "with --backend egl";
 
 template <typename F>
 F* entry(const Library& library, const char* name) {
@@ -57,16 +77,14 @@ class OsmesaContext final : public Context {
   static constexpr int size = 16;  // OSMesa wants a buffer to draw on; we draw on framebuffers
 
   Library library_;
-  decltype(&OSMesaCreateContextAttribs) create_ =
-      entry<decltype(OSMesaCreateContextAttribs)>(library_, "OSMesaCreateContextAttribs");
-  decltype(&OSMesaMakeCurrent) make_current_ =
-      entry<decltype(OSMesaMakeCurrent)>(library_, "OSMesaMakeCurrent");
-  decltype(&OSMesaGetCurrentContext) get_current_ =
-      entry<decltype(OSMesaGetCurrentContext)>(library_, "OSMesaGetCurrentContext");
-  decltype(&OSMesaDestroyContext) destroy_ =
-      entry<decltype(OSMesaDestroyContext)>(library_, "OSMesaDestroyContext");
-  decltype(&OSMesaGetProcAddress) get_function_ =
-      entry<decltype(OSMesaGetProcAddress)>(library_, "OSMesaGetProcAddress");
+  OSMesaCreateContextAttribs* create_ =
+      entry<OSMesaCreateContextAttribs>(library_, "OSMesaCreateContextAttribs");
+  OSMesaMakeCurrent* make_current_ = entry<OSMesaMakeCurrent>(library_, "OSMesaMakeCurrent");
+  OSMesaGetCurrentContext* get_current_ =
+      entry<OSMesaGetCurrentContext>(library_, "OSMesaGetCurrentContext");
+  OSMesaDestroyContext* destroy_ = entry<OSMesaDestroyContext>(library_, "OSMesaDestroyContext");
+  OSMesaGetProcAddress* get_function_ =
+      entry<OSMesaGetProcAddress>(library_, "OSMesaGetProcAddress");
   OSMesaContext handle_ = nullptr;
   std::array<unsigned char, std::size_t{4} * size * size> pixels_{};
 };

@@ -106,9 +106,9 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-const Method& find_method(std::string_view name, const std::string& what) {
+const Method& find_method(std::string_view name, std::string_view what) {
   const auto found = std::ranges::find(all, name, &Method::name);
-  if (found == all.end()) throw unknown_name(what, name, method_names());
+  if (found == all.end()) throw unknown_name(std::string(what), name, method_names());
   return *found;
 }
 

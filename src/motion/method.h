@@ -89,6 +89,6 @@ std::span<const Method> methods();
 std::vector<std::string> method_names();
 
 /// The method called `name`. Throws UsageError about `what`, with the nearest name offered.
-const Method& find_method(std::string_view name, const std::string& what = "method");
+const Method& find_method(std::string_view name, std::string_view what = "method");
 
 }  // namespace twrench

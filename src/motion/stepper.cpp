@@ -20,6 +20,13 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Stages = std::array<Vector3d, 6>;
 
+/// Zero, so that no path leaves one unset: Eigen's vectors begin with whatever was in memory.
+Stages zero_stages() {
+  Stages s;
+  s.fill(Vector3d::Zero());
+  return s;
+}
+
 /// sum of row[j] * s[j] over the first `count` stages.
 Vector3d weighted_sum(const Row& row, const Stages& s, int count) {
   Vector3d sum = row[0] * s[0];
@@ -41,7 +48,7 @@ Vector3d body_momentum(const FreeBody& body, bool linear, const Matrix3d& X) {
 Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, double h) {
   const Tableau& tableau = method.tableau;
   const Vector3d momentum = body_momentum(body, method.update == Update::linear, X);
-  Stages s;
+  Stages s = zero_stages();
   s[0] = body.inverse * momentum;
   for (int k = 1; k < tableau.stages; ++k) {
     const auto row = static_cast<std::size_t>(k);
@@ -63,7 +70,7 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
 
 Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X, double h) {
   const Vector3d momentum = body_momentum(body, false, X);
-  Stages s;
+  Stages s = zero_stages();
   s[0] = body.inverse * momentum;
   for (int k = 1; k < method.stages; ++k) {
     Vector3d m = momentum;

@@ -76,6 +76,12 @@ void blend_over_black(const Image& rgba, Image& rgb) {
   }
 }
 
+/// What our planar frames are. Told of the input: since 7.1 ffmpeg's encoders tag a film as its
+/// frames are tagged, whatever is asked of the output.
+constexpr const char* frame_tags =
+    "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv "
+    "-chroma_sample_location left";
+
 /// From RGBA. ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
 /// conversion makes colours a tenth of a level darker on average.
 constexpr const char* conversion =
@@ -94,9 +100,9 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
   }
   return words(
       fmt::format("-hide_banner -loglevel error -xerror -y "
-                  "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} -i pipe:0 {} {}",
+                  "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0 {} {}",
                   format.has_alpha() ? "rgba" : "yuv420p", width, height, rational(fps),
-                  format.has_alpha() ? conversion : "-chroma_sample_location left",
+                  format.has_alpha() ? "" : frame_tags, format.has_alpha() ? conversion : "",
                   codec_arguments(container, format.has_alpha())));
 }
 

@@ -9,6 +9,7 @@
 namespace twrench {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 /// run_twrench, but always the program itself: these tests choose the back end.
@@ -38,12 +39,18 @@ TEST(Backend, WithoutOsmesaIsEgl) {
   const Outcome asked = run(folder, small + "--backend osmesa --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libosmesa6"));
+  EXPECT_THAT(asked.err, HasSubstr("--backend egl"));
+  const Outcome doctor = run(folder, "doctor", before);
+  EXPECT_EQ(doctor.code, 0) << doctor.out;
+  EXPECT_THAT(doctor.out, ContainsRegex("OpenGL by osmesa +missing"));
+  EXPECT_THAT(doctor.out, HasSubstr("not needed: OpenGL by egl"));
 }
 
 TEST(Backend, WithoutEglIsOsmesa) {
   const ScratchFolder folder;
   const std::string before = without(folder, egl);
   const Outcome done = run(folder, small, before);
+  if (done.code == 3) GTEST_SKIP() << "there is no OSMesa: " << done.err;
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.err, HasSubstr("drawing in software with OSMesa"));
   const Outcome asked = run(folder, small + "--backend egl --overwrite", before);
@@ -52,6 +59,7 @@ TEST(Backend, WithoutEglIsOsmesa) {
   const Outcome doctor = run(folder, "doctor", before);
   EXPECT_EQ(doctor.code, 0) << doctor.out;
   EXPECT_THAT(doctor.out, HasSubstr("apt-get install libegl1"));
+  EXPECT_THAT(doctor.out, HasSubstr("not needed: OpenGL by osmesa"));
 }
 
 TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
@@ -60,7 +68,7 @@ TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
   const Outcome done = run(folder, small, before);
   EXPECT_EQ(done.code, 3);
   EXPECT_THAT(done.err, HasSubstr("no usable OpenGL"));
-  EXPECT_THAT(done.err, HasSubstr("libosmesa6, or libegl1"));
+  EXPECT_THAT(done.err, HasSubstr("libegl1 libegl-mesa0, or libosmesa6"));
   EXPECT_EQ(run(folder, "inertia", before).code, 0) << "what draws nothing needs none";
 }
 

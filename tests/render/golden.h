@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -39,13 +40,17 @@ inline void expect_golden(const std::string& name, const Image& actual, Alike cl
     return;
   }
   const Image golden = read_png(path);
+  const auto difference = compare(actual, golden, 0);
+  if (difference) {  // for docs/platforms.md: --gtest_output=xml tells them
+    testing::Test::RecordProperty("largest", difference->max);
+    testing::Test::RecordProperty("mean", fmt::format("{:.4f}", difference->mean));
+  }
   if (close(actual, golden)) return;
   const fs::path folder(TWRENCH_SCRATCH);
   const fs::path actual_path = folder / (name + "-actual.png");
   const fs::path difference_path = folder / (name + "-difference.png");
   make_folder(folder);
   write_file_atomically(actual_path, encode_png(actual));
-  const auto difference = compare(actual, golden, 0);
   ASSERT_TRUE(difference.has_value()) << "another size than " << path << "; see " << actual_path;
   write_file_atomically(difference_path, encode_png(difference_image(actual, golden)));
   ADD_FAILURE() << path << ": max " << difference->max << ", mean " << difference->mean << "; see "

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# The checks of the project beyond scripts/test.sh: the layout of the sources, the tests that draw
+# once more over EGL alone, those of the threads under ThreadSanitizer, and all tests under
+# AddressSanitizer and UndefinedBehaviorSanitizer.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+step() { printf '\n== %s\n' "$*"; }
+
+launcher=()
+run_tests() {
+  "${launcher[@]}" ctest --test-dir "build/$1" --output-on-failure --no-tests=error \
+    --parallel "$(nproc)" "${@:2}"
+}
+
+scripts/setup.sh check
+
+step "The layout of the sources"
+scripts/lint.sh format
+
+step "The tests that draw, over EGL alone"
+scripts/build.sh --tests release
+TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
+
+# GCC's sanitizers abort at random where the kernel randomises addresses by more bits than their
+# shadow memory allows for (vm.mmap_rnd_bits=32), so that is switched off where it may be.
+if setarch --addr-no-randomize true 2>/dev/null; then
+  launcher=(setarch --addr-no-randomize)
+fi
+
+step "The tests of the threads, under ThreadSanitizer"
+"${launcher[@]}" scripts/build.sh --tests tsan thread_tests
+run_tests tsan --label-regex '^threads$'
+
+step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer"
+"${launcher[@]}" scripts/build.sh --tests asan
+run_tests asan

@@ -1,0 +1,23 @@
+# shellcheck shell=bash
+# For the scripts beside it, which source it: messages, and where they may write.
+
+say() { printf 'twrench: %s\n' "$*" >&2; }
+die() {
+  say "error: $1"
+  shift
+  (($# == 0)) || printf '  %s\n' "$@" >&2
+  exit 1
+}
+
+# require_writable FOLDER: makes it where it is missing; ends the script where it cannot be written to.
+require_writable() {
+  local at=$PWD/$1 me owner
+  mkdir -p "$1" 2>/dev/null && [[ -w $1 ]] && return
+  until [[ -e $at ]]; do at=$(dirname "$at"); done
+  me=$(id -un) owner=$(stat --format=%U "$at")
+  if [[ $me == root || $me == "$owner" ]]; then
+    die "$at is read-only" "copy these sources to a folder that can be written to"
+  fi
+  die "$at belongs to $owner, and $me may not write there" \
+    "copy these sources to a folder of your own, or make it yours: sudo chown -R $me '$at'"
+}

@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# distros.sh [SUITE...]: tries both commands of README.md in bare installations of Debian, and prints
+# the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`: the core
+# built for that architecture in Debian 13 and tested in an emulator. Without any: all of them.
+#
+# In each suite scripts/render.sh is run by root, in an installation that has nothing but Debian's
+# minimal base, and scripts/test.sh by a user with sudo, in another one. What is tried is what is
+# committed (HEAD). Takes about half an hour and 4 GB a suite. Needs root.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+((EUID == 0)) || die "distros.sh: only root can make an installation of Debian" "start it with sudo"
+scripts/setup.sh distros
+
+suites=("$@")
+((${#suites[@]})) || suites=(bookworm trixie testing arm64)
+mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
+place=$PWD/build/distros # of installations, logs and downloaded packages
+mkdir -p "$place/packages"
+
+# make_root ROOT SUITE: a bare installation.
+make_root() {
+  rm -rf --one-file-system "$1"
+  debootstrap --variant=minbase --cache-dir="$place/packages" "$2" "$1" "$mirror" \
+    >"$1.log" 2>&1 || die "debootstrap $2 failed: $(tail -n 1 "$1.log")" "all it said is in $1.log"
+  cp /etc/resolv.conf "$1/etc/resolv.conf"
+  # A mirror that is a few days behind still serves its packages.
+  echo 'Acquire::Check-Valid-Until "false";' >"$1/etc/apt/apt.conf.d/90mirror"
+  chroot "$1" useradd --create-home --shell /bin/bash someone
+}
+
+# put_sources ROOT OWNER: what is committed, in /home/someone/twrench.
+put_sources() {
+  mkdir "$1/home/someone/twrench"
+  git archive HEAD | tar --extract --directory "$1/home/someone/twrench"
+  chroot "$1" chown --recursive "$2" /home/someone/twrench
+}
+
+# inside ROOT USER COMMAND: runs it in the folder of the sources. The installation is the root of a
+# mount namespace, not only of a process, so that the tests may make namespaces of their own; what
+# is left running, and what is mounted, ends with it.
+inside() {
+  ROOT=$1 AS=$2 COMMAND=$3 unshare --mount --pid --fork bash -euc '
+    mount --bind "$ROOT" "$ROOT"
+    mount --rbind /dev "$ROOT/dev"
+    mount -t proc proc "$ROOT/proc"
+    mount -t sysfs -o ro sysfs "$ROOT/sys"
+    mkdir -p "$ROOT/.before"
+    cd "$ROOT"
+    pivot_root . .before
+    umount --lazy /.before
+    exec env -i TERM=dumb LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      su --shell /bin/bash - "$AS" -c "cd /home/someone/twrench && $COMMAND"' </dev/null
+}
+
+# timed LOG ROOT USER COMMAND: runs it, prints the seconds it took, or "failed".
+timed() {
+  local start=$SECONDS
+  if inside "$2" "$3" "$4" >"$1" 2>&1; then
+    echo $((SECONDS - start))
+  else
+    say "$4 failed: the end of $1:"
+    tail -n 20 "$1" >&2
+    echo failed
+  fi
+}
+
+# version ROOT PACKAGE: without epoch and revision.
+version() {
+  local found
+  found=$(chroot "$1" dpkg-query --show --showformat='${Version}' "$2" 2>/dev/null) || found='-'
+  sed -e 's/^[0-9]*://' -e 's/[-+].*//' <<<"$found"
+}
+
+# "912 passed, 3 skipped" of ctest's log.
+counts() {
+  local skipped
+  skipped=$(grep -cE '\*\*\*Skipped' "$1" || true)
+  sed -nE 's/.* ([0-9]+) tests failed out of ([0-9]+).*/\1 failed of \2/p' "$1" | tail -n 1 |
+    sed "s/\$/, $skipped skipped/"
+}
+
+rows=() failures=0
+try_suite() {
+  local suite=$1 root=$place/$1 film tests egl draws
+  say "$suite: a bare installation, scripts/render.sh as root"
+  make_root "$root" "$suite"
+  put_sources "$root" root
+  film=$(timed "$root.render.log" "$root" root "scripts/render.sh")
+  draws=$(inside "$root" root "build/release/bin/twrench doctor" 2>&1 | grep -E '^OpenGL' |
+    awk '/ found / { sub(/^OpenGL by /, ""); sub(/ +found .*/, ""); printf "%s%s", sep, $0; sep = ", " }' || true)
+
+  say "$suite: another one, scripts/test.sh as a user with sudo"
+  make_root "$root.user" "$suite"
+  inside_setup "$root.user"
+  tests=$(timed "$root.test.log" "$root.user" someone "scripts/test.sh")
+  egl=$(timed "$root.egl.log" "$root.user" someone \
+    "TWRENCH_TEST_BACKEND=egl ctest --test-dir build/release --label-regex '^gl\$' --output-on-failure")
+  inside "$root.user" someone "scripts/render.sh --frames 0-59 --progress none" >"$root.again.log" 2>&1 ||
+    film+=", failed as a user"
+  rows+=("| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0) | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log") | $(counts "$root.egl.log") | $draws |")
+  [[ "$film$tests$egl" != *failed* ]] || failures=$((failures + 1))
+  say "${rows[-1]}"
+}
+
+# What an administrator has given the user.
+inside_setup() {
+  put_sources "$1" someone
+  chroot "$1" sh -c 'apt-get update && apt-get install --yes --no-install-recommends sudo' >"$1.sudo.log" 2>&1
+  echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$1/etc/sudoers.d/someone"
+}
+
+try_arm64() {
+  local root=$place/arm64 seconds
+  say "arm64: the core, cross-compiled in trixie"
+  make_root "$root" trixie
+  put_sources "$root" root
+  seconds=$(timed "$root.test.log" "$root" root "scripts/arm64.sh")
+  arm64="arm64, in $(version "$root" qemu-user) of QEMU: $seconds seconds, $(counts "$root.test.log")"
+  [[ $seconds != *failed* ]] || failures=$((failures + 1))
+}
+
+arm64=''
+for suite in "${suites[@]}"; do
+  if [[ $suite == arm64 ]]; then try_arm64; else try_suite "$suite"; fi
+done
+
+if ((${#rows[@]})); then
+  echo '| suite | GCC, CMake | Mesa | ffmpeg | `render.sh`, s | `test.sh`, s | tests | those that draw, EGL alone | draws with |'
+  echo '|---|---|---|---|---|---|---|---|---|'
+  printf '%s\n' "${rows[@]}"
+fi
+[[ -z $arm64 ]] || echo "$arm64"
+for suite in "${suites[@]}"; do
+  grep -hE 'Skipped' "$place/$suite.test.log" | sed -E "s/^.*Test +#[0-9]+: ([^ ]+).*/$suite skipped: \1/" || true
+done
+exit $((failures > 0))
