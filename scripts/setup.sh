@@ -102,7 +102,7 @@ while IFS='|' read -r use role packages instead; do
   read -r use <<<"$use"
   [[ " ${uses[*]} " == *" $use "* ]] || continue
   read -r roles[${#roles[@]}] <<<"$role"
-  candidates+=("$packages")
+  read -r candidates[${#candidates[@]}] <<<"$packages"
   read -r otherwise[${#otherwise[@]}] <<<"${instead-}" || true
 done < <(needs)
 
@@ -231,7 +231,8 @@ run_apt apt-get update --error-on=any || lists=partial
 choose
 if ((${#absent[@]})); then
   [[ $lists == whole ]] || explain
-  die "this release has no package for: $(printf '%s; ' "${absent[@]}")" \
+  printf -v names '%s, ' "${absent[@]}"
+  die "this release has no package for ${names%, }" \
     "on Ubuntu some are in 'universe', which the Components of its sources must name;" \
     "for a copy from elsewhere see docs/platforms.md"
 fi

@@ -94,10 +94,11 @@ Image drawn(
   return image;
 }
 
-/// Releases of Cairo and of compilers may round a coverage differently, which is no more than a few
-/// levels of 255; one figure that is another changes a dozen pixels by far more.
+/// Releases of Cairo and of compilers round a coverage differently, by a few levels of 255; the
+/// outlines of Roboto 2 and Roboto 3, which releases of Debian have, differ at edges of letters by
+/// up to 61 (docs/platforms.md). One figure that is another changes a dozen pixels by far more.
 bool same_words(const Image& a, const Image& b) {
-  constexpr int threshold = 24;
+  constexpr int threshold = 80;
   constexpr double most_pixels = 6;
   const auto difference = compare(a, b, threshold);
   return difference && difference->share * a.width * a.height <= most_pixels;
