@@ -3,9 +3,10 @@
 # the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`: the core
 # built for that architecture in Debian 13 and tested in an emulator. Without any: all of them.
 #
-# In each suite scripts/render.sh is run by root, in an installation that has nothing but Debian's
-# minimal base, and scripts/test.sh by a user with sudo, in another one. What is tried is what is
-# committed (HEAD). Takes about half an hour and 4 GB a suite. Needs root.
+# In each suite root runs scripts/render.sh in an installation that has nothing but Debian's minimal
+# base; then the sources are given to a user with sudo, who runs scripts/test.sh, the tests that draw
+# over EGL alone, and scripts/render.sh. What is tried is what is committed (HEAD). Takes about half
+# an hour and 3 GB a suite. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,11 +31,10 @@ make_root() {
   chroot "$1" useradd --create-home --shell /bin/bash someone
 }
 
-# put_sources ROOT OWNER: what is committed, in /home/someone/twrench.
+# put_sources ROOT: what is committed, in /home/someone/twrench.
 put_sources() {
   mkdir "$1/home/someone/twrench"
   git archive HEAD | tar --extract --directory "$1/home/someone/twrench"
-  chroot "$1" chown --recursive "$2" /home/someone/twrench
 }
 
 # inside ROOT USER COMMAND: runs it in the folder of the sources. The installation is the root of a
@@ -83,39 +83,34 @@ counts() {
 
 rows=() failures=0
 try_suite() {
-  local suite=$1 root=$place/$1 film tests egl draws
-  say "$suite: a bare installation, scripts/render.sh as root"
+  local suite=$1 root=$place/$1 film tests egl again draws row
+  say "$suite: scripts/render.sh as root, in a bare installation"
   make_root "$root" "$suite"
-  put_sources "$root" root
+  put_sources "$root"
   film=$(timed "$root.render.log" "$root" root "scripts/render.sh")
-  draws=$(inside "$root" root "build/release/bin/twrench doctor" 2>&1 | grep -E '^OpenGL' |
-    awk '/ found / { sub(/^OpenGL by /, ""); sub(/ +found .*/, ""); printf "%s%s", sep, $0; sep = ", " }' || true)
+  draws=$(inside "$root" root "build/release/bin/twrench doctor" 2>&1 |
+    awk '/^OpenGL by .* found / { sub(/^OpenGL by /, ""); sub(/ +found .*/, ""); printf "%s%s", sep, $0; sep = ", " }')
 
-  say "$suite: another one, scripts/test.sh as a user with sudo"
-  make_root "$root.user" "$suite"
-  inside_setup "$root.user"
-  tests=$(timed "$root.test.log" "$root.user" someone "scripts/test.sh")
-  egl=$(timed "$root.egl.log" "$root.user" someone \
-    "TWRENCH_TEST_BACKEND=egl ctest --test-dir build/release --label-regex '^gl\$' --output-on-failure")
-  inside "$root.user" someone "scripts/render.sh --frames 0-59 --progress none" >"$root.again.log" 2>&1 ||
-    film+=", failed as a user"
-  rows+=("| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0) | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log") | $(counts "$root.egl.log") | $draws |")
-  [[ "$film$tests$egl" != *failed* ]] || failures=$((failures + 1))
-  say "${rows[-1]}"
-}
-
-# What an administrator has given the user.
-inside_setup() {
-  put_sources "$1" someone
-  chroot "$1" sh -c 'apt-get update && apt-get install --yes --no-install-recommends sudo' >"$1.sudo.log" 2>&1
-  echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$1/etc/sudoers.d/someone"
+  say "$suite: scripts/test.sh as a user with sudo"
+  inside "$root" root "chown --recursive someone . && apt-get install --yes sudo" >"$root.sudo.log" 2>&1
+  echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$root/etc/sudoers.d/someone"
+  tests=$(timed "$root.test.log" "$root" someone "scripts/test.sh")
+  egl=$(timed "$root.egl.log" "$root" someone "TWRENCH_TEST_BACKEND=egl ctest \\
+    --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)")
+  again=$(timed "$root.again.log" "$root" someone "scripts/render.sh --frames 0-59 --overwrite")
+  row="| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0)"
+  row+=" | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log")"
+  row+=" | $(counts "$root.egl.log") | $draws |"
+  rows+=("$row")
+  [[ "$film$tests$egl$again" != *failed* ]] || failures=$((failures + 1))
+  say "$row"
 }
 
 try_arm64() {
   local root=$place/arm64 seconds
   say "arm64: the core, cross-compiled in trixie"
   make_root "$root" trixie
-  put_sources "$root" root
+  put_sources "$root"
   seconds=$(timed "$root.test.log" "$root" root "scripts/arm64.sh")
   arm64="arm64, in $(version "$root" qemu-user) of QEMU: $seconds seconds, $(counts "$root.test.log")"
   [[ $seconds != *failed* ]] || failures=$((failures + 1))
