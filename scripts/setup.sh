@@ -70,7 +70,7 @@ arm64    | Eigen                         | libeigen3-dev
 arm64    | GLM                           | libglm-dev
 arm64    | CLI11                         | libcli11-dev
 arm64    | nlohmann-json                 | nlohmann-json3-dev
-arm64    | Boost's headers               | libboost-dev
+arm64    | Boost's headers for arm64     | libboost-dev:arm64
 arm64    | the typeface Roboto           | fonts-roboto-unhinted
 arm64    | the typeface Fira Code        | fonts-firacode
 arm64    | stb for arm64                 | libstb-dev:arm64

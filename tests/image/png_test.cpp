@@ -223,7 +223,7 @@ TEST(Png, DecodingRefusesASizeThatWouldExhaustTheMemory) {
 // What a decoder allocates before it finds them out.
 TEST(Png, DecodingRefusesWhatTheFileIsTooShortFor) {
   auto larger = encode_png(sample_image(4, 4, 3, 4));
-  for (const std::size_t side : {18, 22}) larger[side] = 0x20;  // 8196 pixels
+  for (const std::size_t side : {18U, 22U}) larger[side] = 0x20;  // 8196 pixels
   EXPECT_THAT(failure(larger), HasSubstr("cut short"));
   auto longer = encode_png(sample_image(4, 4, 3, 4));
   longer[33] = 0x3f;  // the length of the chunk after the header: a gigabyte

@@ -67,9 +67,10 @@ TEST(Outline, MovesItsVerticesAndLessThoseNearIt) {
       outline.find(eye, 30);
       ASSERT_EQ(outline.offsets().size(), mesh.vertices.size());
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        const bool is_on_it = std::ranges::any_of(outline.fins(), [&](const FinVertex& corner) {
-          return corner.position == mesh.vertices[i].position;
-        });
+        const bool is_on_it = std::ranges::any_of(
+            outline.fins(), [&, &at = mesh.vertices[i].position](const FinVertex& corner) {
+              return corner.position == at;
+            });
         if (is_on_it) {
           ASSERT_EQ(outline.offsets()[i], -1) << name << ' ' << i;
         } else {
