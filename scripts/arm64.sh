@@ -5,11 +5,13 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-# Not base_test, whose child processes the emulator does not start as a kernel does, nor what draws.
+# Not what draws or starts programs, which is not the processor's, nor the studies, which take long there.
 programs=(
-  math_test body_test motion_test study_test scene_test timeline_test image_test canvas_test
+  math_test body_test motion_test scene_test timeline_test image_test canvas_test
 )
 scripts/setup.sh arm64
 scripts/build.sh --tests arm64 "${programs[@]}" twrench
+# The two left out hold thousands of motions against series in `long double`, whose 113 bits are
+# software there: hours in the emulator. The references of 25 digits are held all the same.
 exec ctest --test-dir build/arm64 --output-on-failure --no-tests=error --parallel "$(nproc)" \
-  --exclude-regex NOT_BUILT
+  --exclude-regex 'NOT_BUILT|AgreesWithTaylorSeries(ForRandomBodies|AfterAThousandTurns)'

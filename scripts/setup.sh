@@ -82,6 +82,7 @@ arm64    | OpenSSL for arm64             | libssl-dev:arm64
 arm64    | OpenGL's headers for arm64    | libgl-dev:arm64
 arm64    | EGL's headers for arm64       | libegl-dev:arm64
 arm64    | Cairo for arm64               | libcairo2-dev:arm64
+arm64    | ffmpeg, to read our PNG       | ffmpeg
 arm64    | GoogleTest for arm64          | libgtest-dev:arm64
 arm64    | GoogleMock for arm64          | libgmock-dev:arm64
 END
