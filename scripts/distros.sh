@@ -128,6 +128,6 @@ if ((${#rows[@]})); then
 fi
 [[ -z $arm64 ]] || echo "$arm64"
 for suite in "${suites[@]}"; do
-  grep -hE 'Skipped' "$place/$suite.test.log" | sed -E "s/^.*Test +#[0-9]+: ([^ ]+).*/$suite skipped: \1/" || true
+  grep -hE '\*\*\*Skipped' "$place/$suite.test.log" | sed -E "s/^.*Test +#[0-9]+: ([^ ]+).*/$suite skipped: \1/" || true
 done
 exit $((failures > 0))

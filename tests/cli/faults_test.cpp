@@ -59,13 +59,16 @@ void put_program(const ScratchFolder& folder, const std::string& name, const std
 const std::string with_bin = "PATH=\"$PWD/bin:$PATH\" ";
 
 /// Runs the commands in a file system of so much room, mounted at d, and copies what is there in
-/// the end to `after`. Not everywhere may one mount: then the outcome's code is -1.
+/// the end to `after`. Not everywhere may one mount: then the outcome's code is -1. As root of the
+/// namespace Mesa would look for its cache in root's home, and complain that it may not.
 Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
                           const std::string& commands) {
   if (run_shell(folder, "unshare -rm mount -t tmpfs tmpfs /tmp").code != 0) return {};
-  return run_shell(
-      folder, "mkdir d && export TWRENCH && unshare -rm sh -c 'mount -t tmpfs -o size=" + size +
-                  " tmpfs d && { " + commands + "; }; code=$?; cp -r d after; exit $code'");
+  return run_shell(folder,
+                   "mkdir d && export TWRENCH XDG_CACHE_HOME=\"$PWD/cache\" && unshare -rm sh -c "
+                   "'mount -t tmpfs -o size=" +
+                       size + " tmpfs d && { " + commands +
+                       "; }; code=$?; cp -r d after; exit $code'");
 }
 
 TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
