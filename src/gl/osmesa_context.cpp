@@ -29,8 +29,7 @@ constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 constexpr const char* remedy =
     "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
-    "draws "
-    "with --backend egl";
+    "draws with --backend egl";
 
 template <typename F>
 F* entry(const Library& library, const char* name) {

@@ -48,10 +48,7 @@ std::string codec_arguments(Container container, bool alpha) {
   const bool webm = container == Container::webm;
   const char* codec = webm ? vp9 : (alpha ? prores : h264);
   const char* pixels = alpha ? (webm ? "yuva420p" : "yuva444p10le") : "yuv420p";
-  return fmt::format(
-      "-pix_fmt {} {} -color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv "
-      "-f {}",
-      pixels, codec, muxer(container));
+  return fmt::format("-pix_fmt {} {} {} -f {}", pixels, codec, bt709_tags, muxer(container));
 }
 
 }  // namespace twrench

@@ -14,6 +14,10 @@ Container container_of(const std::filesystem::path& file);
 /// 4444). The others show what is transparent over black.
 bool keeps_alpha(Container container);
 
+/// The colours of every film, as ffmpeg's options say them: ITU-R BT.709, limited range.
+inline constexpr const char* bt709_tags =
+    "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
+
 /// What follows the input in ffmpeg's arguments: codec and container. Opaque, H.264 or (WebM) VP9
 /// in yuv420p; with alpha, which the container must keep, VP9 in yuva420p or ProRes 4444.
 std::string codec_arguments(Container container, bool alpha);

@@ -76,12 +76,6 @@ void blend_over_black(const Image& rgba, Image& rgb) {
   }
 }
 
-/// What our planar frames are. Told of the input: since 7.1 ffmpeg's encoders tag a film as its
-/// frames are tagged, whatever is asked of the output.
-constexpr const char* frame_tags =
-    "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv "
-    "-chroma_sample_location left";
-
 /// From RGBA. ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
 /// conversion makes colours a tenth of a level darker on average.
 constexpr const char* conversion =
@@ -98,12 +92,15 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
                      fmt::format("use --size {}x{}, or --no-video for the frames alone",
                                  std::max(2, width + width % 2), std::max(2, height + height % 2)));
   }
-  return words(
-      fmt::format("-hide_banner -loglevel error -xerror -y "
-                  "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0 {} {}",
-                  format.has_alpha() ? "rgba" : "yuv420p", width, height, rational(fps),
-                  format.has_alpha() ? "" : frame_tags, format.has_alpha() ? conversion : "",
-                  codec_arguments(container, format.has_alpha())));
+  // Planar frames are tagged at the input too: since 7.1 ffmpeg's encoders tag a film as its frames
+  // are tagged, whatever is asked of the output.
+  const std::string frame_tags =
+      format.has_alpha() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
+  return words(fmt::format(
+      "-hide_banner -loglevel error -xerror -y "
+      "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0 {} {}",
+      format.has_alpha() ? "rgba" : "yuv420p", width, height, rational(fps), frame_tags,
+      format.has_alpha() ? conversion : "", codec_arguments(container, format.has_alpha())));
 }
 
 void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
