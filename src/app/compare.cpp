@@ -22,6 +22,7 @@ struct Options {
 };
 
 ExitCode compare_files(const Options& options) {
+  for (const std::string& input : {options.a, options.b}) require_not_input(options.diff, input);
   const int threshold =
       limits::check_whole({0, 255}, "--threshold", parse_number(options.threshold, "--threshold"));
   const double allowed =

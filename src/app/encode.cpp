@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app/commands.h"
+#include "app/film_options.h"
 #include "app/message.h"
 #include "app/progress.h"
 #include "movie/encode_frames.h"
@@ -13,19 +12,23 @@ namespace {
 
 struct Options {
   std::string folder;
-  std::string output;
+  FilmOptions film;
   bool allow_missing = false;
+  bool overwrite = false;
   std::string progress = "auto";
 };
 
 void encode(const Options& options) {
+  options.film.require_free_output(options.progress);
+  const FilmOutput output{options.film.output, options.film.container(options.film.output),
+                          options.overwrite};
   Progress progress(options.progress);
   const std::vector<int> left_out = encode_frames(
-      options.folder, options.output, options.allow_missing ? Missing::leave_out : Missing::refuse,
+      options.folder, output, options.allow_missing ? Missing::leave_out : Missing::refuse,
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;
-  say("twrench: warning: {}: the film is without the missing frames {}\n", options.output,
+  say("twrench: warning: {}: the film is without the missing frames {}\n", options.film.output,
       brief_frame_range(left_out));
 }
 
@@ -39,9 +42,10 @@ void add_encode(CLI::App& app) {
       ->add_option("FRAMES_DIR", options->folder,
                    "folder of frames and their manifest.json, or those of shards")
       ->required();
-  command->add_option("-o,--output", options->output, "the video")->required()->type_name("F.mp4");
+  options->film.add_to(*command, "");
   command->add_flag("--allow-missing", options->allow_missing,
                     "a film of the frames that are there, though some are missing");
+  command->add_flag("--overwrite", options->overwrite, "replace another film that stands there");
   Progress::add_option(*command, options->progress);
   command->callback(
       [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });

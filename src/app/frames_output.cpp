@@ -11,16 +11,14 @@
 namespace twrench {
 namespace {
 
-/// Throws where the run would destroy frames unasked. A shard never goes on over another film: the
-/// other shards would, each, take its manifest away again.
+/// Throws where the run would destroy frames unasked.
 void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
                        const Shard& shard, Reuse reuse) {
   if (objection.empty() || reuse == Reuse::overwrite) return;
-  if (reuse == Reuse::resume && shard.is_whole()) return;
   throw UsageError(
       folder.string(), objection,
       shard.is_whole()
-          ? "--overwrite draws over them, --resume keeps what fits, --frames-dir goes elsewhere"
+          ? "--overwrite draws over them, --frames-dir goes elsewhere"
           : "all shards of a film need the same program, scene, and kind of machine; --frames-dir "
             "goes elsewhere, --overwrite draws over them");
 }
@@ -52,11 +50,11 @@ FrameSequence& FramesOutput::open() {
   std::ranges::set_union(parse_frame_range(film_.range, max_frame_count), told,
                          std::back_inserter(range));
   film_.range = format_frame_range(range);
+  sequence_ = std::make_unique<FrameSequence>(folder_, film_);  // which locks the folder
   for (const auto& manifest : earlier_.foreign_manifests()) {
     std::error_code gone;  // another shard may have been first
     std::filesystem::remove(manifest, gone);
   }
-  sequence_ = std::make_unique<FrameSequence>(folder_, film_);
   for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record, record.sha256);
   return *sequence_;
 }

@@ -13,7 +13,7 @@ namespace twrench {
 /// What a run may do with the frames that it finds.
 enum class Reuse {
   none,       ///< draw over those of this film, refuse to touch others
-  resume,     ///< keep those that are whole and of this film
+  resume,     ///< keep those of this film that are whole, refuse to touch others
   overwrite,  ///< draw over any
 };
 

@@ -70,6 +70,7 @@ void add_inertia(CLI::App& app) {
   command->add_option("-o,--output", options->output, "file, or - for standard output")
       ->capture_default_str();
   command->callback([options] {
+    options->scene.require_not_input(options->output);
     const Scene scene = options->scene.scene();
     const MassProperties body = mass_properties(scene.body);
     write_output(options->output,

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/report.h"
 #include "app/version.h"
+#include "base/termination.h"
 
 namespace {
 
@@ -40,8 +41,10 @@ void fill_standard_streams() {
 
 int main(int argc, char** argv) try {
   fill_standard_streams();
-  // A reader that went away is an error to report, not a death.
+  // A reader that went away, and a file that may not grow, are errors to report, not a death.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  twrench::end_on_termination_signals(&twrench::report_termination);
   return static_cast<int>(run(argc, argv));
 } catch (...) {  // there is not the memory to report it
   return static_cast<int>(twrench::ExitCode::internal);

@@ -5,9 +5,11 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "base/bounded_queue.h"
+#include "base/error.h"
 #include "image/png.h"
 
 namespace twrench {
@@ -33,10 +35,13 @@ class Pipeline {
  public:
   Pipeline(const Outputs& outputs, StageTimes& times)
       : outputs_(outputs), times_(times), to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
-    if (outputs.sequence != nullptr) {
-      for (int i = 0; i < outputs.jobs; ++i) start([this] { compress(); });
+    try {
+      start_stages();
+    } catch (const std::system_error& error) {
+      close();  // those that were started end, and are joined
+      throw FileError("cannot start a thread", error.code().message(),
+                      "choose fewer --jobs, or raise the limit on processes (ulimit -u)");
     }
-    if (outputs.encoder != nullptr) start([this] { encode(); });
   }
 
   /// False when a stage has failed: then there is no use in drawing on.
@@ -58,6 +63,13 @@ class Pipeline {
   Pipeline& operator=(const Pipeline&) = delete;
 
  private:
+  void start_stages() {
+    if (outputs_.sequence != nullptr) {
+      for (int i = 0; i < outputs_.jobs; ++i) start([this] { compress(); });
+    }
+    if (outputs_.encoder != nullptr) start([this] { encode(); });
+  }
+
   void start(std::function<void()> stage) {
     threads_.emplace_back([this, stage = std::move(stage)] {
       try {
@@ -130,15 +142,14 @@ class Pipeline {
 
 }  // namespace
 
-std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
-                         const std::function<bool()>& stop, const Outputs& outputs,
-                         Progress& progress, StageTimes& times) {
+void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
+                  const Outputs& outputs, Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
   std::deque<std::future<Picture>> begun;  // the frames from `done` on
   std::size_t done = 0;
   const auto begin_next = [&] {
     const std::size_t next = done + begun.size();
-    if (next == frames.size() || stop()) return false;
+    if (next == frames.size()) return false;
     const Timed timed(times.draw);
     begun.push_back(drawing.begin(frames[next]));
     return true;
@@ -157,7 +168,6 @@ std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& 
     progress.update(static_cast<int>(++done), static_cast<int>(frames.size()));
   }
   pipeline.finish();
-  return done;
 }
 
 }  // namespace twrench

@@ -44,11 +44,9 @@ struct Drawing {
 /// before it and feed the encoder. Between the stages stand bounded queues, so that memory does not
 /// depend on the film's length. Does not finish the outputs.
 ///
-/// Before each frame `stop`, which stays true once it was, is asked whether to go on. Frames that
-/// were begun then are ended. The first error of any stage ends the run after the frames that are
-/// on their way, and is thrown. Returns how many frames were drawn.
-std::size_t run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
-                         const std::function<bool()>& stop, const Outputs& outputs,
-                         Progress& progress, StageTimes& times);
+/// The first error of any stage ends the run after the frames that are on their way, and is thrown.
+/// Throws FileError too where a thread cannot be started.
+void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
+                  const Outputs& outputs, Progress& progress, StageTimes& times);
 
 }  // namespace twrench

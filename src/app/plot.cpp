@@ -51,6 +51,7 @@ AttitudeCurve curve_of(const Scene& scene) {
 }
 
 void plot(const Options& options) {
+  options.scenes.require_not_input(options.output);
   require_gnuplot(options.output);
   std::vector<AttitudeCurve> curves;
   for (const Scene& scene : options.scenes.scenes()) curves.push_back(curve_of(scene));

@@ -10,8 +10,8 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/film_options.h"
 #include "app/frames_output.h"
-#include "app/interruption.h"
 #include "app/message.h"
 #include "app/output_space.h"
 #include "app/picture_options.h"
@@ -20,9 +20,12 @@
 #include "app/version.h"
 #include "base/file.h"
 #include "base/processors.h"
+#include "base/termination.h"
+#include "canvas/font.h"
 #include "gl/backend.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
+#include "movie/film_file.h"
 #include "movie/frame_range.h"
 #include "render/renderer.h"
 #include "scene/scene_json.h"
@@ -47,7 +50,7 @@ struct Options {
   explicit Options(CLI::App& command);
 
   SceneOptions scene;
-  std::string video;
+  FilmOptions film;
   std::string frames_dir;
   std::string range;
   Shard shard;
@@ -80,7 +83,7 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
 Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   add_picture_options(scene);
-  command.add_option("-o,--output", video, "the video; default out/SCENE.mp4")->type_name("VIDEO");
+  film.add_to(command, "out/SCENE.mp4");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
       ->type_name("DIR");
   command.add_option("--frames", range, "draw only these: a-b, a-b:step, commas between")
@@ -100,8 +103,10 @@ Options::Options(CLI::App& command) : scene(command) {
   command.add_option("--jobs", jobs, "threads that compress frames; default: half the processors")
       ->type_name("N");
   Progress::add_option(command, progress);
-  command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
-  command.add_flag("--overwrite", overwrite, "draw anew, over the frames of another film");
+  auto* const keeps =
+      command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
+  command.add_flag("--overwrite", overwrite, "draw anew, over the frames and the film of another")
+      ->excludes(keeps);
   command
       .add_flag("--timing{text}", timing,
                 "say at the end how long each stage was busy; --timing=json for programs")
@@ -135,7 +140,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 fs::path video_path(const Options& options, const Scene& scene) {
-  return options.video.empty() ? fs::path("out") / (scene.name + ".mp4") : fs::path(options.video);
+  return options.film.output.empty() ? fs::path("out") / (scene.name + ".mp4")
+                                     : fs::path(options.film.output);
 }
 
 fs::path frames_folder(const Options& options, const Scene& scene) {
@@ -143,8 +149,9 @@ fs::path frames_folder(const Options& options, const Scene& scene) {
 }
 
 VideoFormat video_format(const Options& options, const Scene& scene) {
-  return {scene.film.width, scene.film.height, scene.film.fps,
-          container_of(video_path(options, scene)), scene.look.transparent};
+  return {scene.film.width,       scene.film.height,
+          scene.film.fps,         options.film.container(video_path(options, scene)),
+          scene.look.transparent, options.film.is_streamed()};
 }
 
 /// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
@@ -158,14 +165,15 @@ std::future<void> try_encoder(const Options& options, const Scene& scene) {
 /// The encoder, known to work; null with --no-video. It starts while the trial comes to its end; a
 /// folder that is yet to be made is made when the trial is passed, so that none is left behind.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
-                                           std::future<void> trial) {
+                                           const std::string& identity, std::future<void> trial) {
   if (options.no_video) return nullptr;
   const fs::path path = video_path(options, scene);
-  if (path.has_parent_path() && !fs::exists(path.parent_path())) {
+  std::error_code failed;
+  if (path.has_parent_path() && !fs::exists(path.parent_path(), failed)) {
     trial.get();
     make_folder(path.parent_path());
   }
-  auto encoder = std::make_unique<VideoEncoder>(path, video_format(options, scene));
+  auto encoder = std::make_unique<VideoEncoder>(path, video_format(options, scene), identity);
   if (trial.valid()) trial.get();
   return encoder;
 }
@@ -174,7 +182,10 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
                      const std::vector<int>& asked) {
   Manifest manifest;
   manifest.version = version;
-  manifest.scene = scene_json(scene);
+  // As it will be read back: its texts may hold bytes that are no UTF-8.
+  manifest.scene = nlohmann::ordered_json::parse(
+      scene_json(scene).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  manifest.font = typeface_digest(load_typeface(scene.overlay.font));
   manifest.renderer = renderer.description();
   manifest.width = scene.film.width;
   manifest.height = scene.film.height;
@@ -185,11 +196,20 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   return manifest;
 }
 
-[[noreturn]] void throw_interrupted(int signal, std::size_t done, std::size_t total) {
-  throw Error(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated, "render",
-              fmt::format("interrupted by {} after {} of {} frames, which are whole",
-                          signal == SIGINT ? "SIGINT" : "SIGTERM", done, total),
-              "the same command with --resume goes on");
+/// What is left when a signal ends the run, told of on disk and to the user.
+void end_whole(FrameSequence* sequence, std::size_t total, TerminationMessage& message) {
+  message.error = "render: " + message.error;
+  if (sequence == nullptr) {
+    message.error += "; the film was not complete";
+    return;
+  }
+  sequence->finish();
+  message.error += fmt::format(" after {} of {} frames, which are whole", sequence->size(), total);
+  message.remedy = "the same command with --resume goes on";
+}
+
+std::string film_name(const Options& options, const Scene& scene) {
+  return options.film.is_streamed() ? "on standard output" : video_path(options, scene).string();
 }
 
 void print_summary(const Options& options, const Scene& scene, std::size_t frames, double seconds) {
@@ -197,7 +217,7 @@ void print_summary(const Options& options, const Scene& scene, std::size_t frame
   std::string text = fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", frames, seconds,
                                  static_cast<double>(frames) / seconds);
   if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
-  if (!options.no_video) text += "; film " + video_path(options, scene).string();
+  if (!options.no_video) text += "; film " + film_name(options, scene);
   say("{}\n", text);
 }
 
@@ -224,7 +244,7 @@ PlannedOutput planned_output(const Options& options, const Scene& scene, const F
     planned.frames_folder = frames->folder();
     planned.new_frames = frames->count_without_file();
   }
-  if (!options.no_video) {
+  if (!options.no_video && !options.film.is_streamed()) {
     planned.film = video_path(options, scene);
     planned.film_frames = count;
   }
@@ -236,16 +256,22 @@ Reuse reuse_of(const Options& options) {
   return options.resume ? Reuse::resume : Reuse::none;
 }
 
-void render(const Options& options) {
-  Interruption interruption;
-  const auto start = std::chrono::steady_clock::now();
+/// Throws where options contradict each other.
+void check(const Options& options) {
   if (options.no_video && options.no_frames) {
     throw UsageError("render", "--no-video and --no-frames leave nothing to write");
   }
-  if (!options.shard.is_whole() && !options.video.empty()) {
-    throw UsageError("render", "a --shard makes no video",
-                     "when all shards are done: twrench encode FRAMES_DIR -o " + options.video);
+  if (!options.shard.is_whole() && !options.film.output.empty()) {
+    throw UsageError(
+        "render", "a --shard makes no video",
+        "when all shards are done: twrench encode FRAMES_DIR -o " + options.film.output);
   }
+  if (!options.no_video) options.film.require_free_output(options.progress);
+}
+
+void render(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  check(options);
   const Scene scene = options.scene.scene();
   keep_memory_of_pictures(scene.film.width, scene.film.height);
   const int count = scene.frame_count();
@@ -254,6 +280,8 @@ void render(const Options& options) {
       parse_frame_range(options.range.empty() ? all : options.range, count);
   const std::vector<int> numbers = frames_of_shard(asked, options.shard);
   const int jobs = job_count(options.jobs);
+  const bool is_file = !options.no_video && !options.film.is_streamed();
+  if (is_file) options.scene.require_not_input(video_path(options, scene));
 
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
   std::future<void> trial = try_encoder(options, scene);
@@ -265,17 +293,23 @@ void render(const Options& options) {
   }();
   Renderer renderer(*opened.context, scene, timeline.takes());
   const std::vector<FrameRecord> frames = frame_records(timeline, renderer);
+  const Manifest manifest = manifest_of(options, scene, renderer, asked);
+  const std::string identity = film_identity(manifest, numbers);
+  if (is_file && !options.overwrite) {
+    require_replaceable(video_path(options, scene), identity);
+  }
   std::optional<FramesOutput> output;
   if (!options.no_frames) {
-    output.emplace(frames_folder(options, scene), manifest_of(options, scene, renderer, asked),
-                   numbers, reuse_of(options));
+    output.emplace(frames_folder(options, scene), manifest, numbers, reuse_of(options));
   }
   if (!frames.empty()) {
     require_space(planned_output(options, scene, output ? &*output : nullptr, frames.size()),
                   [&] { return renderer.draw(timeline.moment(0)).image; });
   }
-  const auto encoder = open_encoder(options, scene, std::move(trial));
+  const auto encoder = open_encoder(options, scene, identity, std::move(trial));
   FrameSequence* const sequence = output ? &output->open() : nullptr;
+  const TerminationAction on_signal(
+      [&](TerminationMessage& message) { end_whole(sequence, frames.size(), message); });
 
   Progress progress(options.progress);
   if (!opened.note.empty()) progress.note(opened.note);
@@ -288,12 +322,9 @@ void render(const Options& options) {
   const auto reuse = [&](Picture picture) {
     if (picture.changed) renderer.reuse({std::move(picture.image), std::move(*picture.changed)});
   };
-  const auto stop = [&] { return interruption.arrived().has_value(); };
-  const std::size_t done =
-      run_pipeline(frames, {begin, renderer.frames_ahead(), reuse}, stop, outputs, progress, times);
+  run_pipeline(frames, {begin, renderer.frames_ahead(), reuse}, outputs, progress, times);
   if (sequence != nullptr) sequence->finish();
   progress.finish();
-  if (done < frames.size()) throw_interrupted(*interruption.arrived(), done, frames.size());
   if (encoder) encoder->finish();
   const double seconds = seconds_since(start);
   print_summary(options, scene, frames.size(), seconds);

@@ -36,4 +36,8 @@ ExitCode report_current_exception() {
   }
 }
 
+void report_termination(const TerminationMessage& message) {
+  report(ExitCode::interrupted, message.error, message.remedy);
+}
+
 }  // namespace twrench

@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/message.h"
+#include "base/file.h"
 
 namespace twrench {
 namespace {
@@ -81,6 +82,11 @@ void SceneOptions::add_motion_options() {
              [](Scene& s) -> double& { return s.film.fps; });
   add_number("--speed", "F", "seconds of motion per second of film", limits::speed,
              [](Scene& s) -> double& { return s.film.speed; });
+}
+
+void SceneOptions::require_not_input(const std::filesystem::path& output) const {
+  for (const std::string& name : names_) twrench::require_not_input(output, name);
+  for (const Scene& scene : scenes()) twrench::require_not_input(output, scene.overlay.font);
 }
 
 std::vector<Scene> SceneOptions::scenes() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ class SceneOptions {
   /// The scene with everything overridden. Throws as load_scene, and UsageError. Warns on standard
   /// error of moments that no real body has.
   Scene scene() const { return scenes().front(); }
+
+  /// Throws UsageError where `output` is a scene file that was named, or a font of such a scene.
+  void require_not_input(const std::filesystem::path& output) const;
 
   /// All of them, each as scene() is.
   std::vector<Scene> scenes() const;

@@ -82,6 +82,7 @@ std::string json(const Scene& scene, const std::vector<Sample>& samples, const F
 }
 
 void simulate(const Options& options) {
+  options.scene.require_not_input(options.output);
   const Scene scene = options.scene.scene();
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const std::vector<double> times = sample_times(options, scene);

@@ -124,6 +124,8 @@ std::string report(const Options& options, const Study& study, const Scene& scen
 }
 
 ExitCode run_study(const Options& options) {
+  options.scene.require_not_input(options.output);
+  options.scene.require_not_input(options.plot);
   if (!options.plot.empty()) require_gnuplot(options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
   const Scene scene = options.scene.scene();

@@ -60,14 +60,18 @@ Pipe make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// What the child has where: input, nothing and errors at 0, 1 and 2.
+/// What the child has where: input, output and errors at 0, 1 and 2.
 class SpawnActions {
  public:
-  SpawnActions(const Descriptor& input, const Descriptor& errors) {
+  SpawnActions(const Descriptor& input, int output, const Descriptor& errors) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input.get(), STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, errors.get(), STDERR_FILENO);
+    if (output == ChildProcess::output_dropped) {
+      posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    } else {
+      posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    }
   }
   ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
   SpawnActions(const SpawnActions&) = delete;
@@ -102,12 +106,13 @@ class SpawnAttributes {
   posix_spawnattr_t attributes_{};
 };
 
-pid_t spawn(std::vector<std::string> command, const Descriptor& input, const Descriptor& errors) {
+pid_t spawn(std::vector<std::string> command, const Descriptor& input, int output,
+            const Descriptor& errors) {
   std::vector<char*> arguments(command.size() + 1);  // the last is null
   std::transform(command.begin(), command.end(), arguments.begin(),
                  [](std::string& argument) { return argument.data(); });
   pid_t pid = -1;
-  const int failed = posix_spawnp(&pid, arguments[0], SpawnActions(input, errors).get(),
+  const int failed = posix_spawnp(&pid, arguments[0], SpawnActions(input, output, errors).get(),
                                   SpawnAttributes().get(), arguments.data(), environ);
   if (failed != 0) {
     throw_system_error(failed, command[0]);
@@ -154,11 +159,15 @@ int exit_status(int status) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patience)
+ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patience, int output)
     : patience_(patience) {
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
-  pid_ = spawn(command, input.read, errors.write);
+  {
+    const auto hold = hold_termination();  // there is no child that would not be killed
+    pid_ = spawn(command, input.read, output, errors.write);
+    kill_.emplace([this](TerminationMessage&) { ::kill(-pid_, SIGKILL); });
+  }
   input_ = std::move(input.write);
   errors_ = std::move(errors.read);
   ::fcntl(input_.get(), F_SETFL, O_NONBLOCK);
@@ -167,11 +176,20 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patienc
 }
 
 ChildProcess::~ChildProcess() {
-  if (pid_ > 0) {
-    ::kill(-pid_, SIGKILL);
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+  if (pid_ < 0) return;
+  const auto hold = hold_termination();  // once it is waited for, its number may be another's
+  ::kill(-pid_, SIGKILL);
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
+  kill_.reset();
+}
+
+bool ChildProcess::has_ended() {
+  const auto hold = hold_termination();
+  if (::waitpid(pid_, &status_, WNOHANG) == 0) return false;
+  kill_.reset();
+  pid_ = -1;
+  return true;
 }
 
 void ChildProcess::read_errors() {
@@ -231,14 +249,13 @@ int ChildProcess::wait(Time work_left) {
   input_.close();
   Idleness idle(patience_ + work_left);
   std::array<pollfd, 1> ready{};
-  while (::waitpid(pid_, &status_, WNOHANG) == 0) {
+  while (!has_ended()) {
     // Its end is mostly that of its errors. Where it closed them before, it is looked for often.
     ready[0] = {errors_.get(), POLLIN, 0};
     const Time most = errors_ ? Time(1000) : Time(1);
     if (idle.wait(ready, most)) read_errors();
     if (idle.is_over() && !hung_) give_up();
   }
-  pid_ = -1;
   for (ready[0] = {errors_.get(), POLLIN, 0}; errors_ && ::poll(ready.data(), 1, 0) > 0;) {
     read_errors();
   }
@@ -246,7 +263,30 @@ int ChildProcess::wait(Time work_left) {
 }
 
 std::string why_not_started(const std::system_error& error) {
-  return error.code().value() == ENOENT ? "it was not found in PATH" : error.code().message();
+  switch (error.code().value()) {
+    case ENOENT:
+      return "it was not found in PATH";
+    case ENOEXEC:
+      return "it is there, but is no program that this system can run";
+    default:
+      return error.code().message();
+  }
+}
+
+std::string remedy_for_start(const std::system_error& error, const std::string& installation) {
+  switch (error.code().value()) {
+    case EMFILE:
+    case ENFILE:
+      return "raise the limit on open files (ulimit -n)";
+    case EAGAIN:
+      return "raise the limit on processes (ulimit -u), or end some";
+    case ENOMEM:
+      return "free some memory";
+    case EACCES:
+      return "check the permissions of the file of that name in PATH";
+    default:
+      return installation;
+  }
 }
 
 std::string last_words(std::string_view output) {

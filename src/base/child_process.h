@@ -1,10 +1,12 @@
 #pragma once
 
 #include <sys/types.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "base/descriptor.h"
+#include "base/termination.h"
 
 namespace twrench {
 
@@ -27,11 +30,16 @@ class ChildProcess {
   /// this program is itself stopped is not counted.
   static constexpr Time default_patience = std::chrono::seconds(60);
 
-  /// Starts `command[0]`, looked for in PATH, with the rest as its arguments; its standard output
-  /// is dropped. Throws std::system_error when it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& command, Time patience = default_patience);
+  /// Where a child's standard output goes, if not to a descriptor of ours.
+  static constexpr int output_dropped = -1;
+  static constexpr int output_with_errors = STDERR_FILENO;  ///< into error_output()
 
-  /// Kills the child if it still runs.
+  /// Starts `command[0]`, looked for in PATH, with the rest as its arguments. Throws
+  /// std::system_error when it cannot be started.
+  explicit ChildProcess(const std::vector<std::string>& command, Time patience = default_patience,
+                        int output = output_dropped);
+
+  /// Kills the child if it still runs. So does a signal that ends this process.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -65,6 +73,8 @@ class ChildProcess {
   bool send(std::span<const std::uint8_t> bytes, Put put);
   void read_errors();
   void give_up();
+  /// Asks, without waiting; its number is the system's again when it has.
+  bool has_ended();
 
   Time patience_;
   bool hung_ = false;
@@ -73,19 +83,26 @@ class ChildProcess {
   pid_t pid_ = -1;     ///< -1 once it is reaped
   int status_ = 0;
   std::string error_output_;
+  std::optional<TerminationAction> kill_;  ///< until it is reaped
 };
 
 /// Why a program could not be started, in words: "it was not found in PATH".
 std::string why_not_started(const std::system_error& error);
 
-/// The program, running. Throws `Failure`, with the remedy, when it cannot be started.
+/// What a user can do about it; `installation` where the program is missing.
+std::string remedy_for_start(const std::system_error& error, const std::string& installation);
+
+/// The program, running. Throws `Failure` when it cannot be started, with the remedy:
+/// `installation` where it is missing.
 template <typename Failure>
-ChildProcess start_program(const std::vector<std::string>& command, const std::string& remedy,
-                           ChildProcess::Time patience = ChildProcess::default_patience) {
+ChildProcess start_program(const std::vector<std::string>& command, const std::string& installation,
+                           ChildProcess::Time patience = ChildProcess::default_patience,
+                           int output = ChildProcess::output_dropped) {
   try {
-    return ChildProcess(command, patience);
+    return ChildProcess(command, patience, output);
   } catch (const std::system_error& error) {
-    throw Failure("cannot start " + command.front(), why_not_started(error), remedy);
+    throw Failure("cannot start " + command.front(), why_not_started(error),
+                  remedy_for_start(error, installation));
   }
 }
 

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 #include <utility>
+
+#include "base/descriptor.h"
+#include "base/pending_file.h"
 
 namespace twrench {
 namespace {
@@ -34,103 +36,13 @@ std::string remedy_for(int error_number) {
   }
 }
 
-/// What fits a path component of 255 bytes with room for the decoration.
-std::string shortened(const std::string& name) { return name.substr(0, 200); }
-
-/// Makes and opens a file beside target, in its folder, which is opened too. O_EXCL neither follows
-/// a link nor takes another's file.
-Descriptor open_beside(const std::filesystem::path& target, Descriptor& folder,
-                       std::filesystem::path& path) {
-  const std::string parent = target.has_parent_path() ? target.parent_path().string() : ".";
-  folder = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  if (!folder) return {};
-  constexpr int most_leftovers = 10'000;  // of killed processes that had our number
-  for (int n = 0; n < most_leftovers; ++n) {
-    const std::string name =
-        fmt::format(".{}.{}-{}.tmp", shortened(target.filename().string()), ::getpid(), n);
-    path = target.parent_path() / name;
-    Descriptor descriptor(
-        ::openat(folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (descriptor || errno != EEXIST) {
-      return descriptor;
-    }
-  }
-  return {};
+std::string cannot_read(const std::filesystem::path& path) {
+  return "cannot read " + path.string();
 }
 
-std::string cannot_write(const std::filesystem::path& path) {
-  return "cannot write " + path.string();
-}
-
-}  // namespace
-
-FileError file_error(const std::string& what, int error_number) {
-  return {what, std::generic_category().message(error_number), remedy_for(error_number)};
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw file_error("cannot make the folder " + folder.string(), failed.value());
-  }
-}
-
-PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(target)) {
-  std::error_code missing;
-  const auto status = std::filesystem::status(target_, missing);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw FileError(cannot_write(target_), "it is there and is not a regular file",
-                    "choose another name");
-  }
-  descriptor_ = open_beside(target_, folder_, path_);
-  if (!descriptor_) {
-    throw file_error(cannot_write(target_), errno);
-  }
-}
-
-PendingFile::~PendingFile() {
-  if (!path_.empty()) {
-    ::unlinkat(folder_.get(), path_.filename().c_str(), 0);  // wherever the folder is by now
-  }
-}
-
-void PendingFile::write(std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_.get(), bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written < 0) {
-      throw file_error(cannot_write(target_), errno);
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-}
-
-void PendingFile::commit() {
-  // On a network or a quota, close is where a full disk is told.
-  const bool closed = descriptor_.close();
-  if (!closed || std::rename(path_.c_str(), target_.c_str()) != 0) {
-    throw file_error(cannot_write(target_), errno);
-  }
-  path_.clear();
-}
-
-void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  PendingFile file(path);
-  file.write(bytes);
-  file.commit();
-}
-
-void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
-  write_file_atomically(path,
-                        std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-}
-
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
-  const std::string what = "cannot read " + path.string();
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Descriptor& file,
+                                   std::size_t max_bytes) {
+  const std::string what = cannot_read(path);
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) {
     throw file_error(what, errno);
@@ -160,6 +72,53 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size
   }
   bytes.resize(size);
   return bytes;
+}
+
+}  // namespace
+
+FileError file_error(const std::string& what, int error_number) {
+  return {what, std::generic_category().message(error_number), remedy_for(error_number)};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw file_error("cannot make the folder " + folder.string(), failed.value());
+  }
+}
+
+void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  if (!std::filesystem::equivalent(output, input, missing)) return;
+  throw UsageError(output.string(), "it is an input of this command, and would be lost",
+                   "choose another name for the output");
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  PendingFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+  write_file_atomically(path,
+                        std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  return read_all(path, Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), max_bytes);
+}
+
+std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
+                                            std::size_t max_bytes) {
+  // Without O_NONBLOCK, to open a pipe is to wait for one who writes.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (file && ::fstat(file.get(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    throw FileError(cannot_read(path), "it is not a regular file");
+  }
+  return read_all(path, std::move(file), max_bytes);
 }
 
 }  // namespace twrench

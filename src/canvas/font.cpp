@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/nearest.h"
+#include "base/sha256.h"
 #include "embedded/fonts.h"
 
 namespace twrench {
@@ -164,6 +165,11 @@ Typeface load_typeface(const std::string& name_or_path) {
   const std::vector<std::uint8_t> file = font_file(name_or_path);
   const std::string what = "font " + name_or_path;
   return {Font(file, what), Font(file, what)};
+}
+
+std::string typeface_digest(const Typeface& typeface) {
+  const std::string both = sha256_hex(typeface.regular.file()) + sha256_hex(typeface.strong.file());
+  return sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(both.data()), both.size()));
 }
 
 }  // namespace twrench

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Font {
   Font(Font&&) noexcept;
   Font& operator=(Font&&) noexcept;
 
+  /// The bytes that it was made from.
+  std::span<const std::uint8_t> file() const { return file_; }
+
   /// 0 where it has none.
   int glyph(char32_t point) const;
 
@@ -65,5 +69,8 @@ struct Typeface {
 /// made. Throws UsageError about "font" for an unknown name, a file that cannot be read, and as
 /// Font does.
 Typeface load_typeface(const std::string& name_or_path);
+
+/// The SHA-256 of the bytes of both its fonts: two files of one name are told apart by it.
+std::string typeface_digest(const Typeface& typeface);
 
 }  // namespace twrench

@@ -9,6 +9,7 @@
 
 #include "base/child_process.h"
 #include "base/file.h"
+#include "base/pending_file.h"
 
 namespace twrench {
 namespace {
@@ -99,7 +100,7 @@ void draw_figure(const std::string& path, const Figure& figure) {
                       fmt::format("gnuplot ended with exit status {}: {}", status,
                                   last_words(gnuplot.error_output())));
   }
-  if (!is_complete(file.path(), format)) {
+  if (!file.is_direct() && !is_complete(file.path(), format)) {
     throw FileError("cannot write " + path, "gnuplot did not complete it", "is the disk full?");
   }
   file.commit();

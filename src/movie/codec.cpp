@@ -2,11 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "base/error.h"
+
 namespace twrench {
 namespace {
 
+constexpr std::array<std::pair<std::string_view, Container>, 4> containers{
+    {{"mp4", Container::mp4},
+     {"mov", Container::mov},
+     {"mkv", Container::matroska},
+     {"webm", Container::webm}}};
+
 /// ffmpeg's name of it.
-std::string muxer(Container container) {
+std::string_view muxer(Container container) {
   switch (container) {
     case Container::mov:
       return "mov";
@@ -20,6 +33,14 @@ std::string muxer(Container container) {
   return "mp4";
 }
 
+/// The index stands before the frames, so that a player can start at once: moved there in the end,
+/// or, where the film is streamed, a piece before each piece of the film.
+std::string_view index_arguments(Container container, bool streamed) {
+  if (container != Container::mp4 && container != Container::mov) return "";
+  return streamed ? "-movflags +frag_keyframe+empty_moov+default_base_moof"
+                  : "-movflags +faststart";
+}
+
 /// Without -auto-alt-ref 0, libvpx refuses alpha in versions before 1.13.
 constexpr const char* vp9 =
     "-c:v libvpx-vp9 -crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0";
@@ -27,28 +48,41 @@ constexpr const char* prores = "-c:v prores_ks -profile:v 4444 -alpha_bits 16 -v
 /// aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first. Smooth surfaces
 /// that turn gain nothing from smaller blocks with motion of their own: without, the encoder takes
 /// a sixth less time for the same quality and size.
-constexpr const char* h264 =
-    "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 -partitions i4x4 -movflags +faststart";
+constexpr const char* h264 = "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 -partitions i4x4";
 
 }  // namespace
 
+Container container_named(std::string_view name) {
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [known, container] : containers) {
+    if (lower == known) return container;
+  }
+  throw UsageError(fmt::format("container '{}'", name), "no film can be written to such a one",
+                   "mp4, mov, mkv or webm");
+}
+
 Container container_of(const std::filesystem::path& file) {
-  const auto ending = file.extension();
-  if (ending == ".mov") return Container::mov;
-  if (ending == ".mkv") return Container::matroska;
-  if (ending == ".webm") return Container::webm;
-  return Container::mp4;
+  const std::string ending = file.extension().string();
+  try {
+    return container_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
+  } catch (const UsageError&) {
+    throw UsageError("film " + file.string(), "its name does not end with that of a container",
+                     "end it with .mp4, .mov, .mkv or .webm");
+  }
 }
 
 bool keeps_alpha(Container container) {
   return container == Container::webm || container == Container::mov;
 }
 
-std::string codec_arguments(Container container, bool alpha) {
+std::string codec_arguments(Container container, bool alpha, bool streamed) {
   const bool webm = container == Container::webm;
   const char* codec = webm ? vp9 : (alpha ? prores : h264);
   const char* pixels = alpha ? (webm ? "yuva420p" : "yuva444p10le") : "yuv420p";
-  return fmt::format("-pix_fmt {} {} {} -f {}", pixels, codec, bt709_tags, muxer(container));
+  return fmt::format("-pix_fmt {} {} {} {} -f {}", pixels, codec,
+                     index_arguments(container, streamed), bt709_tags, muxer(container));
 }
 
 }  // namespace twrench

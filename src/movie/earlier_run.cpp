@@ -1,5 +1,7 @@
 #include "movie/earlier_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -30,11 +32,15 @@ EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
   const bool has_any_frames = has_frames(folder_);
   const std::vector<std::filesystem::path> manifests = manifests_in(folder_);
   for (const auto& manifest : manifests) look_at(manifest, film, frames);
-  if (!foreign_.empty()) {
-    objection_ = "has frames of another scene, size, renderer or version (" +
-                 foreign_.front().filename().string() + ")";
-  } else if (has_any_frames && manifests.empty()) {
+  if (objection_.empty() && has_any_frames && manifests.empty()) {
     objection_ = "has frames without a manifest";
+  }
+}
+
+void EarlierRun::object_to(const std::filesystem::path& manifest, const std::string& why) {
+  foreign_.push_back(manifest);
+  if (objection_.empty()) {
+    objection_ = fmt::format("has {} ({})", why, manifest.filename().string());
   }
 }
 
@@ -51,14 +57,16 @@ void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& 
                          const std::vector<int>& frames) {
   try {
     const Manifest head = read_manifest_head(manifest);
-    if (!same_film(head, film)) return foreign_.push_back(manifest);
+    if (!same_film(head, film)) {
+      return object_to(manifest, "frames of another scene, font, size, renderer or version");
+    }
     const bool is_own = head.shard == film.shard;
     if (!is_own && !draws_any(head, frames)) return;
     std::vector<FrameRecord> records = read_manifest(manifest).frames;
     for (const FrameRecord& record : records) by_number_.insert_or_assign(record.frame, record);
     if (is_own) own_ = std::move(records);
   } catch (const FileError&) {
-    foreign_.push_back(manifest);
+    object_to(manifest, "a manifest that is damaged, or not of this program");
   }
 }
 
@@ -72,7 +80,8 @@ std::optional<FrameRecord> EarlierRun::intact(const FrameRecord& wanted) const {
   }
   try {
     constexpr std::size_t longest = 1U << 30U;
-    if (sha256_hex(read_file(folder_ / record.file, longest)) != record.sha256) return std::nullopt;
+    if (sha256_hex(read_regular_file(folder_ / record.file, longest)) != record.sha256)
+      return std::nullopt;
   } catch (const FileError&) {
     return std::nullopt;
   }

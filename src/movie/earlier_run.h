@@ -34,6 +34,7 @@ class EarlierRun {
   std::optional<FrameRecord> intact(const FrameRecord& wanted) const;
 
  private:
+  void object_to(const std::filesystem::path& manifest, const std::string& why);
   void look_at(const std::filesystem::path& manifest, const Manifest& film,
                const std::vector<int>& frames);
   /// Whether the run that the manifest is of draws some of these frames.

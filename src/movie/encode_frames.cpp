@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <future>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "image/picture_memory.h"
 #include "image/png.h"
 #include "movie/encoder.h"
+#include "movie/film_file.h"
 #include "movie/frame_range.h"
 #include "movie/manifest_folder.h"
 
@@ -48,7 +50,7 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
                  const Manifest& manifest) {
   constexpr std::size_t longest = 1U << 30U;
   const std::filesystem::path path = folder / record.file;
-  const auto png = read_file(path, longest);
+  const auto png = read_regular_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
     throw FileError("cannot use " + path.string(), "it is not the file that the manifest tells of",
                     fmt::format("render it again: --resume --frames {}", record.frame));
@@ -62,21 +64,36 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
   return image;
 }
 
+/// The film must not take the place of what it is made from.
+void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
+                      const Manifest& manifest) {
+  for (const auto& path : manifests_in(folder)) require_not_input(output, path);
+  for (const FrameRecord& record : manifest.frames) {
+    require_not_input(output, folder / record.file);
+  }
+}
+
 }  // namespace
 
-std::vector<int> encode_frames(const std::filesystem::path& folder,
-                               const std::filesystem::path& output, Missing when_missing,
+std::vector<int> encode_frames(const std::filesystem::path& folder, const FilmOutput& output,
+                               Missing when_missing,
                                const std::function<void(int done, int total)>& progress) {
   Manifest manifest = read_manifests(folder);
   std::vector<int> missing = missing_frames(manifest, folder);
   const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
+  require_no_input(output.path, folder, manifest);
+  std::vector<int> shown(manifest.frames.size());
+  std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
+  const std::string identity = film_identity(manifest, shown);
+  if (!output.overwrite) require_replaceable(output.path, identity);
   keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
-  const VideoFormat format{manifest.width, manifest.height, manifest.fps, container_of(output),
+  const VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container,
                            transparent};
   require_encoder(format);
-  VideoEncoder encoder(output, format);
+  if (output.path.has_parent_path()) make_folder(output.path.parent_path());
+  VideoEncoder encoder(output.path, format, identity);
   // To decode a frame takes longer than to encode it, so a few are decoded side by side.
   const std::size_t at_once = processor_count();
   std::deque<std::future<Image>> begun;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
@@ -15,6 +16,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "movie/film_file.h"
 
 namespace twrench {
 namespace {
@@ -45,8 +48,10 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time patience) {
-  return start_program<EncoderError>(command, "install it: apt-get install ffmpeg", patience);
+ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time patience,
+                   int output = ChildProcess::output_dropped) {
+  return start_program<EncoderError>(command, "install it: apt-get install ffmpeg", patience,
+                                     output);
 }
 
 /// Why ffmpeg failed, in its words.
@@ -56,11 +61,32 @@ std::string failure(const ChildProcess& ffmpeg, int status) {
   return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
 
+/// The system's number of what befell the file, where that is why ffmpeg failed; else 0.
+int file_failure(const std::string& said, int status) {
+  if (status == 128 + SIGXFSZ) return EFBIG;
+  if (status == 128 + SIGPIPE) return EPIPE;
+  for (const int error : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO, EPIPE}) {
+    if (said.find(std::generic_category().message(error)) != std::string::npos) return error;
+  }
+  return 0;
+}
+
 std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,
                                         std::initializer_list<std::string> output) {
   arguments.insert(arguments.begin(), "ffmpeg");
   arguments.insert(arguments.end(), output);
   return arguments;
+}
+
+/// From raw frames to the file. What cannot be gone back in is streamed to.
+std::vector<std::string> command(VideoFormat format, const PendingFile& file,
+                                 const std::string& identity) {
+  format.streamed = file.is_direct();
+  std::vector<std::string> arguments = encoder_arguments(format);
+  if (!identity.empty()) arguments.insert(arguments.end(), {"-metadata", "comment=" + identity});
+  // "file:" keeps a name from being an option or a protocol.
+  const std::string output = file.is_direct() ? "pipe:1" : "file:" + file.path().string();
+  return ffmpeg_command(std::move(arguments), {output});
 }
 
 /// The colours over black, where alpha is how much of them is seen.
@@ -85,7 +111,7 @@ constexpr const char* conversion =
 }  // namespace
 
 std::vector<std::string> encoder_arguments(const VideoFormat& format) {
-  const auto& [width, height, fps, container, transparent] = format;
+  const auto& [width, height, fps, container, transparent, streamed] = format;
   if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0) {
     throw UsageError(fmt::format("a film of {}x{}", width, height),
                      "films need an even width and height",
@@ -96,38 +122,43 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
   // are tagged, whatever is asked of the output.
   const std::string frame_tags =
       format.has_alpha() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
-  return words(fmt::format(
-      "-hide_banner -loglevel error -xerror -y "
-      "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0 {} {}",
-      format.has_alpha() ? "rgba" : "yuv420p", width, height, rational(fps), frame_tags,
-      format.has_alpha() ? conversion : "", codec_arguments(container, format.has_alpha())));
+  return words(
+      fmt::format("-hide_banner -loglevel error -xerror -y "
+                  "-f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0 {} {}",
+                  format.has_alpha() ? "rgba" : "yuv420p", width, height, rational(fps), frame_tags,
+                  format.has_alpha() ? conversion : "",
+                  codec_arguments(container, format.has_alpha(), streamed)));
 }
 
 void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
-  encoder_arguments(format);  // what is wrong with the size
-  VideoFormat tiny = format;
-  tiny.width = tiny.height = 64;
   ChildProcess ffmpeg =
-      start(ffmpeg_command(encoder_arguments(tiny), {"-f", "null", "-"}), patience);
-  const Image blank(tiny.width, tiny.height, 4);
-  const Yuv420 blank_planes(tiny.width, tiny.height);
-  ffmpeg.write(format.has_alpha() ? std::span<const std::uint8_t>(blank.pixels)
-                                  : blank_planes.bytes());
+      start(ffmpeg_command(encoder_arguments(format), {"-f", "null", "-"}), patience);
+  ChildProcess ffprobe = start({"ffprobe", "-version"}, patience);
+  // A frame of the real size: not every encoder takes every size.
+  if (format.has_alpha()) {
+    ffmpeg.write(Image(format.width, format.height, 4).pixels);
+  } else {
+    ffmpeg.write(Yuv420(format.width, format.height).bytes());
+  }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
         "ffmpeg cannot make the film", failure(ffmpeg, status),
         "install one that has libx264, libvpx and prores_ks: apt-get install ffmpeg");
   }
+  ffprobe.wait();
 }
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
-                           ChildProcess::Time patience)
+                           const std::string& identity, ChildProcess::Time patience)
     : format_(format),
-      file_(output),
-      // "file:" keeps a name from being an option or a protocol.
-      command_(ffmpeg_command(encoder_arguments(format), {"file:" + file_.path().string()})),
-      ffmpeg_(start(command_, patience)),
-      converted_{Converted(format), Converted(format)} {}
+      name_(output == "-" ? "standard output" : output.string()),
+      file_(output == "-" ? "/dev/fd/1" : output),
+      command_(command(format_, file_, identity)),
+      ffmpeg_(start(command_, patience,
+                    file_.is_direct() ? file_.descriptor() : ChildProcess::output_dropped)),
+      converted_{Converted(format), Converted(format)} {
+  file_.claim();
+}
 
 void VideoEncoder::convert(const Image& frame) {
   convert(frame, std::array{Area{0, 0, format_.width, format_.height}});
@@ -160,6 +191,7 @@ void VideoEncoder::write_converted() {
   // the pipe, has pushed it through.
   const bool may_lend = !format_.has_alpha() && frame.size() >= ffmpeg_.pipe_size();
   if (!(may_lend ? ffmpeg_.lend(frame) : ffmpeg_.write(frame))) fail();
+  ++frames_;
 }
 
 void VideoEncoder::write(const Image& frame) {
@@ -175,15 +207,33 @@ void VideoEncoder::finish() {
   if (ffmpeg_.wait(ChildProcess::Time(unknown ? 0 : size / slow_disk)) != 0) {
     fail();
   }
+  if (!file_.is_direct()) require_whole();
   file_.commit();
+}
+
+/// That ffmpeg says it was done is no proof: the film is looked at before it takes another's place.
+void VideoEncoder::require_whole() const {
+  const auto film = probe_film(file_.path());
+  const double duration = static_cast<double>(frames_) / format_.fps;
+  // Matroska rounds times to milliseconds, and some containers leave out the last frame's.
+  const bool is_whole = film && film->width == format_.width && film->height == format_.height &&
+                        film->frames == frames_ &&
+                        std::abs(film->duration - duration) <= 1.5 / format_.fps + 0.01;
+  if (is_whole) return;
+  throw EncoderError(
+      "cannot encode " + name_,
+      film ? fmt::format("ffmpeg made a film of {} frames, {:.3f} s and {}x{}, but was given {}, "
+                         "{:.3f} s and {}x{}",
+                         film->frames, film->duration, film->width, film->height, frames_, duration,
+                         format_.width, format_.height)
+           : "ffmpeg said that it was done, but what it wrote is no film",
+      "its command was: " + shell_command(command_));
 }
 
 void VideoEncoder::fail() {
   const int status = ffmpeg_.wait();
-  const std::string what = "cannot encode " + file_.target().string();
-  if (ffmpeg_.error_output().find(std::generic_category().message(ENOSPC)) != std::string::npos) {
-    throw file_error(what, ENOSPC);
-  }
+  const std::string what = "cannot encode " + name_;
+  if (const int error = file_failure(ffmpeg_.error_output(), status)) throw file_error(what, error);
   throw EncoderError(what, failure(ffmpeg_, status), "its command was: " + shell_command(command_));
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/child_process.h"
-#include "base/file.h"
+#include "base/pending_file.h"
 #include "image/area.h"
 #include "image/image.h"
 #include "image/yuv.h"
@@ -23,6 +23,7 @@ struct VideoFormat {
   double fps = 0.0;  ///< frames per second
   Container container = Container::mp4;
   bool transparent = false;  ///< frames are RGBA, and the container is to keep their alpha
+  bool streamed = false;     ///< to a pipe, or another thing that cannot be gone back in
 
   bool has_alpha() const { return transparent && keeps_alpha(container); }
 };
@@ -32,9 +33,9 @@ struct VideoFormat {
 /// Throws UsageError for odd sizes, which yuv420p cannot have, and a rate that is not one.
 std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
-/// Encodes a tiny film with those very arguments, to be called before the first frame is drawn.
-/// Throws EncoderError when ffmpeg is missing, cannot do it or hangs, UsageError as
-/// encoder_arguments.
+/// Encodes a film of one frame with those very arguments, to be called before the first frame is
+/// drawn. Throws EncoderError when ffmpeg or ffprobe is missing, cannot do it or hangs, UsageError
+/// as encoder_arguments.
 void require_encoder(const VideoFormat& format,
                      ChildProcess::Time patience = ChildProcess::default_patience);
 
@@ -43,9 +44,12 @@ void require_encoder(const VideoFormat& format,
 /// of our patience is killed, and has failed.
 class VideoEncoder {
  public:
-  /// Throws UsageError as encoder_arguments, FileError when the output's folder cannot be written
-  /// to, EncoderError when ffmpeg is missing.
+  /// `output` is a file, or "-" for standard output; to that, and to devices and pipes, the film is
+  /// streamed. `identity` becomes the film's comment. Throws UsageError as encoder_arguments,
+  /// FileError when the output cannot be written to or another process is writing it, EncoderError
+  /// when ffmpeg is missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
+               const std::string& identity = {},
                ChildProcess::Time patience = ChildProcess::default_patience);
 
   /// Adds a frame, which must have the film's size, and RGBA where it is to have alpha. Where it is
@@ -58,13 +62,16 @@ class VideoEncoder {
   void convert(const Image& frame, std::span<const Area> changed);
   void write_converted();
 
-  /// Completes the film. Throws EncoderError when ffmpeg failed, FileError.
+  /// Completes the film, and looks whether it is what was written. Throws EncoderError when ffmpeg
+  /// failed or the film is another, FileError.
   void finish();
 
  private:
   [[noreturn]] void fail();
+  void require_whole() const;
 
   VideoFormat format_;
+  std::string name_;  ///< of the output, for messages
   PendingFile file_;
   std::vector<std::string> command_;
   ChildProcess ffmpeg_;                   // after the file: killed before the file is removed
@@ -79,6 +86,7 @@ class VideoEncoder {
   };
   std::array<Converted, 2> converted_;  ///< one is made while the other is read
   std::size_t current_ = 0;
+  std::int64_t frames_ = 0;  ///< written
 };
 
 }  // namespace twrench

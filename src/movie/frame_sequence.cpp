@@ -4,14 +4,24 @@
 #include <utility>
 
 #include "base/file.h"
+#include "base/pending_file.h"
 #include "base/sha256.h"
 
 namespace twrench {
 
-FrameSequence::FrameSequence(std::filesystem::path folder, Manifest manifest)
-    : folder_(std::move(folder)), manifest_(std::move(manifest)) {
-  make_folder(folder_);
+namespace {
+
+const std::filesystem::path& made(const std::filesystem::path& folder) {
+  make_folder(folder);
+  return folder;
 }
+
+}  // namespace
+
+FrameSequence::FrameSequence(std::filesystem::path folder, Manifest manifest)
+    : folder_(std::move(folder)),
+      lock_(made(folder_), manifest.shard.is_whole() ? LockKind::exclusive : LockKind::shared),
+      manifest_(std::move(manifest)) {}
 
 FrameSequence::~FrameSequence() {
   try {
@@ -24,18 +34,23 @@ FrameSequence::~FrameSequence() {
 
 void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_t> png) {
   {
+    const auto hold = hold_termination();
     const std::lock_guard lock(mutex_);
     if (!begun_) write_manifest();
     begun_ = true;
   }
-  write_file_atomically(folder_ / frame_file_name(record.frame), png);
+  PendingFile file(folder_ / frame_file_name(record.frame), Links::replace);
+  file.write(png);
   const std::string digest = sha256_hex(png);
+  const auto hold = hold_termination();  // a signal finds the frame told of, or not there
+  file.commit();
   const std::lock_guard lock(mutex_);
   tell(record, digest);
   if (Clock::now() >= next_manifest_) write_manifest();
 }
 
 void FrameSequence::keep(const FrameRecord& record, const std::string& sha256) {
+  const auto hold = hold_termination();
   const std::lock_guard lock(mutex_);
   tell(record, sha256);
 }
@@ -54,13 +69,14 @@ void FrameSequence::tell(const FrameRecord& record, const std::string& sha256) {
 }
 
 void FrameSequence::finish() {
+  const auto hold = hold_termination();
   const std::lock_guard lock(mutex_);
   write_manifest();
 }
 
 void FrameSequence::write_manifest() {
   const Clock::time_point start = Clock::now();
-  PendingFile file(folder_ / manifest_file_name(manifest_.shard));
+  PendingFile file(folder_ / manifest_file_name(manifest_.shard), Links::replace);
   twrench::write_manifest(
       manifest_, frames_.size(),
       [this](std::size_t i) {

@@ -9,15 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "base/folder_lock.h"
 #include "movie/manifest.h"
 
 namespace twrench {
 
-/// Writes the frames of a film into a folder, and the manifest that tells what is there.
+/// Writes the frames of a film into a folder, and the manifest that tells what is there. Also when
+/// a signal ends the process: its mutex is only locked while hold_termination() is held, so that
+/// the TerminationAction of a run can call finish().
 class FrameSequence {
  public:
-  /// Makes the folder where it is missing. `manifest` is all but its frames.
-  /// Throws FileError.
+  /// Makes the folder where it is missing, and locks it, which shards share. `manifest` is all but
+  /// its frames. Throws FileError, also where another run writes to the folder.
   FrameSequence(std::filesystem::path folder, Manifest manifest);
 
   /// Writes the manifest where finish() has not: what a run that fails leaves is told, too. A
@@ -38,6 +41,9 @@ class FrameSequence {
   /// Writes the manifest of the frames so far, ascending. Throws FileError.
   void finish();
 
+  /// How many frames the manifest tells of.
+  std::size_t size() const { return frames_.size(); }
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -51,6 +57,7 @@ class FrameSequence {
   void write_manifest();
 
   const std::filesystem::path folder_;
+  const FolderLock lock_;
   std::mutex mutex_;  ///< of what follows
   Manifest manifest_;
   std::vector<Frame> frames_;  ///< ascending by number

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
@@ -18,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view frames_line = "\"frames\": [";  ///< after all else
+constexpr std::string_view line_of_frames = "\n\"frames\": [";  ///< after all else
 
 /// A value of the manifest with the path to it, which its errors name: "frames[3].X".
 class Place {
@@ -120,7 +123,8 @@ FrameRecord frame_record(const Place& place) {
 /// A manifest's text as JSON without the frames, which are taken out as they come: as JSON they
 /// need several times the memory of their text. The depth is bounded, because what walks the rest
 /// walks it recursively.
-Json parse_json(std::string_view text, const std::string& name, std::vector<FrameRecord>& frames) {
+template <typename Input>
+Json parse_json(Input&& text, const std::string& name, std::vector<FrameRecord>& frames) {
   constexpr int deepest = 32;
   bool in_frames = false;
   const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
@@ -135,7 +139,7 @@ Json parse_json(std::string_view text, const std::string& name, std::vector<Fram
     return !is_frame;
   };
   try {
-    return Json::parse(text, take);
+    return Json::parse(std::forward<Input>(text), take);
   } catch (const Json::exception& error) {
     throw FileError("cannot use " + name, error.what());
   }
@@ -195,17 +199,23 @@ std::vector<std::string> texts(const Place& place) {
   return result;
 }
 
+/// Titles and names may hold bytes that are no UTF-8.
+std::string json_text(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string format_head(const Manifest& manifest) {
   Json head{{"version", manifest.version},   {"scene", manifest.scene},
             {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
             {"fps", manifest.fps},           {"encoder", manifest.encoder},
-            {"range", manifest.range}};
+            {"range", manifest.range},       {"font", manifest.font}};
   if (!manifest.shard.is_whole()) head["shard"] = format_shard(manifest.shard);
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {
-    text += fmt::format("{}: {},\n", Json(key).dump(), value.dump());
+    text += fmt::format("{}: {},\n", json_text(key), json_text(value));
   }
-  return text + std::string(frames_line) + "\n";
+  text.pop_back();  // the end of the line, which comes again
+  return text.append(line_of_frames) + "\n";
 }
 
 std::string format_frame(const FrameRecord& record) {
@@ -217,6 +227,59 @@ std::string format_frame(const FrameRecord& record) {
               {"file", record.file},
               {"sha256", record.sha256}}
       .dump();
+}
+
+/// From a text, or a stream of it.
+template <typename Input>
+Manifest parse(Input&& text, const std::string& name) {
+  std::vector<FrameRecord> frames;
+  const Json json = parse_json(std::forward<Input>(text), name, frames);
+  const Place root(json, name, "");
+  const Place size = root.key("size");
+  if (size.size_of_array() != 2) {
+    size.fail("[width, height]");
+  }
+  const std::string range = frame_range(root.key("range"));
+  check_frames(frames, root.key("frames"), range);
+  return {.version = root.key("version").text(),
+          .scene = root.key("scene").value(),
+          .font = root.value().contains("font") ? root.key("font").text() : "",
+          .renderer = root.key("renderer").text(),
+          .width = size.item(0).integer(1, max_image_side),
+          .height = size.item(1).integer(1, max_image_side),
+          .fps = positive(root.key("fps")),
+          .encoder = texts(root.key("encoder")),
+          .range = range,
+          .shard = shard_of(root),
+          .frames = std::move(frames)};
+}
+
+/// Throws where a line is so long that to take it in would be to take in anything: a line of ours
+/// is a frame, or the scene.
+void check_lines(std::ifstream& file, const std::string& name) {
+  constexpr std::size_t longest = 1UL << 24U;
+  std::vector<char> portion(1UL << 16U);
+  std::size_t length = 0;
+  while (file.read(portion.data(), std::ssize(portion)), file.gcount() > 0) {
+    for (const char c : std::span(portion.data(), static_cast<std::size_t>(file.gcount()))) {
+      length = c == '\n' ? 0 : length + 1;
+      if (length <= longest) continue;
+      throw FileError("cannot use " + name,
+                      fmt::format("it has a line of more than {} bytes", longest));
+    }
+  }
+}
+
+/// A pipe is not opened: that would be to wait for one who writes.
+std::ifstream open_manifest(const std::filesystem::path& path) {
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw FileError("cannot read " + path.string(), "it is not a regular file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw file_error("cannot read " + path.string(), errno);
+  return file;
 }
 
 }  // namespace
@@ -247,45 +310,38 @@ std::string format_manifest(const Manifest& manifest) {
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {
-  std::vector<FrameRecord> frames;
-  const Json json = parse_json(text, name, frames);
-  const Place root(json, name, "");
-  const Place size = root.key("size");
-  if (size.size_of_array() != 2) {
-    size.fail("[width, height]");
-  }
-  const std::string range = frame_range(root.key("range"));
-  check_frames(frames, root.key("frames"), range);
-  return {.version = root.key("version").text(),
-          .scene = root.key("scene").value(),
-          .renderer = root.key("renderer").text(),
-          .width = size.item(0).integer(1, max_image_side),
-          .height = size.item(1).integer(1, max_image_side),
-          .fps = positive(root.key("fps")),
-          .encoder = texts(root.key("encoder")),
-          .range = range,
-          .shard = shard_of(root),
-          .frames = std::move(frames)};
+  return parse(text, name);
 }
 
 bool same_film(const Manifest& a, const Manifest& b) {
-  return a.version == b.version && a.scene == b.scene && a.renderer == b.renderer &&
-         a.width == b.width && a.height == b.height;
+  return a.version == b.version && a.scene == b.scene && a.font == b.font &&
+         a.renderer == b.renderer && a.width == b.width && a.height == b.height;
 }
 
 Manifest read_manifest(const std::filesystem::path& path) {
-  constexpr std::size_t longest = 1000UL * max_frame_count;  // a line of a frame is shorter
-  const auto bytes = read_file(path, longest);
-  return parse_manifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+  std::ifstream file = open_manifest(path);
+  check_lines(file, path.string());
+  file.clear();
+  file.seekg(0);
+  return parse(file, path.string());
 }
 
 Manifest read_manifest_head(const std::filesystem::path& path) {
-  std::ifstream file(path);
+  std::ifstream file = open_manifest(path);
+  constexpr std::size_t longest = 1UL << 24U;  // of a scene with as many parts as may be, a tenth
+  constexpr std::size_t portion = 1UL << 14U;
   std::string head;
-  for (std::string line; std::getline(file, line); head += line + '\n') {
-    if (line.starts_with(frames_line)) {
-      return parse_manifest(head + std::string(frames_line) + "]}", path.string());
+  for (std::size_t searched = 0; file && head.size() < longest;) {
+    const std::size_t before = head.size();
+    head.resize(before + portion);
+    file.read(head.data() + before, portion);
+    head.resize(before + static_cast<std::size_t>(file.gcount()));
+    const std::size_t end = head.find(line_of_frames, searched);
+    if (end != std::string::npos) {
+      head.resize(end + line_of_frames.size());
+      return parse_manifest(head + "]}", path.string());
     }
+    searched = head.size() - std::min(head.size(), line_of_frames.size());
   }
   Manifest manifest = read_manifest(path);
   manifest.frames.clear();

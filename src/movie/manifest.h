@@ -29,6 +29,7 @@ struct FrameRecord {
 struct Manifest {
   std::string version;           ///< of the program
   nlohmann::ordered_json scene;  ///< all values resolved
+  std::string font{};            ///< digest of the typeface, as typeface_digest() gives it
   std::string renderer;          ///< the GL renderer string
   int width = 0;                 ///< pixels
   int height = 0;
@@ -43,7 +44,7 @@ struct Manifest {
 std::string frame_file_name(int frame);
 
 /// Whether everything that determines the pixels of a frame is the same, its pose aside: program
-/// version, scene, GL renderer and size.
+/// version, scene, typeface, GL renderer and size.
 bool same_film(const Manifest& a, const Manifest& b);
 
 /// The manifest as JSON, a frame a line; every double is read back as the same double.

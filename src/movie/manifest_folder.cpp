@@ -24,6 +24,7 @@ FileError disagreement(const fs::path& a, const fs::path& b, const std::string& 
 std::string difference(const Manifest& a, const Manifest& b) {
   if (a.version != b.version) return fmt::format("versions {} and {}", a.version, b.version);
   if (a.renderer != b.renderer) return fmt::format("renderers {} and {}", a.renderer, b.renderer);
+  if (a.font != b.font) return "another font file";
   return a.scene != b.scene ? "another scene" : "another size";
 }
 

@@ -40,8 +40,6 @@ Picture picture_of(const FrameRecord& frame) {
   return picture;
 }
 
-bool go_on() { return false; }
-
 /// Frames that `draw` draws when they are ended.
 Drawing drawing(std::function<Picture(const FrameRecord&)> draw = picture_of,
                 std::size_t ahead = 0) {
@@ -64,7 +62,7 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
   for (const int jobs : {1, 4}) {
     const auto frames_folder = folder_ / std::to_string(jobs);
     FrameSequence sequence(frames_folder, manifest_of(count));
-    run_pipeline(frames_, drawing(), go_on, {&sequence, nullptr, jobs}, progress_, times_);
+    run_pipeline(frames_, drawing(), {&sequence, nullptr, jobs}, progress_, times_);
     sequence.finish();
     const Manifest manifest = read_manifest(frames_folder / manifest_name);
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
@@ -88,8 +86,7 @@ TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
       back.push_back(picture.image.pixels[0]);
       picture.image.pixels.assign(picture.image.pixels.size(), 255);  // nobody looks at it now
     };
-    run_pipeline(frames_, lending, go_on, {&sequence, film ? &*encoder : nullptr, 2}, progress_,
-                 times_);
+    run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, progress_, times_);
     sequence.finish();
     if (film) encoder->finish();
     std::ranges::sort(back);
@@ -103,7 +100,7 @@ TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
 
 TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
   VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
-  run_pipeline(frames_, drawing(), go_on, {nullptr, &encoder, 1}, progress_, times_);
+  run_pipeline(frames_, drawing(), {nullptr, &encoder, 1}, progress_, times_);
   encoder.finish();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
 }
@@ -122,23 +119,8 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
                             });
                           },
                           ahead};
-    EXPECT_EQ(run_pipeline(frames_, counted, go_on, {nullptr, nullptr, 1}, progress_, times_),
-              frames_.size());
+    run_pipeline(frames_, counted, {nullptr, nullptr, 1}, progress_, times_);
     EXPECT_EQ(ended, frames_.size());
-  }
-}
-
-TEST_F(PipelineOfThreads, StopsWhenAskedToWithWhatWasBegun) {
-  for (const std::size_t ahead : {0U, 1U, 3U}) {
-    const auto frames_folder = folder_ / std::to_string(ahead);
-    FrameSequence sequence(frames_folder, manifest_of(count));
-    int asked = 0;
-    const auto stop = [&] { return ++asked > 9; };
-    EXPECT_EQ(run_pipeline(frames_, drawing(picture_of, ahead), stop, {&sequence, nullptr, 2},
-                           progress_, times_),
-              9u);
-    sequence.finish();
-    EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 9u);
   }
 }
 
@@ -149,7 +131,7 @@ TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
     picture.is_new = frame.frame % 2 == 0;
     return picture;
   };
-  run_pipeline(frames_, drawing(draw), go_on, {&sequence, nullptr, 2}, progress_, times_);
+  run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_);
   sequence.finish();
   EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
 }
@@ -162,9 +144,9 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
       if (frame.frame == 7) throw GlError("drawing", "lost");
       return picture_of(frame);
     };
-    EXPECT_THROW(run_pipeline(frames_, drawing(draw, ahead), go_on, {&sequence, nullptr, 2},
-                              progress_, times_),
-                 GlError);
+    EXPECT_THROW(
+        run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, progress_, times_),
+        GlError);
     sequence.finish();
     // What was on its way is whole and told of.
     EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 7u);
@@ -179,9 +161,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return picture_of(frame);
   };
-  EXPECT_THROW(
-      run_pipeline(frames_, drawing(draw), go_on, {&sequence, nullptr, 2}, progress_, times_),
-      FileError);
+  EXPECT_THROW(run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_),
+               FileError);
   EXPECT_LT(drawn, count);
 }
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/file.h"
+#include "base/pending_file.h"
 #include "scratch_folder.h"
 
 namespace {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
@@ -62,6 +63,30 @@ TEST(File, RefusesToReadWhatIsLongerThanAllowed) {
   EXPECT_THAT(failure([] { read_file("/dev/zero", 1'000'000); }), HasSubstr("longer than"));
 }
 
+TEST(File, ThatMustBeRegularIsNotAPipe) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(failure([&] { read_regular_file(scratch / "pipe", 10); }),
+              HasSubstr("not a regular file"));
+  EXPECT_THAT(failure([] { read_regular_file("/dev/zero", 10); }), HasSubstr("not a regular file"));
+  write_file_atomically(scratch / "file", std::string_view("x"));
+  EXPECT_EQ(read_regular_file(scratch / "file", 10).size(), 1U);
+}
+
+TEST(File, AnInputIsNoOutput) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "a", std::string_view("x"));
+  write_file_atomically(scratch / "b", std::string_view("x"));
+  std::filesystem::create_symlink("a", scratch / "link");
+  std::filesystem::create_hard_link(scratch / "a", scratch / "hard");
+  for (const char* name : {"a", "link", "hard", "./a"}) {
+    EXPECT_THROW(require_not_input(scratch / name, scratch / "a"), UsageError) << name;
+  }
+  EXPECT_NO_THROW(require_not_input(scratch / "b", scratch / "a"));
+  EXPECT_NO_THROW(require_not_input(scratch / "new", scratch / "a"));
+  EXPECT_NO_THROW(require_not_input(scratch / "new", scratch / "none"));
+}
+
 TEST(File, SaysWhichFileCannotBeReadAndWhy) {
   const ScratchFolder scratch;
   EXPECT_EQ(failure([&] { read_file("/no/such.png", 10); }),
@@ -75,16 +100,6 @@ TEST(File, CannotBeWrittenUnderAFile) {
   EXPECT_THAT(failure([&] { write_file_atomically(scratch / "file/b", std::string_view("y")); }),
               HasSubstr("cannot write"));
   EXPECT_THAT(scratch.names(), ElementsAre("file"));
-}
-
-TEST(File, DoesNotReplaceADeviceOrAFolder) {
-  const ScratchFolder scratch;
-  std::filesystem::create_directory(scratch / "folder");
-  std::filesystem::create_symlink("/dev/null", scratch / "null");
-  for (const char* name : {"folder", "null"}) {
-    EXPECT_THAT(failure([&] { write_file_atomically(scratch / name, std::string_view("y")); }),
-                HasSubstr("not a regular file"));
-  }
 }
 
 TEST(File, OnAFullDiskLeavesTheOldOneAndNothingElse) {
@@ -103,34 +118,6 @@ TEST(File, OnAFullDiskLeavesTheOldOneAndNothingElse) {
   EXPECT_THAT(message, HasSubstr("File too large"));
   EXPECT_EQ(text_of(scratch / "a"), "old");
   EXPECT_THAT(scratch.names(), ElementsAre("a"));
-}
-
-TEST(File, PendingIsUnderAnotherNameInTheSameFolderAndVanishes) {
-  const ScratchFolder scratch;
-  {
-    const PendingFile pending(scratch / "film.mp4");
-    EXPECT_EQ(pending.path().parent_path(), scratch.path());
-    EXPECT_THAT(scratch.names(), ElementsAre(pending.path().filename().string()));
-  }
-  EXPECT_THAT(scratch.names(), IsEmpty());
-}
-
-TEST(File, PendingIsGoneFromAFolderThatWasMoved) {
-  const ScratchFolder scratch;
-  std::filesystem::create_directory(scratch / "here");
-  {
-    PendingFile pending(scratch / "here/film.mp4");
-    std::filesystem::rename(scratch / "here", scratch / "there");
-    EXPECT_THROW(pending.commit(), FileError);
-  }
-  EXPECT_TRUE(std::filesystem::is_empty(scratch / "there"));
-}
-
-TEST(File, PendingTakesNobodysName) {
-  const ScratchFolder scratch;
-  const PendingFile one(scratch / "a");
-  const PendingFile other(scratch / "a");
-  EXPECT_NE(one.path(), other.path());
 }
 
 TEST(File, ANameOfGreatestLengthCanBeWritten) {

@@ -56,7 +56,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   for (const auto& [signal, code] : signals) {
     ScratchFolder folder;
     const Outcome stopped = run_shell(
-        folder, "\"$TWRENCH\" " + film +
+        folder, "env --default-signal=INT \"$TWRENCH\" " + film +
                     "& pid=$!; until [ -e f/frame_000003.png ]; do sleep 0.01; done; kill -" +
                     signal + " $pid; kill -" + signal + " $pid; wait $pid");
     ASSERT_EQ(stopped.code, code) << stopped.err;
@@ -109,14 +109,38 @@ TEST(Resume, TrustsNoFileBecauseItExists) {
   EXPECT_EQ(fs::last_write_time(folder / "f/frame_000003.png"), untouched) << "drawn again";
 }
 
-TEST(Resume, RedrawsWhatIsOfAnotherScene) {
+TEST(Resume, RefusesWhatIsOfAnotherScene) {
   ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, small + "--omega 1,0.2,0").code, 0);
   const auto other = digests(folder / "f");
-  ASSERT_EQ(run_twrench(folder, small + "--resume").code, 0);
-  const auto redrawn = digests(folder / "f");
-  EXPECT_NE(redrawn.at("frame_000009.png"), other.at("frame_000009.png"));
-  EXPECT_EQ(redrawn, told_digests(folder / "f"));
+  const Outcome refused = run_twrench(folder, small + "--resume");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("frames of another scene"));
+  EXPECT_EQ(digests(folder / "f"), other);
+  EXPECT_EQ(told_digests(folder / "f"), other);
+}
+
+TEST(Resume, RefusesAManifestOfSomebodyElse) {
+  ScratchFolder folder;
+  fs::create_directory(folder / "f");
+  const std::string theirs = "{\"name\": \"a web application\"}\n";
+  write_file_atomically(folder / "f/manifest.json", theirs);
+  const Outcome refused = run_twrench(folder, small + "--resume");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("not of this program"));
+  EXPECT_EQ(text_of(folder / "f/manifest.json"), theirs);
+}
+
+TEST(Resume, KnowsTheFontByItsBytes) {
+  ScratchFolder folder;
+  fs::copy_file(TWRENCH_SANS_FILE, folder / "font.ttf");
+  const std::string with_font = small + "--font ./font.ttf --resume ";
+  ASSERT_EQ(run_twrench(folder, with_font).code, 0);
+  EXPECT_EQ(run_twrench(folder, with_font).code, 0);
+  ASSERT_EQ(run_shell(folder, "chmod u+w font.ttf && echo >>font.ttf").code, 0);
+  const Outcome refused = run_twrench(folder, with_font);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("font"));
 }
 
 TEST(Overwrite, IsAskedForBeforeAnotherFilmIsDestroyed) {
@@ -138,7 +162,9 @@ TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
   ASSERT_EQ(run_twrench(folder, small).code, 0);
   fs::remove(folder / "f/manifest.json");
   EXPECT_EQ(run_twrench(folder, small).code, 2);
-  EXPECT_EQ(run_twrench(folder, small + "--resume").code, 0);
+  EXPECT_EQ(run_twrench(folder, small + "--resume").code, 2);
+  EXPECT_EQ(run_twrench(folder, small + "--resume --overwrite").code, 2);
+  EXPECT_EQ(run_twrench(folder, small + "--overwrite").code, 0);
 }
 
 TEST(Manifest, TellsOfAllRangesOfAFilm) {

@@ -57,7 +57,8 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
 std::vector<int> encode_and_count(const std::filesystem::path& folder,
                                   const std::filesystem::path& film) {
   std::vector<int> heard;
-  encode_frames(folder, film, Missing::refuse, [&heard](int done, int) { heard.push_back(done); });
+  encode_frames(folder, {film}, Missing::refuse,
+                [&heard](int done, int) { heard.push_back(done); });
   return heard;
 }
 
@@ -100,14 +101,14 @@ TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
   const auto frames = draw(scratch, "0-9", "0-4,8");
   std::filesystem::remove(frames / "frame_000002.png");
   const auto film = scratch / "film.mp4";
-  EXPECT_THAT(
-      encode_frames(frames, film, Missing::leave_out, [](int, int total) { EXPECT_EQ(total, 5); }),
-      ElementsAre(2, 5, 6, 7, 9));
+  EXPECT_THAT(encode_frames(frames, {film}, Missing::leave_out,
+                            [](int, int total) { EXPECT_EQ(total, 5); }),
+              ElementsAre(2, 5, 6, 7, 9));
   EXPECT_TRUE(std::filesystem::exists(film));
   std::filesystem::remove_all(frames);
   draw(scratch, "0-9", "0");
   std::filesystem::remove(frames / "frame_000000.png");
-  EXPECT_THROW(encode_frames(frames, film, Missing::leave_out, [](int, int) {}), FileError)
+  EXPECT_THROW(encode_frames(frames, {film}, Missing::leave_out, [](int, int) {}), FileError)
       << "a film of nothing";
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -211,7 +212,7 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
     planes.update(frame, {0, 0, width, height});
     expected.insert(expected.end(), planes.bytes().begin(), planes.bytes().end());
   }
-  encoder.finish();
+  EXPECT_THROW(encoder.finish(), EncoderError) << "it is no film";
   EXPECT_EQ(read_file(raw, 100'000'000), expected);
 }
 
@@ -387,7 +388,7 @@ TEST(Encoder, ThatHangsIsStoppedAndTold) {
   for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
     const StubFfmpeg stub(scratch, script);
     try {
-      VideoEncoder encoder(scratch / "film.mp4", format, patience);
+      VideoEncoder encoder(scratch / "film.mp4", format, {}, patience);
       for (int i = 0; i < 500; ++i) encoder.write(flat({1, 2, 3}));
       encoder.finish();
       FAIL();
@@ -404,6 +405,47 @@ TEST(Encoder, ThatFailsAtTheEndIsTold) {
   const StubFfmpeg stub(scratch, "cat >/dev/null; echo 'no trailer' >&2; exit 1");
   EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(), HasSubstr("no trailer"));
   EXPECT_THAT(scratch.names(), ElementsAre("bin"));
+}
+
+TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
+  const std::string last = "for film; do :; done; film=${film#file:}; ";
+  const std::string real = "$(PATH=${PATH#*:} command -v ffmpeg)";
+  const std::pair<std::string, const char*> stubs[] = {
+      {last + "cat >/dev/null; : >\"$film\"", "what it wrote is no film"},
+      {"head -c 18432 | " + real + " \"$@\"", "a film of 4 frames"}};
+  for (const auto& [script, message] : stubs) {
+    const StubFfmpeg stub(scratch, script);
+    VideoEncoder encoder(scratch / "film.mp4", format);
+    for (int i = 0; i < 5; ++i) encoder.write(flat({1, 2, 3}));
+    try {
+      encoder.finish();
+      FAIL();
+    } catch (const EncoderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(message));
+    }
+    EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+  }
+}
+
+TEST(Encoder, IsKeptFromAFilmThatAnotherWrites) {
+  const ScratchFolder scratch;
+  const VideoEncoder one(scratch / "film.mp4", format);
+  const VideoEncoder other(scratch / "other.mp4", format);
+  EXPECT_THROW(VideoEncoder(scratch / "film.mp4", format), FileError);
+}
+
+TEST(Encoder, StreamsToADevice) {
+  const ScratchFolder scratch;
+  run_command("mkfifo '" + (scratch / "pipe.mp4").string() + "'");
+  auto reader = std::async(std::launch::async, [&] {
+    run_command("cat '" + (scratch / "pipe.mp4").string() + "' >'" +
+                (scratch / "film.mp4").string() + "'");
+  });
+  encode(scratch / "pipe.mp4", std::vector<Image>(7, flat({40, 80, 120})));
+  reader.get();
+  EXPECT_THAT(probe(scratch, "film.mp4"), HasSubstr("nb_read_frames=7\n"));
 }
 
 TEST(Encoder, AFullDiskIsAFilesFailure) {

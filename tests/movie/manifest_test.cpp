@@ -88,7 +88,7 @@ TEST(Manifest, HasTheKeysThatScriptsReadInTheirOrder) {
   for (const auto& [key, value] : json.items()) {
     keys += key + " ";
   }
-  EXPECT_EQ(keys, "version scene renderer size fps encoder range frames ");
+  EXPECT_EQ(keys, "version scene renderer size fps encoder range font frames ");
   keys.clear();
   for (const auto& [key, value] : json["frames"][1].items()) {
     keys += key + " ";

@@ -1,0 +1,199 @@
+#include "base/pending_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string cannot_write(const fs::path& path) { return "cannot write " + path.string(); }
+
+/// The descriptor that the path names, as /dev/fd/3 does; -1 for other paths. It is used itself: to
+/// open the path would begin at the start of a file that a shell has opened to append to.
+int named_descriptor(const fs::path& path) {
+  const std::string text = path.string();
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!text.starts_with(folder)) continue;
+    int descriptor = -1;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + folder.size(), end, descriptor);
+    if (error == std::errc{} && stop == end) return descriptor;
+  }
+  return -1;
+}
+
+/// What the links lead to, which need not exist. Throws FileError where they lead in a circle.
+fs::path follow_links(const fs::path& target) {
+  constexpr int most_links = 40;  // as Linux
+  fs::path path = target;
+  for (int n = 0; n < most_links; ++n) {
+    std::error_code failed;
+    if (named_descriptor(path) >= 0 || !fs::is_symlink(fs::symlink_status(path, failed))) {
+      return path;
+    }
+    const fs::path next = fs::read_symlink(path, failed);
+    if (failed) throw file_error(cannot_write(target), failed.value());
+    path = path.parent_path() / next;  // an absolute one stands for itself
+  }
+  throw file_error(cannot_write(target), ELOOP);
+}
+
+/// What fits a path component of 255 bytes with room for the decoration.
+std::string shortened(const std::string& name) { return name.substr(0, 200); }
+
+/// Before and after the process's number in the name of a temporary.
+std::string temporary_prefix(const fs::path& target) {
+  return fmt::format(".{}.", shortened(target.filename().string()));
+}
+constexpr std::string_view temporary_suffix = ".tmp";
+
+/// Makes and opens a file beside target, in its folder. O_EXCL neither follows a link nor takes
+/// another's file.
+Descriptor open_beside(const fs::path& target, const Descriptor& folder, fs::path& path) {
+  constexpr int most_leftovers = 10'000;  // of killed processes that had our number
+  for (int n = 0; n < most_leftovers; ++n) {
+    const std::string name =
+        fmt::format("{}{}-{}{}", temporary_prefix(target), ::getpid(), n, temporary_suffix);
+    path = target.parent_path() / name;
+    Descriptor descriptor(
+        ::openat(folder.get(), name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (descriptor || errno != EEXIST) return descriptor;
+  }
+  return {};
+}
+
+/// The system's record of the target; of the link itself where those are replaced.
+std::optional<struct stat> status_of(const fs::path& path, Links links) {
+  struct stat status {};
+  const int failed =
+      links == Links::follow ? ::stat(path.c_str(), &status) : ::lstat(path.c_str(), &status);
+  if (failed == 0) return status;
+  if (errno != ENOENT) throw file_error(cannot_write(path), errno);  // its name is too long, say
+  return std::nullopt;
+}
+
+/// A device, a pipe: not to be replaced, but to be written to.
+bool is_device(const struct stat& status) {
+  return !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// Throws where what stands there may not be written.
+void check_target(const fs::path& target, const fs::path& destination, const struct stat& status,
+                  Links links) {
+  if (S_ISDIR(status.st_mode)) {
+    throw FileError(cannot_write(target), "it is a folder", "choose another name");
+  }
+  if (is_device(status) && links == Links::replace) {
+    throw FileError(cannot_write(target), "it is there and is not a regular file",
+                    "choose another name");
+  }
+  if (!S_ISLNK(status.st_mode) &&
+      ::faccessat(AT_FDCWD, destination.c_str(), W_OK, AT_EACCESS) != 0) {
+    throw file_error(cannot_write(target), errno);
+  }
+}
+
+/// The owner first: a change of owner may take from the mode. That we may not give files away is no
+/// reason not to write this one.
+void keep_mode_and_owner(const Descriptor& file, const struct stat& status) {
+  static_cast<void>(::fchown(file.get(), status.st_uid, status.st_gid) == 0);
+  static_cast<void>(::fchmod(file.get(), status.st_mode & 07777U) == 0);
+}
+
+}  // namespace
+
+PendingFile::PendingFile(fs::path target, Links links)
+    : target_(std::move(target)),
+      destination_(links == Links::follow ? follow_links(target_) : target_) {
+  const bool is_named = named_descriptor(destination_) >= 0;
+  const auto status = is_named ? std::nullopt : status_of(destination_, links);
+  if (status) check_target(target_, destination_, *status, links);
+  if (is_named || (status && is_device(*status))) {
+    open_directly();
+  } else {
+    open_temporary();
+    if (status && S_ISREG(status->st_mode)) keep_mode_and_owner(descriptor_, *status);
+  }
+}
+
+void PendingFile::open_directly() {
+  path_ = destination_;
+  const int named = named_descriptor(destination_);
+  descriptor_ = Descriptor(named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0)
+                                      : ::open(destination_.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!descriptor_) throw file_error(cannot_write(target_), errno);
+}
+
+void PendingFile::open_temporary() {
+  const std::string parent =
+      destination_.has_parent_path() ? destination_.parent_path().string() : ".";
+  folder_ = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_) throw file_error(cannot_write(target_), errno);
+  const auto hold = hold_termination();  // there is no temporary that would not be removed
+  descriptor_ = open_beside(destination_, folder_, path_);
+  if (!descriptor_) throw file_error(cannot_write(target_), errno);
+  removal_.emplace([this](TerminationMessage&) {
+    ::unlinkat(folder_.get(), path_.filename().c_str(), 0);  // wherever the folder is by now
+  });
+}
+
+PendingFile::~PendingFile() {
+  if (!removal_) return;
+  const auto hold = hold_termination();
+  ::unlinkat(folder_.get(), path_.filename().c_str(), 0);
+  removal_.reset();
+}
+
+void PendingFile::claim() {
+  if (is_direct()) return;
+  ::flock(descriptor_.get(), LOCK_EX);  // had at once: no one else keeps it
+  std::error_code failed;
+  const fs::path folder = destination_.has_parent_path() ? destination_.parent_path() : ".";
+  for (const auto& entry : fs::directory_iterator(folder, failed)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_of_target = name.starts_with(temporary_prefix(destination_)) &&
+                              name.ends_with(temporary_suffix) && name != path_.filename();
+    if (!is_of_target) continue;
+    const Descriptor other(::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (other && ::flock(other.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      throw FileError(cannot_write(target_), "another run is writing it at this moment",
+                      "wait for its end, or choose another name");
+    }
+  }
+}
+
+void PendingFile::write(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw file_error(cannot_write(target_), errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void PendingFile::commit() {
+  const auto hold = hold_termination();
+  // On a network or a quota, close is where a full disk is told.
+  const bool closed = descriptor_.close();
+  if (!closed || (!is_direct() && std::rename(path_.c_str(), destination_.c_str()) != 0)) {
+    throw file_error(cannot_write(target_), errno);
+  }
+  removal_.reset();
+}
+
+}  // namespace twrench

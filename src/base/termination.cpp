@@ -1,0 +1,99 @@
+#include "base/termination.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <exception>
+#include <list>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+
+namespace twrench {
+namespace {
+
+struct Registry {
+  std::recursive_mutex mutex;
+  std::list<const TerminationAction::Action*> actions;
+};
+
+/// Never destroyed: the thread that waits for signals may use it while the process exits.
+Registry& registry() {
+  static Registry* const only = new Registry;
+  return *only;
+}
+
+constexpr std::pair<int, const char*> ending_signals[] = {
+    {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}};
+
+/// Those signals that are not ignored: nohup, or a shell's `&`, ignores some for its children.
+sigset_t heeded_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const auto& [signal, name] : ending_signals) {
+    struct sigaction disposition {};
+    ::sigaction(signal, nullptr, &disposition);
+    if (disposition.sa_handler != SIG_IGN) sigaddset(&signals, signal);
+  }
+  return signals;
+}
+
+TerminationMessage message_of(int arrived) {
+  for (const auto& [signal, name] : ending_signals) {
+    if (signal == arrived) return {std::string("interrupted by ") + name, {}};
+  }
+  return {"interrupted", {}};
+}
+
+[[noreturn]] void end(int signal, const std::function<void(const TerminationMessage&)>& report) {
+  registry().mutex.lock();  // for good: nothing new is begun, nothing old is given up twice
+  TerminationMessage message = message_of(signal);
+  auto& actions = registry().actions;
+  while (!actions.empty()) {
+    const TerminationAction::Action* const action = actions.back();
+    actions.pop_back();
+    try {
+      (*action)(message);
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the others are to be taken nevertheless
+    }
+  }
+  report(message);
+  ::_exit(static_cast<int>(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated));
+}
+
+}  // namespace
+
+TerminationAction::TerminationAction(Action action) : action_(std::move(action)) {
+  const auto hold = hold_termination();
+  registry().actions.push_back(&action_);
+}
+
+TerminationAction::~TerminationAction() {
+  const auto hold = hold_termination();
+  registry().actions.remove(&action_);
+}
+
+std::unique_lock<std::recursive_mutex> hold_termination() {
+  return std::unique_lock(registry().mutex);
+}
+
+void end_on_termination_signals(std::function<void(const TerminationMessage&)> report) {
+  const sigset_t signals = heeded_signals();
+  sigset_t before;
+  pthread_sigmask(SIG_BLOCK, &signals, &before);
+  try {
+    std::thread([signals, report = std::move(report)] {
+      int arrived = 0;
+      while (sigwait(&signals, &arrived) != 0) {
+      }
+      end(arrived, report);
+    }).detach();
+  } catch (
+      const std::system_error&) {  // no thread can be had: the signals end us as they always do
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+}
+
+}  // namespace twrench

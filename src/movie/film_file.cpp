@@ -1,0 +1,90 @@
+#include "movie/film_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
+
+#include "base/child_process.h"
+#include "base/error.h"
+#include "base/sha256.h"
+#include "movie/frame_range.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Matroska's tags are in capital letters.
+std::string comment_of(const Json& said) {
+  const Json& format = said.at("format");
+  if (!format.contains("tags")) return {};
+  for (const auto& [key, value] : format["tags"].items()) {
+    if (key == "comment" || key == "COMMENT") return value.get<std::string>();
+  }
+  return {};
+}
+
+/// What ffprobe says of the film, as `read` takes it from there; nothing where it is no film.
+template <typename Read>
+auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
+    -> std::optional<decltype(read(Json()))> {
+  std::vector<std::string> command{"ffprobe", "-v", "error", "-select_streams", "v:0"};
+  command.insert(command.end(), how.begin(), how.end());
+  command.insert(command.end(), {"-show_entries",
+                                 "stream=width,height,nb_read_packets:format=duration:"
+                                 "format_tags=comment",
+                                 "-of", "json", "file:" + file.string()});
+  auto ffprobe =
+      start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
+                                  ChildProcess::default_patience, ChildProcess::output_with_errors);
+  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(file, unknown);
+  if (ffprobe.wait(ChildProcess::Time(unknown ? 0 : size / slow_disk)) != 0) return std::nullopt;
+  try {
+    return read(Json::parse(ffprobe.error_output()));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// ffprobe gives numbers as texts.
+double number(const Json& object, const char* key) {
+  return object.contains(key) ? std::strtod(object[key].get<std::string>().c_str(), nullptr) : 0.0;
+}
+
+}  // namespace
+
+std::optional<FilmProperties> probe_film(const fs::path& file) {
+  return ask(file, {"-count_packets"}, [](const Json& said) {
+    const Json& stream = said.at("streams").at(0);
+    return FilmProperties{stream.at("width").get<int>(), stream.at("height").get<int>(),
+                          std::llround(number(stream, "nb_read_packets")),
+                          number(said.at("format"), "duration")};
+  });
+}
+
+std::string film_identity(const Manifest& film, const std::vector<int>& frames) {
+  const Json all{film.scene, film.width, film.height, film.fps, format_frame_range(frames)};
+  const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return "twrench:" +
+         sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void require_replaceable(const fs::path& file, const std::string& identity) {
+  std::error_code failed;
+  const bool stands = fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
+  if (!stands) return;
+  const auto comment = ask(file, {}, &comment_of);
+  if (comment == identity) return;
+  throw UsageError(file.string(),
+                   comment ? "it is there, and is another film" : "it is there, and is no film",
+                   "--overwrite replaces it, --output names another");
+}
+
+}  // namespace twrench

@@ -1,0 +1,181 @@
+// Outputs: none is an input, none takes the place of what somebody else has there, and what is
+// wrong with one is told before anything is made.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "cli/twrench.h"
+#include "run_command.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string picture = "--size 64x36 --frames 0-4 --progress none ";
+const std::string film = "render " + picture + "--no-frames ";
+const std::string frames = "render " + picture + "--no-video --frames-dir f ";
+
+void expect_refused(const Outcome& run, int code, const std::string& message) {
+  EXPECT_EQ(run.code, code) << run.err;
+  EXPECT_THAT(run.err, StartsWith("twrench: error: "));
+  EXPECT_THAT(run.err, HasSubstr(message));
+}
+
+std::int64_t frames_of(const ScratchFolder& folder, const std::string& video) {
+  run_command("ffprobe -v error -count_packets -of csv=p=0 -show_entries stream=nb_read_packets '" +
+              (folder / video).string() + "' >'" + (folder / "count").string() + "'");
+  return std::stoll(text_of(folder / "count"));
+}
+
+TEST(Outputs, AreNoInputs) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  const std::string scene = "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 1\n";
+  write_file_atomically(folder / "my.toml", scene);
+  fs::create_symlink("my.toml", folder / "link.mp4");
+  fs::create_hard_link(folder / "f/manifest.json", folder / "manifest.mp4");
+  fs::create_symlink("f/frame_000003.png", folder / "frame.mp4");
+  const auto before = digests(folder / "f");
+  const std::string manifest = text_of(folder / "f/manifest.json");
+  for (const std::string& command :
+       {film + "my.toml -o my.toml", film + "my.toml -o link.mp4 --overwrite",
+        std::string("simulate my.toml -o my.toml"), std::string("inertia my.toml -o ./my.toml"),
+        std::string("study my.toml -o my.toml"), std::string("plot my.toml -o my.toml"),
+        std::string("compare f/frame_000000.png f/frame_000001.png --diff f/frame_000000.png"),
+        std::string("compare f/frame_000000.png f/frame_000001.png --diff f/frame_000001.png"),
+        std::string("encode f -o f/manifest.json --overwrite"),
+        std::string("encode f -o f/frame_000003.png --overwrite"),
+        std::string("encode f -o manifest.mp4 --overwrite --progress none"),
+        std::string("encode f -o frame.mp4 --overwrite --progress none")}) {
+    const Outcome run = run_twrench(folder, command);
+    EXPECT_EQ(run.code, 2) << command << ": " << run.err;
+  }
+  EXPECT_EQ(text_of(folder / "my.toml"), scene);
+  EXPECT_EQ(digests(folder / "f"), before);
+  EXPECT_EQ(text_of(folder / "f/manifest.json"), manifest);
+}
+
+TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0);
+  EXPECT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0) << "the same film again loses nothing";
+  const std::string before = text_of(folder / "v.mp4");
+  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "another film");
+  ASSERT_EQ(run_twrench(folder, frames + "stable-y").code, 0);
+  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2, "another film");
+  EXPECT_EQ(text_of(folder / "v.mp4"), before);
+  EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
+  EXPECT_NE(text_of(folder / "v.mp4"), before);
+  write_file_atomically(folder / "notes.mkv", "not a film");
+  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "no film");
+  EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
+}
+
+TEST(Outputs, AreOneRunsAtATime) {
+  const ScratchFolder folder;
+  const std::string long_film = "render --size 160x90 --progress none ";
+  const Outcome run = run_shell(
+      folder,
+      "\"$TWRENCH\" " + long_film +
+          "-o v.mp4 --frames-dir f & pid=$!; until [ -e f/frame_000001.png ]; do sleep "
+          "0.01; done; kill -STOP $pid; \"$TWRENCH\" " +
+          long_film + "--no-frames -o v.mp4; echo film $?; \"$TWRENCH\" " + long_film +
+          "--no-video --frames-dir f; echo frames $?; \"$TWRENCH\" " + long_film +
+          "--frames-dir f --shard 1/2; echo shard $?; kill -KILL $pid; wait $pid; \"$TWRENCH\" " +
+          long_film + "--frames 0-4 --frames-dir f -o v.mp4; echo after $?");
+  EXPECT_THAT(run.out, HasSubstr("film 5\nframes 5\nshard 5\nafter 0\n")) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("another run is writing"));
+}
+
+TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "folder.mp4");
+  const std::string both = "render " + picture + "--frames-dir f -o ";
+  for (const std::string& name : {std::string("out/x"), std::string("x.gif"), std::string("x.avi"),
+                                  std::string("x.txt"), std::string("x.mp4.")}) {
+    expect_refused(run_twrench(folder, both + name), 2, ".webm");
+  }
+  expect_refused(run_twrench(folder, both + "folder.mp4"), 5, "it is a folder");
+  expect_refused(run_twrench(folder, both + std::string(252, 'n') + ".mp4"), 5, "too long");
+  EXPECT_FALSE(fs::exists(folder / "f"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_EQ(run_twrench(folder, film + "-o " + std::string(251, 'n') + ".MP4").code, 0);
+  EXPECT_EQ(run_twrench(folder, film + "-o x.MoV").code, 0);
+}
+
+TEST(Outputs, AFilmGoesToStandardOutput) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  for (const char* const container : {"mp4", "mkv", "webm", "mov"}) {
+    const std::string option = std::string("--container ") + container;
+    const std::string video = std::string("v.") + container;
+    const Outcome rendered =
+        run_shell(folder, "\"$TWRENCH\" " + film + "-o - " + option + " | cat >" + video);
+    EXPECT_EQ(rendered.err, "");
+    EXPECT_EQ(frames_of(folder, video), 5);
+    const Outcome encoded = run_shell(
+        folder, "\"$TWRENCH\" encode f -o - --progress none " + option + " | cat >" + video);
+    EXPECT_EQ(encoded.err, "");
+    EXPECT_EQ(frames_of(folder, video), 5);
+  }
+  EXPECT_FALSE(fs::exists(folder / "-"));
+  expect_refused(run_twrench(folder, "render --no-frames -o - --progress openjd"), 2, "openjd");
+  expect_refused(run_twrench(folder, film + "-o - --container gif"), 2, "gif");
+  const Outcome gone =
+      run_shell(folder,
+                "{ \"$TWRENCH\" render --size 320x180 --progress none --no-frames -o -; "
+                "echo $? >code; } | head -c 100 >/dev/null");
+  EXPECT_EQ(text_of(folder / "code"), "5\n") << gone.err;
+}
+
+TEST(Outputs, ThatAreDevicesAreWrittenTo) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_twrench(folder, "simulate --times 1 -o /dev/null").code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const Outcome run = run_shell(
+      folder, "{ echo first; \"$TWRENCH\" inertia -o /dev/stdout; } >all && head -n 2 all");
+  EXPECT_THAT(run.out, StartsWith("first\nscene "));
+  EXPECT_TRUE(fs::is_symlink("/dev/stdout"));
+}
+
+TEST(Outputs, FoldersAreMadeForAFilm) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  EXPECT_EQ(run_twrench(folder, "encode f -o new/folder/v.mp4 --progress none").code, 0);
+  EXPECT_TRUE(fs::exists(folder / "new/folder/v.mp4"));
+}
+
+// A manifest is of anyone: it neither makes us wait nor takes all memory.
+TEST(Hostile, AManifestThatDoesNotEnd) {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "f");
+  for (const char* manifest :
+       {"ln -s /dev/zero f/manifest.json", "mkfifo f/manifest.json",
+        "{ printf '{\"version\": \"'; truncate -s 6G /dev/stdout; } >f/manifest.json"}) {
+    ASSERT_EQ(run_shell(folder, std::string("rm -f f/manifest.json; ") + manifest).code, 0);
+    const std::string limited = "ulimit -v 4000000; exec timeout 60 \"$TWRENCH\" ";
+    expect_refused(run_shell(folder, limited + "encode f -o v.mp4"), 5, "manifest.json");
+    const Outcome drawn = run_shell(folder, limited + frames);
+    EXPECT_EQ(drawn.code, 2) << drawn.err;
+  }
+}
+
+// Threads that cannot be had: of a user who has none left.
+TEST(Hostile, NoThreadCanBeStarted) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can be a user without other processes";
+  const ScratchFolder folder;
+  fs::permissions(folder.path(), fs::perms::all);
+  const Outcome run = run_shell(
+      folder,
+      "timeout 60 setpriv --reuid 54321 --regid 54321 --clear-groups prlimit --nproc=12 "
+      "\"$TWRENCH\" render --size 64x36 --no-video --progress none --frames-dir f --jobs 64");
+  if (run.code == 126 || run.code == 127) GTEST_SKIP() << "another user may not start it here";
+  expect_refused(run, 5, "cannot start a thread");
+  EXPECT_THAT(run.err, HasSubstr("--jobs"));
+}
+
+}  // namespace
+}  // namespace twrench
