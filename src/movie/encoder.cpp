@@ -143,7 +143,8 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
         "ffmpeg cannot make the film", failure(ffmpeg, status),
-        "install one that has libx264, libvpx and prores_ks: apt-get install ffmpeg");
+        "choose a smaller --size, or install one that has libx264, libvpx and prores_ks: apt-get "
+        "install ffmpeg");
   }
   ffprobe.wait();
 }
