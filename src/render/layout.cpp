@@ -48,13 +48,6 @@ Area cut_right(Area& rest, int width, int gap) {
   return piece;
 }
 
-Area common(const Area& a, const Area& b) {
-  const int x = std::max(a.x, b.x);
-  const int y = std::max(a.y, b.y);
-  return {x, y, std::min(a.x + a.width, b.x + b.width) - x,
-          std::min(a.y + a.height, b.y + b.height) - y};
-}
-
 Area middle_square(const Area& area) {
   const int side = std::min(area.width, area.height);
   return {area.x + (area.width - side) / 2, area.y + (area.height - side) / 2, side, side};
@@ -279,6 +272,8 @@ std::optional<Layout> Draft::finish() {
 }
 
 }  // namespace
+
+bool is_strip(const Area& components) { return components.width > 4 * components.height; }
 
 Layout layout_of(const Scene& scene) {
   if (scene.overlay.compare.size() > 1 && scene.overlay.view != View::wrench) {

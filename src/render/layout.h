@@ -40,6 +40,9 @@ struct Layout {
   bool compact = false;  ///< the picture is too small for captions above the figures
 };
 
+/// Whether the nine components stand in one row there, not in three of three.
+bool is_strip(const Area& components);
+
 /// Throws UsageError for a comparison in a view that shows one motion only.
 Layout layout_of(const Scene& scene);
 
