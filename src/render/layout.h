@@ -17,8 +17,9 @@ namespace twrench {
 struct Layout {
   /// A view in three dimensions.
   struct Pane {
-    Area area;   ///< all of it
-    Area focus;  ///< the part in which the body is to be, uncovered
+    Area area;          ///< all of it
+    Area focus;         ///< the part in which the body is to be, uncovered
+    bool named = true;  ///< there is room for the names of what is in it
   };
 
   /// px per em.
