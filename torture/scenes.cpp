@@ -76,7 +76,8 @@ Color random_color(Dice& dice) {
 }
 
 Part random_part(Dice& dice, double size) {
-  const auto length = [&] { return size * dice.spread(0.02, 2); };
+  const double least = dice.chance(0.1) ? 1e-4 : 0.02;  // wires, needles and sheets too
+  const auto length = [&] { return size * dice.spread(least, 2); };
   const auto lengths = [&] {
     const double x = length(), y = length();
     return Vector3d(x, y, length());
@@ -109,7 +110,7 @@ Body random_body(Dice& dice) {
     body.moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
     return body;
   }
-  const double size = dice.spread(1e-2, 1e3);
+  const double size = dice.chance(0.1) ? dice.spread(1e-6, 1e5) : dice.spread(1e-2, 1e3);
   const int count = dice.whole(1, 8);
   for (int i = 0; i < count; ++i) body.parts.push_back(random_part(dice, size));
   return body;

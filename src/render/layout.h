@@ -9,7 +9,8 @@
 namespace twrench {
 
 /// Where things go in the picture. Words and insets keep 5 % of the picture's sides from its edges,
-/// and never overlap one another nor the focus of any pane.
+/// and never overlap one another nor the focus of any pane. In a picture more than three times as
+/// long as it is broad all stands in a line, so that each has the whole breadth.
 ///
 /// What finds no room is dropped, in this order, until the rest has its least size and each body a
 /// third of its pane: Poinsot's construction, the momentum sphere, the components, the figures, the

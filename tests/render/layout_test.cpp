@@ -145,10 +145,10 @@ TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LayoutOf,
-                         testing::Values(std::pair(View::wrench, 0), std::pair(View::wrench, 2),
-                                         std::pair(View::wrench, 3), std::pair(View::wrench, 4),
-                                         std::pair(View::momentum, 0), std::pair(View::poinsot, 0),
-                                         std::pair(View::quad, 0)));
+                         testing::Values(std::pair(View::wrench, 0), std::pair(View::wrench, 1),
+                                         std::pair(View::wrench, 2), std::pair(View::wrench, 3),
+                                         std::pair(View::wrench, 4), std::pair(View::momentum, 0),
+                                         std::pair(View::poinsot, 0), std::pair(View::quad, 0)));
 
 TEST(Layout, GivesTheBareBodyTheWholePicture) {
   for (const int width : sides) {
