@@ -65,16 +65,27 @@ Line typeset(const Font& font, std::span<const char32_t> points) {
 Line typeset(const Font& font, std::string_view utf8) { return typeset(font, decode_utf8(utf8)); }
 
 Line typeset_within(const Font& font, std::string_view utf8, double width) {
-  std::vector<char32_t> points = decode_utf8(utf8);
+  const std::vector<char32_t> points = decode_utf8(utf8);
   Line line = typeset(font, points);
-  for (std::size_t kept = points.size(); line.width > width; line = typeset(font, points)) {
-    if (kept == 0) return {&font, {}, 0};
-    --kept;
+  if (line.width <= width || points.empty()) return line;
+  const auto shortened = [&](std::size_t kept) {
     while (kept > 0 && points[kept - 1] == U' ') --kept;
-    points.resize(kept);
-    points.push_back(U'…');
+    std::vector<char32_t> some(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept));
+    some.push_back(U'…');
+    return typeset(font, some);
+  };
+  // The most characters that fit. Halved, for a title may have a million.
+  std::size_t fit = 0, most = points.size() - 1;
+  while (fit < most) {
+    const std::size_t kept = most - (most - fit) / 2;
+    if (shortened(kept).width <= width) {
+      fit = kept;
+    } else {
+      most = kept - 1;
+    }
   }
-  return line;
+  line = shortened(fit);
+  return line.width <= width ? line : Line{&font, {}, 0};
 }
 
 std::optional<char32_t> missing_character(const Font& font, std::string_view utf8) {

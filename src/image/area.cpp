@@ -15,6 +15,12 @@ Area around(const Area& a, const Area& b) {
 
 }  // namespace
 
+Area common(const Area& a, const Area& b) {
+  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::max(std::min(a.x + a.width, b.x + b.width) - x, 0),
+          std::max(std::min(a.y + a.height, b.y + b.height) - y, 0)};
+}
+
 std::vector<Area> merged(std::vector<Area> areas) {
   std::vector<Area> result;
   while (!areas.empty()) {

@@ -14,13 +14,13 @@ constexpr double range = 1.12;         // of the values that a plot holds: those
 constexpr double faint = 0.32;         // opacity of what is to come
 constexpr double line_opacity = 0.22;  // of zero lines and flips
 
-/// Copies the columns from `first` to `last` of the rows of `area`.
-void copy_columns(const Layer& from, Layer& to, const Area& area, int first, int last) {
-  if (last <= first) return;
-  for (int y = area.y; y < area.y + area.height; ++y) {
+/// Copies what is in `area` from one layer to another that lies where it does.
+void copy(const Layer& from, Layer& to, const Area& area) {
+  const Area held = common(area, from.area());
+  for (int y = held.y; y < held.y + held.height; ++y) {
     const auto offset = static_cast<std::ptrdiff_t>(from.image.row_bytes()) * (y - from.y) +
-                        4 * static_cast<std::ptrdiff_t>(first - from.x);
-    std::copy_n(from.image.pixels.begin() + offset, 4 * (last - first),
+                        4 * static_cast<std::ptrdiff_t>(held.x - from.x);
+    std::copy_n(from.image.pixels.begin() + offset, 4 * held.width,
                 to.image.pixels.begin() + offset);
   }
 }
@@ -42,12 +42,8 @@ ComponentPanel::ComponentPanel(const Scene& scene, const std::vector<Take>& take
   const Area& area = *layout.components;
   place_plots(area, layout.text.caption);
   const int feather = static_cast<int>(2.2 * layout.text.caption);
-  const int left = std::max(0, area.x - feather);
-  const int top = std::max(0, area.y - feather);
-  future_ = {Image(std::min(scene.film.width, area.x + area.width + feather) - left,
-                   std::min(scene.film.height, area.y + area.height + feather) - top, 4),
-             left, top};
-  Canvas future(future_.image, left, top);
+  future_ = layer_around(area, feather, {0, 0, scene.film.width, scene.film.height});
+  Canvas future(future_.image, future_.x, future_.y);
   future.soft_panel(area, feather, {colors.panel, colors.panel_opacity});
   draw_frames(future, layout, typeface);
   // Those of methods that disagree would be a thicket.
@@ -58,7 +54,7 @@ ComponentPanel::ComponentPanel(const Scene& scene, const std::vector<Take>& take
     }
   }
   past_ = future_;
-  Canvas past(past_.image, left, top);
+  Canvas past(past_.image, past_.x, past_.y);
   for (std::size_t i = 0; i < takes.size(); ++i) {
     draw_curves(future, takes[i], i, faint);
     draw_curves(past, takes[i], i, 1);
@@ -66,8 +62,7 @@ ComponentPanel::ComponentPanel(const Scene& scene, const std::vector<Take>& take
 }
 
 void ComponentPanel::place_plots(const Area& area, double label_size) {
-  const bool strip = area.width > 4 * area.height;
-  const int columns = strip ? 9 : 3;
+  const int columns = is_strip(area) ? 9 : 3;
   const int rows = 9 / columns;
   const int gap = std::max(2, static_cast<int>(0.7 * label_size));
   const int label = static_cast<int>(std::ceil(1.25 * label_size));
@@ -120,9 +115,10 @@ std::vector<PendingLayer> ComponentPanel::draw(const Moment& moment) {
   const double share = std::clamp(moment.instants[0].sample.t / duration_, 0.0, 1.0);
   for (const Plot& plot : plots_) {
     const int reach = static_cast<int>(std::ceil(thickness_));  // of a curve beyond its plot
-    const Area held{plot.area.x - reach, plot.area.y - reach, plot.area.width + 2 * reach,
-                    plot.area.height + 2 * reach};
-    copy_columns(past_, layer, held, held.x, static_cast<int>(std::lround(plot.x(share))));
+    const int left = plot.area.x - reach;
+    copy(past_, layer,
+         {left, plot.area.y - reach, static_cast<int>(std::lround(plot.x(share))) - left,
+          plot.area.height + 2 * reach});
   }
   Canvas canvas(layer.image, layer.x, layer.y);
   const double width = std::max(1.0, 0.6 * thickness_);

@@ -21,6 +21,7 @@ constexpr int rows_of_grid = 180;
 constexpr double gap = 0.06;      // between the floor and where the body can come, in radii
 constexpr double pool = 1.3;      // radii: where the light has fallen to a quarter
 constexpr double far_away = 3.0;  // radii from its middle at which the floor is taken to end
+constexpr double most_gaps = 60;  // between the balls of a part: a wire's shadow is not seen
 
 /// The pool's light at that distance from its middle, in units of its width: a lamp's falloff.
 double falloff(double distance) {
@@ -94,7 +95,7 @@ std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
   for (const Part& part : parts) {
     const auto [from, to, radius, meets] = capsule_of(part);
     const double apart = std::numbers::pi / 2 * radius;
-    const int gaps = static_cast<int>(std::lround((to - from).norm() / apart));
+    const int gaps = static_cast<int>(std::lround(std::min((to - from).norm() / apart, most_gaps)));
     for (int i = 0; i <= gaps; ++i) {
       balls.push_back({from + (gaps > 0 ? double(i) / gaps : 0.5) * (to - from), radius});
     }

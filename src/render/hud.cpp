@@ -107,7 +107,9 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
 
 std::vector<PendingLayer> Hud::draw(const Moment& moment) {
   std::vector<PendingLayer> layers;
-  for (const WordBlock& block : blocks_) layers.push_back(ready(block.draw(moment)));
+  for (const WordBlock& block : blocks_) {
+    if (!block.is_empty()) layers.push_back(ready(block.draw(moment)));
+  }
   return layers;
 }
 

@@ -1,13 +1,14 @@
 #include "render/layer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
 namespace twrench {
 namespace {
 
-std::uint8_t* pixel(Image& image, int x, int y) {
-  return image.pixels.data() + static_cast<std::size_t>(y) * image.row_bytes() +
+std::size_t offset(const Image& image, int x, int y) {
+  return static_cast<std::size_t>(y) * image.row_bytes() +
          static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels);
 }
 
@@ -34,17 +35,27 @@ void lay_row_over(std::uint8_t* out, const std::uint8_t* in, int width) {
 
 }  // namespace
 
-void lay_over(Image& image, const Layer& layer) {
-  const std::uint8_t* in = layer.image.pixels.data();
+Layer layer_around(const Area& area, int reach, const Area& picture) {
+  const Area all = common(
+      {area.x - reach, area.y - reach, area.width + 2 * reach, area.height + 2 * reach}, picture);
+  return {Image(all.width, all.height, 4), all.x, all.y};
+}
+
+Area lay_over(Image& image, const Layer& layer) {
+  const Area area = common(layer.area(), {0, 0, image.width, image.height});
+  assert(area == layer.area() && "a layer leaves the picture");
   const auto lay_row = image.channels == 4 ? lay_row_over<4> : lay_row_over<3>;
-  for (int row = 0; row < layer.image.height; ++row, in += layer.image.row_bytes()) {
-    lay_row(pixel(image, layer.x, layer.y + row), in, layer.image.width);
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    lay_row(image.pixels.data() + offset(image, area.x, y),
+            layer.image.pixels.data() + offset(layer.image, area.x - layer.x, y - layer.y),
+            area.width);
   }
+  return area;
 }
 
 void make_straight(Image& image, const Area& area) {
   for (int row = 0; row < area.height; ++row) {
-    std::uint8_t* p = pixel(image, area.x, area.y + row);
+    std::uint8_t* p = image.pixels.data() + offset(image, area.x, area.y + row);
     for (int column = 0; column < area.width; ++column, p += 4) {
       const unsigned alpha = p[3];
       if (alpha == 0 || alpha == 255) continue;

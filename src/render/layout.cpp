@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "render/cut.h"
+#include "render/words.h"
 #include "scene/names.h"
 
 namespace twrench {
@@ -15,49 +17,23 @@ using Pane = Layout::Pane;
 constexpr double safe_margin = 0.05;       // of a side: what television calls the title-safe area
 constexpr double least_focus = 1.0 / 3;    // of the shorter side of its pane
 constexpr int least_inset = 72;            // px
-constexpr int least_components = 150;      // px wide: nine curves of 40 px
+constexpr int least_components = 150;      // px wide: three curves of 40 px beside one another
+constexpr int least_square = 96;           // px high: three curves of 16 px with their names
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 9.5;       // of nine in a row
+constexpr double most_insets = 0.65;       // of a long picture
+constexpr double least_named = 5;          // em, of a view in which names have room
+constexpr double least_words = 26;         // em of the figures, that they take in a row
+constexpr double words_width = 28;         // em that the words beside the body get
+constexpr int longest = 3;  // length / breadth of a picture: in a longer one all goes in a line
 
 int rounded(double length) { return static_cast<int>(std::lround(length)); }
+int shorter(const Area& area) { return std::min(area.width, area.height); }
 
-// Each takes a piece of that length off one side of `rest`, and a gap off beside it.
-Area cut_top(Area& rest, int height, int gap) {
-  const Area piece{rest.x, rest.y, rest.width, height};
-  rest.y += height + gap;
-  rest.height -= height + gap;
-  return piece;
-}
-
-Area cut_bottom(Area& rest, int height, int gap) {
-  const Area piece{rest.x, rest.y + rest.height - height, rest.width, height};
-  rest.height -= height + gap;
-  return piece;
-}
-
-Area cut_left(Area& rest, int width, int gap) {
-  const Area piece{rest.x, rest.y, width, rest.height};
-  rest.x += width + gap;
-  rest.width -= width + gap;
-  return piece;
-}
-
-Area cut_right(Area& rest, int width, int gap) {
-  const Area piece{rest.x + rest.width - width, rest.y, width, rest.height};
-  rest.width -= width + gap;
-  return piece;
-}
-
-Area common(const Area& a, const Area& b) {
-  const int x = std::max(a.x, b.x);
-  const int y = std::max(a.y, b.y);
-  return {x, y, std::min(a.x + a.width, b.x + b.width) - x,
-          std::min(a.y + a.height, b.y + b.height) - y};
-}
-
-Area middle_square(const Area& area) {
-  const int side = std::min(area.width, area.height);
-  return {area.x + (area.width - side) / 2, area.y + (area.height - side) / 2, side, side};
+/// Whether the components can be told in it.
+bool holds_plots(const Area& area) {
+  return area.width >= least_components &&
+         area.height >= (is_strip(area) ? least_inset : least_square);
 }
 
 /// What is to be shown, in the order in which it is dropped.
@@ -84,13 +60,25 @@ class Draft {
   std::optional<Layout> finish();
 
  private:
+  bool is_long() const {
+    return std::max(picture_.width, picture_.height) > longest * shorter(picture_);
+  }
+  bool upright() const { return 10 * picture_.height > 11 * picture_.width; }
   void place_words();
+  int rows_of_figures(const Area& column) const;
+  double height_of_figures(int rows) const {
+    return twrench::height_of_figures(layout_.text, layout_.compact, rows);
+  }
   void place_insets();
+  Area cut_insets(int squares);
   void place_strip();
   void place_views();
+  std::vector<Share> equal_shares(int count) const;
   void place_panes();
   void place_legend(Area& pane);
   void place_quarters();
+  bool is_safe(const Area& area) const;
+  bool has_room_for_words() const;
   bool has_room() const;
 
   const Overlay& overlay_;
@@ -122,63 +110,86 @@ Draft::Draft(const Scene& scene, const Parts& parts)
 
 void Draft::place_words() {
   const auto& [title, figure, caption] = layout_.text;
-  if (parts_[title_part]) {
-    const bool subtitle = takes_ == 1 && !layout_.compact;
-    const double height = 1.2 * title + (subtitle ? 1.8 * caption : 0.0);
-    layout_.title = cut_top(rest_, rounded(height), gap_);
+  const bool subtitle = takes_ == 1 && !layout_.compact;
+  const double title_height = 1.2 * title + (subtitle ? 1.8 * caption : 0.0);
+  const bool figures = parts_[figures_part] && takes_ == 1;
+  const bool aside = is_long() && !upright() && takes_ == 1 && (parts_[title_part] || figures);
+  const int width = rounded(std::min(words_width * figure, rest_.width / 3.0));
+  Area column = aside ? cut_left(rest_, width, 2 * gap_) : rest_;
+  if (parts_[title_part]) layout_.title = cut_top(column, rounded(title_height), gap_);
+  if (figures) {
+    const int height = rounded(height_of_figures(rows_of_figures(column)));
+    layout_.figures = cut_bottom(column, height, gap_);
   }
-  if (parts_[figures_part] && takes_ == 1) {
-    const double height = 1.25 * figure + (layout_.compact ? 0.0 : 1.4 * caption);
-    layout_.figures = cut_bottom(rest_, rounded(height), gap_);
-  }
+  if (!aside) rest_ = column;
 }
 
-/// Beside the body in a column or, in an upright picture, below it in a row.
+/// One or, in a long picture, as many as the figures need there and find room.
+int Draft::rows_of_figures(const Area& column) const {
+  if (!is_long()) return 1;
+  const double wanted = std::ceil(least_words * layout_.text.figure / column.width);
+  int rows = 1;
+  while (rows < wanted && height_of_figures(rows + 1) <= column.height) ++rows;
+  return rows;
+}
+
+/// Beside the body in a column or, in an upright picture, below it in a row; in a long one the
+/// other way round.
 void Draft::place_insets() {
-  const bool upright = 10 * picture_.height > 11 * picture_.width;
   const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
-  const auto cut = [&](Area& from, int length, int gap) {
-    return upright ? cut_right(from, length, gap) : cut_bottom(from, length, gap);
-  };
   if (squares == 0 && !parts_[components_part]) return;
-  const int wanted = rounded(0.26 * picture_.width);
-  const int width = std::max(wanted, std::min(least_components, picture_.width / 3));
-  Area insets = upright ? cut_bottom(rest_, rounded(0.26 * picture_.height), 2 * gap_)
-                        : cut_right(rest_, width, 2 * gap_);
-  if (!upright) {  // down to the edge of the safe area, beside the figures
-    if (layout_.figures) {
-      insets.height += layout_.figures->height + gap_;
-      layout_.figures->width = rest_.width;
-    }
-    if (layout_.title) {
-      insets.y = layout_.title->y;
-      insets.height += layout_.title->height + gap_;
-      layout_.title->width = rest_.width;
-    }
-  }
+  const bool in_row = upright() != is_long();
+  Area insets = cut_insets(squares);
+  const auto cut = [&](int length) {
+    return in_row ? cut_right(insets, length, gap_) : cut_bottom(insets, length, gap_);
+  };
   if (parts_[components_part]) {
+    const double share = squares == 0 ? 1 : squares + 0.8;
     const int length =
-        upright
-            ? rounded(std::min(0.58 * insets.width, components_aspect * insets.height))
-            : rounded(std::min(insets.width / components_aspect, insets.height / (squares + 0.8)));
-    layout_.components = squares == 0 && upright ? insets : cut(insets, length, gap_);
+        in_row ? rounded(std::min(0.58 * insets.width, components_aspect * insets.height))
+               : rounded(std::min(insets.width / components_aspect, insets.height / share));
+    layout_.components = squares == 0 && in_row ? insets : cut(length);
   }
-  const int length =
-      squares == 0 ? 0
-                   : ((upright ? insets.width : insets.height) - (squares - 1) * gap_) / squares;
+  if (squares == 0) return;
+  const int length = ((in_row ? insets.width : insets.height) - (squares - 1) * gap_) / squares;
   for (auto* const inset : {&layout_.momentum, &layout_.poinsot}) {
     const Part part = inset == &layout_.momentum ? momentum_part : poinsot_part;
     if (!parts_[part]) continue;
-    const Area square = middle_square(cut(insets, length, gap_));
+    const Area square = middle_square(cut(length));
     *inset = Pane{square, square};
   }
+}
+
+/// Where the insets go: the components, where they are shown, and so many squares.
+Area Draft::cut_insets(int squares) {
+  const int breadth = upright() ? rest_.width : rest_.height;
+  const bool strip = !upright() && breadth < least_square;
+  const double aspect = strip ? strip_aspect / 2 : components_aspect;
+  const double components = parts_[components_part] ? (upright() ? 1 / aspect : aspect) : 0;
+  const double line = (components + squares) * breadth + 2 * gap_;  // of all of them
+  if (upright()) {
+    const double height =
+        is_long() ? std::min(line, most_insets * rest_.height) : 0.26 * picture_.height;
+    return cut_bottom(rest_, rounded(height), 2 * gap_);
+  }
+  if (is_long())
+    return cut_right(rest_, rounded(std::min(line, most_insets * rest_.width)), 2 * gap_);
+  const int width =
+      std::max(rounded(0.26 * picture_.width), std::min(least_components, picture_.width / 3));
+  Area column = cut_right(rest_, width, 2 * gap_);
+  for (auto* const words : {&layout_.title, &layout_.figures}) {
+    if (*words) (*words)->width = rest_.width;
+  }
+  column.y = safe_.y;  // beside the words too
+  column.height = safe_.height;
+  return column;
 }
 
 /// All components in one row below the panes, which are compared.
 void Draft::place_strip() {
   if (!parts_[components_part]) return;
-  const bool upright = picture_.height > picture_.width;
-  const double height = upright ? rest_.width / 3.0 : rest_.width / strip_aspect;
+  const double height =
+      picture_.height > picture_.width ? rest_.width / 3.0 : rest_.width / strip_aspect;
   layout_.components = cut_bottom(rest_, rounded(std::min(height, 0.3 * rest_.height)), gap_);
 }
 
@@ -187,38 +198,29 @@ void Draft::place_strip() {
 void Draft::place_legend(Area& pane) {
   if (!parts_[figures_part]) return;
   const auto& [title, figure, caption] = layout_.text;
-  const double row = 1.25 * figure + (layout_.compact ? 0.0 : 1.4 * caption);
-  const int above = rounded(1.25 * title + row);
+  const int above = rounded(1.25 * title + height_of_figures(1));
   const int beside = rounded(std::max(9.0 * figure, 0.28 * pane.width));
   const bool aside = std::min(pane.width - beside, pane.height) > pane.height - above;
   layout_.legends.push_back(aside ? cut_left(pane, beside, gap_) : cut_top(pane, above, gap_));
 }
 
+/// In a square or, where the picture is long, in a line: there each has more room for its body.
+std::vector<Share> Draft::equal_shares(int count) const {
+  const bool square = count == 4 && !is_long();
+  const int rows = square ? 2 : picture_.height > picture_.width ? count : 1;
+  return shares(picture_, rest_, count / rows, rows);
+}
+
 void Draft::place_panes() {
-  const bool grid = takes_ == 4;
-  const bool upright = picture_.height > picture_.width;
-  const int rows = grid ? 2 : upright ? takes_ : 1;
-  const int columns = takes_ / rows;
-  const auto bounds = [](int from, int length, int last, int count) {
-    std::vector<int> edges;  // inner ones share the focus evenly, outer ones are the picture's
-    for (int i = 1; i < count; ++i) edges.push_back(from + length * i / count);
-    edges.insert(edges.begin(), 0);
-    edges.push_back(last);
-    return edges;
-  };
-  const auto xs = bounds(rest_.x, rest_.width, picture_.width, columns);
-  const auto ys = bounds(rest_.y, rest_.height, picture_.height, rows);
-  for (int i = 0; i < takes_; ++i) {
-    const auto column = static_cast<std::size_t>(i % columns);
-    const auto row = static_cast<std::size_t>(i / columns);
-    const Area area{xs[column], ys[row], xs[column + 1] - xs[column], ys[row + 1] - ys[row]};
+  const std::vector<Share> all = equal_shares(takes_);
+  for (const auto& [area, column, row] : all) {
     Area focus = common(area, rest_);
     if (takes_ > 1 && rest_ != picture_) {
       const int air = gap_ / 2;  // between panes
       if (column > 0) cut_left(focus, 0, air);
-      if (static_cast<int>(column) < columns - 1) cut_right(focus, 0, air);
+      if (column < all.back().column) cut_right(focus, 0, air);
       if (row > 0) cut_top(focus, 0, air);
-      if (static_cast<int>(row) < rows - 1) cut_bottom(focus, 0, air);
+      if (row < all.back().row) cut_bottom(focus, 0, air);
       place_legend(focus);
     }
     layout_.panes.push_back({area, focus});
@@ -226,19 +228,16 @@ void Draft::place_panes() {
 }
 
 void Draft::place_quarters() {
-  const int x = picture_.width / 2;
-  const int y = rest_.y + rest_.height / 2;
-  const auto quarter = [&](const Area& area) {
-    const Area focus = common(area, rest_);
-    return Pane{area, {focus.x, focus.y, focus.width, focus.height}};
-  };
-  layout_.panes.push_back(quarter({0, 0, x, y}));
-  layout_.momentum = quarter({x, 0, picture_.width - x, y});
-  layout_.poinsot = quarter({0, y, x, picture_.height - y});
-  Area last = quarter({x, y, picture_.width - x, picture_.height - y}).focus;
-  cut_left(last, 0, gap_);
-  cut_top(last, 0, gap_);
-  layout_.components = common(last, safe_);
+  const std::vector<Share> all = equal_shares(4);
+  const auto pane = [&](std::size_t i) { return Pane{all[i].area, common(all[i].area, rest_)}; };
+  layout_.panes.push_back(pane(0));
+  layout_.momentum = pane(1);
+  layout_.poinsot = pane(2);
+  Area last = common(all[3].area, rest_);
+  if (all[3].column > 0) cut_left(last, 0, gap_);
+  if (all[3].row > 0) cut_top(last, 0, gap_);
+  last = common(last, safe_);
+  if (holds_plots(last)) layout_.components = last;
 }
 
 void Draft::place_views() {
@@ -248,21 +247,39 @@ void Draft::place_views() {
   if (overlay_.view == View::wrench) place_panes();
 }
 
+bool Draft::is_safe(const Area& area) const {
+  return shorter(area) > 0 && common(area, safe_) == area;
+}
+
+/// Whether the words of each line are more than an ellipsis.
+bool Draft::has_room_for_words() const {
+  const auto& [title, figure, caption] = layout_.text;
+  const double corner = takes_ > 1 ? 6 * figure : 0;
+  const auto room = [&](const Area& area, double width) {
+    return is_safe(area) && area.width >= width;
+  };
+  const bool overlap =
+      layout_.title && layout_.figures && shorter(common(*layout_.title, *layout_.figures)) > 0;
+  return !overlap && (!layout_.title || room(*layout_.title, 6 * title + corner)) &&
+         (!layout_.figures || room(*layout_.figures, 6 * figure)) &&
+         std::ranges::all_of(layout_.legends,
+                             [&](const Area& legend) { return room(legend, 8 * figure); });
+}
+
 bool Draft::has_room() const {
-  const auto shorter = [](const Area& area) { return std::min(area.width, area.height); };
   const auto enough = [&](const Pane& pane) {
     return shorter(pane.focus) >= std::max(1.0, least_focus * shorter(pane.area));
   };
   const auto room = [&](const std::optional<Pane>& pane, bool inset) {
-    return !pane || (enough(*pane) && (!inset || shorter(pane->area) >= least_inset));
+    return !pane || (enough(*pane) &&
+                     (!inset || (is_safe(pane->area) && shorter(pane->area) >= least_inset)));
   };
-  const bool quad = overlay_.view == View::quad;
   return std::ranges::all_of(layout_.panes, enough) &&
          room(layout_.momentum, parts_[momentum_part]) &&
          room(layout_.poinsot, parts_[poinsot_part]) &&
-         (quad || !layout_.components ||
-          (layout_.components->width >= least_components &&
-           layout_.components->height >= least_inset));
+         (!layout_.components ||
+          (is_safe(*layout_.components) && holds_plots(*layout_.components))) &&
+         has_room_for_words();
 }
 
 std::optional<Layout> Draft::finish() {
@@ -275,10 +292,18 @@ std::optional<Layout> Draft::finish() {
   place_views();
   const bool anything = std::ranges::find(parts_, true) != parts_.end();
   if (anything && !has_room()) return std::nullopt;
+  const auto name = [&](Pane& pane) {
+    pane.named = shorter(pane.focus) >= least_named * layout_.text.figure;
+  };
+  std::ranges::for_each(layout_.panes, name);
+  if (layout_.momentum) name(*layout_.momentum);
+  if (layout_.poinsot) name(*layout_.poinsot);
   return layout_;
 }
 
 }  // namespace
+
+bool is_strip(const Area& components) { return components.width > 4 * components.height; }
 
 Layout layout_of(const Scene& scene) {
   if (scene.overlay.compare.size() > 1 && scene.overlay.view != View::wrench) {

@@ -9,7 +9,8 @@
 namespace twrench {
 
 /// Where things go in the picture. Words and insets keep 5 % of the picture's sides from its edges,
-/// and never overlap one another nor the focus of any pane.
+/// and never overlap one another nor the focus of any pane. In a picture more than three times as
+/// long as it is broad all stands in a line, so that each has the whole breadth.
 ///
 /// What finds no room is dropped, in this order, until the rest has its least size and each body a
 /// third of its pane: Poinsot's construction, the momentum sphere, the components, the figures, the
@@ -17,8 +18,9 @@ namespace twrench {
 struct Layout {
   /// A view in three dimensions.
   struct Pane {
-    Area area;   ///< all of it
-    Area focus;  ///< the part in which the body is to be, uncovered
+    Area area;          ///< all of it
+    Area focus;         ///< the part in which the body is to be, uncovered
+    bool named = true;  ///< there is room for the names of what is in it
   };
 
   /// px per em.
@@ -39,6 +41,9 @@ struct Layout {
   TextSizes text{};
   bool compact = false;  ///< the picture is too small for captions above the figures
 };
+
+/// Whether the nine components stand in one row there, not in three of three.
+bool is_strip(const Area& components);
 
 /// Throws UsageError for a comparison in a view that shows one motion only.
 Layout layout_of(const Scene& scene);

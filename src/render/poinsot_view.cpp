@@ -46,7 +46,7 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
     : colors_(style_of(scene.look.theme).overlay),
       path_(scene.camera),
       shows_trail_(scene.overlay.shows(Feature::trail)),
-      shows_labels_(scene.overlay.shows(Feature::labels)),
+      shows_labels_(pane.named && scene.overlay.shows(Feature::labels)),
       trail_length_(trail_length(scene)),
       take_(take),
       body_(takes[take].body),

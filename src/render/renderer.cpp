@@ -100,8 +100,7 @@ class Composition {
   void lay_first() {
     const Layer layer = layers_.front().get();
     layers_.pop_front();
-    lay_over(frame_.image, layer);
-    frame_.changed.push_back(layer.area());
+    frame_.changed.push_back(lay_over(frame_.image, layer));
   }
 
   Frame frame_;

@@ -69,7 +69,7 @@ std::vector<Span> joined(std::vector<Span> spans) {
 }  // namespace
 
 void ScreenArea::add(const Eigen::Vector4f& clip) {
-  if (clip.w() <= 0) {
+  if (!(clip.w() > 0) || !clip.allFinite()) {
     all_ = true;
     return;
   }

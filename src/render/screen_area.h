@@ -18,7 +18,8 @@ class ScreenArea {
   /// The points added from now on are of another shape, which reaches `margin` pixels beyond them.
   void begin_shape(double margin = 0) { shapes_.push_back({{}, margin + 1}); }
 
-  /// A point in clip space; one behind the eye makes the area the whole pane.
+  /// A point in clip space; one behind the eye, or that is no number, makes the area the whole
+  /// pane.
   void add(const Eigen::Vector4f& clip);
 
   /// The least rectangle around all shapes, of at least one pixel.

@@ -11,12 +11,18 @@ constexpr double baseline = 0.95;       // em below the top of a line
 constexpr double caption_height = 1.4;  // em of the caption above a figure
 constexpr double figure_height = 1.25;  // em
 constexpr double between = 1.3;         // em of the figure, between two of them
+constexpr double between_rows = 0.35;   // em of the figure
 
 double width_of(const std::string& text, const Font& font, double size) {
   return size * typeset(font, text).width;
 }
 
 }  // namespace
+
+double height_of_figures(const Layout::TextSizes& sizes, bool compact, int rows) {
+  const double row = figure_height * sizes.figure + (compact ? 0 : caption_height * sizes.caption);
+  return rows * row + (rows - 1) * between_rows * sizes.figure;
+}
 
 WordBlock::WordBlock(const WordStyle& style, const Area& area)
     : style_(style), area_(area), extent_{area.x, area.y, 0, 0}, y_(area.y) {}
@@ -41,7 +47,8 @@ void WordBlock::add_line(const std::string& text, const Font& font, double size,
   }
   const double room = area_.x + area_.width - corner_width_ - x;
   const double least = std::min(size, style_.sizes.figure);
-  const double fitting = std::clamp(room / typeset(font, text).width, least, size);
+  const double width = typeset(font, text).width;  // none, of marks without a letter
+  const double fitting = width > 0 ? std::clamp(room / width, least, size) : size;
   Line line = typeset_within(font, text, room / fitting);
   extend(x + fitting * line.width, y_ + height);
   texts_.push_back({std::move(line), fitting, {x, y_ + baseline * size}, ink});
@@ -61,7 +68,7 @@ void WordBlock::place(const Reading& figure, double x, double y, double caption_
 void WordBlock::add_figures(const std::vector<Reading>& figures) {
   const auto& [title, size, caption] = style_.sizes;
   const Font& font = style_.typeface.regular;
-  const double height = figure_height * size + (style_.compact ? 0 : caption_height * caption);
+  const double height = height_of_figures(style_.sizes, style_.compact, 1);
   const bool column = area_.height > area_.width;
   double x = area_.x;
   double y = y_;
@@ -72,7 +79,7 @@ void WordBlock::add_figures(const std::vector<Reading>& figures) {
     const double width = style_.compact ? before + value : std::max(words, value);
     if (x > area_.x && (column || x + width > area_.x + area_.width)) {
       x = area_.x;
-      y += height + 0.35 * size;
+      y += height + between_rows * size;
     }
     if (y + height > area_.y + area_.height + 1 || x + width > area_.x + area_.width) return;
     place(figure, x, y, before);
@@ -94,13 +101,8 @@ void WordBlock::add_corner(Reading figure) {
 
 void WordBlock::finish(const Area& picture) {
   const double feather = 2.2 * style_.sizes.caption;
-  const auto reach = static_cast<int>(std::ceil(feather));
-  const int left = std::max(picture.x, extent_.x - reach);
-  const int top = std::max(picture.y, extent_.y - reach);
-  const int right = std::min(picture.x + picture.width, extent_.x + extent_.width + reach);
-  const int bottom = std::min(picture.y + picture.height, extent_.y + extent_.height + reach);
-  ground_ = {Image(right - left, bottom - top, 4), left, top};
-  Canvas canvas(ground_.image, left, top);
+  ground_ = layer_around(extent_, static_cast<int>(std::ceil(feather)), picture);
+  Canvas canvas(ground_.image, ground_.x, ground_.y);
   canvas.soft_panel(extent_, feather, {style_.colors.panel, style_.colors.panel_opacity});
   for (const auto& [line, size, at, ink] : texts_) canvas.text(line, size, at, {ink});
   for (const auto& [area, color] : samples_) {

@@ -27,6 +27,9 @@ struct Reading {
   std::function<std::string(const Moment&)> value;
 };
 
+/// px: of so many rows of figures, each with its caption.
+double height_of_figures(const Layout::TextSizes& sizes, bool compact, int rows);
+
 /// Words on a soft panel, which makes them legible whatever lies below. All but the figures' values
 /// is drawn once.
 class WordBlock {
@@ -53,6 +56,9 @@ class WordBlock {
 
   /// What the words take of their area.
   const Area& extent() const { return extent_; }
+
+  /// Whether no word has found room.
+  bool is_empty() const { return extent_.width <= 0 || extent_.height <= 0; }
 
  private:
   struct Text {

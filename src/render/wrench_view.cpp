@@ -209,6 +209,7 @@ std::vector<PendingLayer> WrenchView::draw(const Moment& moment) {
 }
 
 std::vector<Label> WrenchView::labels(const Moment& moment) const {
+  if (!pane_.named) return {};
   return overlay_.labels(moment.instants[take_], camera(moment.film_time), pane_.area);
 }
 

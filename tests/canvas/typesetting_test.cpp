@@ -56,6 +56,14 @@ TEST_P(Typesetting, ShortensWithAnEllipsis) {
   }
 }
 
+TEST_P(Typesetting, ShortensAVeryLongLineAtOnce) {
+  std::string title;
+  for (int i = 0; i < 20'000; ++i) title += "To be ";
+  const Line line = typeset_within(font, title, 20);
+  EXPECT_LE(line.width, 20);
+  EXPECT_GT(line.width, 17.5) << "as much as fits";
+}
+
 TEST_P(Typesetting, KnowsWhatTheFontLacks) {
   EXPECT_EQ(missing_character(font, "ω₁ = 10⁻³ × 2\u2007\u2009é"), std::nullopt);
   EXPECT_EQ(missing_character(font, "a\uE123b"), U'\uE123');

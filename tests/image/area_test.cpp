@@ -12,6 +12,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
+TEST(CommonArea, IsWhatLiesInBoth) {
+  EXPECT_EQ(common({0, 0, 10, 10}, {4, -3, 3, 20}), (Area{4, 0, 3, 10}));
+  EXPECT_EQ(common({2, 3, 4, 5}, {2, 3, 4, 5}), (Area{2, 3, 4, 5}));
+  EXPECT_EQ(common({0, 0, 10, 10}, {30, 2, 5, 5}).width, 0);
+  EXPECT_EQ(common({0, 0, 10, 10}, {2, -9, 5, 5}).height, 0);
+}
+
 TEST(MergedAreas, AreOneAroundTwoThatNearlyCoincide) {
   EXPECT_THAT(merged({{10, 20, 30, 40}, {12, 19, 30, 40}}), ElementsAre(Area{10, 19, 32, 41}));
 }

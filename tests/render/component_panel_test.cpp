@@ -105,16 +105,36 @@ TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
 }
 
 TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
-  for (const auto& [width, height] : {std::pair(16, 16), {40, 16}, {64, 64}, {3000, 40}}) {
-    Scene scene = film(width, height);
-    scene.overlay.view = View::quad;
-    const OverlayScene small(scene);
+  const Area picture{0, 0, 200, 100};
+  OverlayScene small(film(picture.width, picture.height));
+  for (const Area& area : {Area{10, 5, 180, 90},
+                           {90, 45, 12, 8},
+                           {0, 0, 1, 1},
+                           {199, 99, 1, 1},
+                           {0, 0, 200, 100},
+                           {0, 40, 200, 9}}) {
+    small.layout.components = area;
     ComponentPanel panel = panel_of(small);
     for (const Layer& layer : drawn_layers(panel, at(small, 48))) {
-      EXPECT_GE(layer.x, 0);
-      EXPECT_GE(layer.y, 0);
-      EXPECT_LE(layer.x + layer.image.width, width);
-      EXPECT_LE(layer.y + layer.image.height, height);
+      EXPECT_EQ(common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
+    }
+  }
+}
+
+// No layout gives it such; where one did, memory was overwritten.
+TEST(ComponentPanel, IsCutOffAtThePicturesEdges) {
+  const Area picture{0, 0, 200, 100};
+  OverlayScene small(film(picture.width, picture.height));
+  for (const Area& area : {Area{20, -30, 180, 160},
+                           {-40, 10, 120, 80},
+                           {150, 10, 120, 80},
+                           {20, 20, 160, 200},
+                           {300, 20, 160, 80},
+                           {-20, -20, 240, 140}}) {
+    small.layout.components = area;
+    ComponentPanel panel = panel_of(small);
+    for (const Layer& layer : drawn_layers(panel, at(small, 96))) {
+      EXPECT_EQ(common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
     }
   }
 }

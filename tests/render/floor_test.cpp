@@ -114,5 +114,13 @@ TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   }
 }
 
+// Not with a ball for each of its radii, of which it is ten million long.
+TEST_F(FloorTest, IsDrawnBelowAWire) {
+  Scene scene = white();
+  scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};
+  scene.motion.omega.setZero();
+  EXPECT_NO_THROW(change(scene, Matrix3d::Identity()));
+}
+
 }  // namespace
 }  // namespace twrench

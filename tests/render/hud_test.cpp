@@ -155,6 +155,60 @@ TEST(Hud, LaysThePanelUnderAllItsWords) {
   }
 }
 
+/// Of a picture of another size, with the same motions.
+Hud hud_in(OverlayScene& film, int width, int height) {
+  film.scene.film.width = width;
+  film.scene.film.height = height;
+  film.layout = layout_of(film.scene);
+  return hud_of(film);
+}
+
+std::vector<Area> places_of_words(const Layout& layout) {
+  std::vector<Area> places;
+  if (layout.title) places.push_back(*layout.title);
+  if (layout.figures) places.push_back(*layout.figures);
+  places.insert(places.end(), layout.legends.begin(), layout.legends.end());
+  return places;
+}
+
+TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
+  const std::string titles[]{"A", "A\u0301\u0302", "Вращение твёрдого тела, долгое", ""};
+  for (const std::size_t compared : {0U, 2U, 4U}) {
+    Scene scene = film_of(1920, 1080);
+    scene.motion.duration = 1;
+    scene.overlay.compare.assign(compared, "implicit-trapezoid");
+    for (const char* font : {"sans", "mono"}) {
+      scene.overlay.font = font;
+      OverlayScene film(scene);
+      for (const int width : {16, 48, 72, 100, 164, 300, 728, 1600, 4000}) {
+        for (const int height : {16, 48, 72, 100, 164, 300, 728, 1600}) {
+          film.scene.title = titles[static_cast<std::size_t>(width + height) % std::size(titles)];
+          Hud hud = hud_in(film, width, height);
+          const std::vector<Area> extents = hud.extents();
+          const std::vector<Area> places = places_of_words(film.layout);
+          ASSERT_EQ(extents.size(), places.size());
+          for (std::size_t i = 0; i < places.size(); ++i) {
+            EXPECT_EQ(common(extents[i], places[i]).width, extents[i].width)
+                << font << " " << width << "x" << height << " " << i;
+            EXPECT_LE(extents[i].height, places[i].height + 2) << width << "x" << height;
+          }
+          for (const Layer& layer : drawn_layers(hud, film.timeline.moment(0))) {
+            EXPECT_EQ(common(layer.area(), {0, 0, width, height}), layer.area());
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
+  OverlayScene film(film_of(640, 360));
+  film.layout.title = Area{40, 40, 4, 4};
+  film.layout.figures = Area{40, 80, 4, 4};
+  Hud hud = hud_of(film);
+  EXPECT_TRUE(drawn_layers(hud, film.timeline.moment(0)).empty());
+}
+
 TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
   const OverlayScene film(film_of(640, 360, "Flip \xEE\x84\xA3"));
   try {

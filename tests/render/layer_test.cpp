@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace twrench {
@@ -43,6 +44,30 @@ TEST(LayOver, AddsUpCoverage) {
   image.pixels = {0, 0, 0, 0, 100, 0, 0, 100};
   lay_over(image, layer_of({10, 20, 30, 128, 0, 0, 0, 51}));
   EXPECT_THAT(image.pixels, ElementsAre(10, 20, 30, 128, 80, 0, 0, 131));
+}
+
+TEST(LayOver, SaysWhereTheLayerLies) {
+  Image image(4, 2, 3);
+  EXPECT_EQ(lay_over(image, layer_of(std::vector<std::uint8_t>(8), 2, 1)), (Area{2, 1, 2, 1}));
+}
+
+TEST(LayerAround, EndsAtThePicturesEdges) {
+  const Area picture{0, 0, 20, 10};
+  EXPECT_EQ(layer_around({5, 4, 3, 2}, 2, picture).area(), (Area{3, 2, 7, 6}));
+  EXPECT_EQ(layer_around({5, 4, 3, 2}, 8, picture).area(), (Area{0, 0, 16, 10}));
+  EXPECT_EQ(layer_around({30, 4, 3, 2}, 2, picture).image.pixels.size(), 0U);
+}
+
+// An assertion where those are on; else what is inside is laid, and nothing else is touched.
+TEST(LayOverDeathTest, CutsOffWhatLeavesThePicture) {
+  for (const auto& [x, y] : {std::pair(-1, 0), {2, 0}, {0, -1}, {0, 3}, {-9, -9}, {9, 9}}) {
+    Image image(4, 3, 3);
+    const Layer layer = layer_of(std::vector<std::uint8_t>(16, 255), x, y);
+    EXPECT_DEBUG_DEATH(lay_over(image, layer), "leaves the picture");
+    const auto changed = std::ranges::count(image.pixels, 255);
+    const Area seen = common(layer.area(), {0, 0, 4, 3});
+    EXPECT_TRUE(changed == 0 || changed == 3L * seen.width * seen.height) << x << " " << y;
+  }
 }
 
 TEST(MakeStraight, DividesByTheCoverageWithinTheArea) {

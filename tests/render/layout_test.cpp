@@ -2,17 +2,19 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "base/error.h"
 #include "render/t_wrench.h"
+#include "scene/names.h"
 
 namespace twrench {
 namespace {
 
-constexpr std::pair<int, int> sizes[]{
-    {320, 180},   {480, 270},   {640, 360},   {854, 480},   {1280, 720}, {1920, 1080}, {3840, 2160},
-    {180, 320},   {540, 960},   {1080, 1920}, {2160, 3840}, {240, 240},  {720, 720},   {1080, 1080},
-    {400, 300},   {800, 600},   {1440, 1080}, {600, 800},   {840, 360},  {2560, 1080}, {1080, 2560},
-    {1100, 1000}, {1000, 1100}, {160, 90},    {64, 48},     {16, 16},    {16384, 16},  {16, 16384}};
+/// Of all that a picture's may be, each beside each: from 1:1024 to 1024:1.
+constexpr int sides[]{16,  17,   20,   24,   33,   48,   64,   72,   90,   100,  135,
+                      164, 180,  240,  270,  300,  360,  480,  540,  600,  728,  854,
+                      996, 1000, 1080, 1280, 1600, 1920, 2160, 2400, 3840, 8192, 16384};
 
 bool overlap(const Area& a, const Area& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
@@ -21,6 +23,14 @@ bool overlap(const Area& a, const Area& b) {
 bool inside(const Area& a, const Area& b) {
   return a.width > 0 && a.height > 0 && a.x >= b.x && a.y >= b.y &&
          a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
+}
+
+std::vector<Layout::Pane> all_panes(const Layout& layout) {
+  std::vector<Layout::Pane> panes = layout.panes;
+  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    if (pane) panes.push_back(*pane);
+  }
+  return panes;
 }
 
 std::string text(const Area& a) {
@@ -53,84 +63,103 @@ std::vector<Area> all_areas(const Layout& layout, View view) {
   return areas;
 }
 
-std::vector<Scene> scenes(View view, int compared) {
-  std::vector<Scene> scenes;
-  for (const auto& [width, height] : sizes) {
-    Scene scene = t_wrench(width, height);
-    scene.overlay.view = view;
-    scene.overlay.show.insert(Feature::poinsot);
-    scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
-    for (int without = 0; without < 4; ++without) {
-      const Feature left_out[]{Feature::poinsot, Feature::sphere, Feature::components,
+/// Of each size, with all that takes room and with each choice of it.
+void for_each_layout(View view, int compared,
+                     const std::function<void(const Scene&, const Layout&)>& check) {
+  constexpr Feature features[]{Feature::poinsot, Feature::sphere, Feature::components,
                                Feature::hud};
-      scenes.push_back(scene);
-      scene.overlay.show.erase(left_out[without]);
+  Scene scene = t_wrench();
+  scene.overlay.view = view;
+  scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
+  for (unsigned choice = 0; choice < 16; ++choice) {
+    scene.overlay.show = {Feature::floor, Feature::labels};
+    for (unsigned i = 0; i < 4; ++i) {
+      if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
-    scenes.push_back(scene);
-  }
-  return scenes;
-}
-
-class LayoutOf : public testing::TestWithParam<std::pair<View, int>> {};
-
-TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
-  for (const Scene& scene : scenes(GetParam().first, GetParam().second)) {
-    const auto [width, height] = std::pair(scene.film.width, scene.film.height);
-    const Layout layout = layout_of(scene);
-    for (const Area& area : words_and_insets(layout, scene.overlay.view)) {
-      EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << width << "x" << height;
-      EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << width << "x" << height;
-      EXPECT_LE(area.x + area.width, 0.95 * width)
-          << text(area) << " of " << width << "x" << height;
-      EXPECT_LE(area.y + area.height, 0.95 * height)
-          << text(area) << " of " << width << "x" << height;
-    }
-  }
-}
-
-TEST_P(LayoutOf, CoversNothing) {
-  for (const Scene& scene : scenes(GetParam().first, GetParam().second)) {
-    const Area picture{0, 0, scene.film.width, scene.film.height};
-    const std::vector<Area> areas = all_areas(layout_of(scene), scene.overlay.view);
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " in " << text(picture);
-      for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_FALSE(overlap(areas[i], areas[j]))
-            << text(areas[i]) << " and " << text(areas[j]) << " in " << text(picture);
+    for (const int width : sides) {
+      for (const int height : sides) {
+        scene.film.width = width;
+        scene.film.height = height;
+        check(scene, layout_of(scene));
+        if (testing::Test::HasFailure()) return;  // one says enough
       }
     }
   }
 }
 
-TEST_P(LayoutOf, LeavesTheBodyAThirdOfItsPaneAndPanesTile) {
-  for (const Scene& scene : scenes(GetParam().first, GetParam().second)) {
-    const Layout layout = layout_of(scene);
+std::string text(const Scene& scene) {
+  std::string shown;
+  for (const Feature feature : scene.overlay.show) shown += " " + name_of(feature);
+  return std::to_string(scene.film.width) + "x" + std::to_string(scene.film.height) + shown;
+}
+
+class LayoutOf : public testing::TestWithParam<std::pair<View, int>> {
+ protected:
+  static void check_each(const std::function<void(const Scene&, const Layout&)>& check) {
+    for_each_layout(GetParam().first, GetParam().second, check);
+  }
+};
+
+TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
+  check_each([](const Scene& scene, const Layout& layout) {
+    const auto [width, height] = std::pair(scene.film.width, scene.film.height);
+    for (const Area& area : words_and_insets(layout, scene.overlay.view)) {
+      EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << text(scene);
+      EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << text(scene);
+      EXPECT_LE(area.x + area.width, 0.95 * width) << text(area) << " of " << text(scene);
+      EXPECT_LE(area.y + area.height, 0.95 * height) << text(area) << " of " << text(scene);
+    }
+  });
+}
+
+TEST_P(LayoutOf, CoversNothing) {
+  check_each([](const Scene& scene, const Layout& layout) {
+    const Area picture{0, 0, scene.film.width, scene.film.height};
+    const std::vector<Area> areas = all_areas(layout, scene.overlay.view);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " of " << text(scene);
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_FALSE(overlap(areas[i], areas[j]))
+            << text(areas[i]) << " and " << text(areas[j]) << " of " << text(scene);
+      }
+    }
+  });
+}
+
+TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
+  check_each([](const Scene& scene, const Layout& layout) {
     long long pixels = 0;
-    for (const auto& [area, focus] : layout.panes) {
+    for (const auto& [area, focus, named] : all_panes(layout)) {
       EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
-      EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height));
-      pixels += static_cast<long long>(area.width) * area.height;
+      EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
+          << text(focus) << " of " << text(scene);
+    }
+    for (const Layout::Pane& pane : layout.panes) {
+      pixels += static_cast<long long>(pane.area.width) * pane.area.height;
     }
     if (scene.overlay.view == View::wrench) {
-      EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height);
+      EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height)
+          << text(scene);
     }
-  }
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LayoutOf,
-                         testing::Values(std::pair(View::wrench, 0), std::pair(View::wrench, 2),
-                                         std::pair(View::wrench, 3), std::pair(View::wrench, 4),
-                                         std::pair(View::momentum, 0), std::pair(View::poinsot, 0),
-                                         std::pair(View::quad, 0)));
+                         testing::Values(std::pair(View::wrench, 0), std::pair(View::wrench, 1),
+                                         std::pair(View::wrench, 2), std::pair(View::wrench, 3),
+                                         std::pair(View::wrench, 4), std::pair(View::momentum, 0),
+                                         std::pair(View::poinsot, 0), std::pair(View::quad, 0)));
 
 TEST(Layout, GivesTheBareBodyTheWholePicture) {
-  for (const auto& [width, height] : sizes) {
-    Scene scene = t_wrench(width, height);
-    scene.overlay.show = {Feature::floor, Feature::trail, Feature::momentum};
-    const Layout layout = layout_of(scene);
-    ASSERT_EQ(layout.panes.size(), 1U);
-    EXPECT_EQ(layout.panes[0].area, (Area{0, 0, width, height}));
-    EXPECT_EQ(layout.panes[0].focus, (Area{0, 0, width, height}));
+  for (const int width : sides) {
+    for (const int height : sides) {
+      Scene scene = t_wrench(width, height);
+      scene.overlay.show = {Feature::floor, Feature::trail, Feature::momentum};
+      const Layout layout = layout_of(scene);
+      ASSERT_EQ(layout.panes.size(), 1U);
+      EXPECT_EQ(layout.panes[0].area, (Area{0, 0, width, height}));
+      EXPECT_EQ(layout.panes[0].focus, (Area{0, 0, width, height}));
+    }
   }
 }
 

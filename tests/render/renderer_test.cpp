@@ -164,6 +164,39 @@ TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
   EXPECT_NO_THROW(renderer.draw(10 * turned(0.5, {1, 1, 0})));
 }
 
+TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
+  Scene scene = t_wrench();
+  using enum Feature;
+  scene.overlay.show = {axes,  momentum, omega,   trail, plane,     labels,
+                        floor, sphere,   poinsot, hud,   components};
+  scene.title = "The Dzhanibekov effect";
+  scene.motion.duration = 1;
+  for (const auto& [width, height] : {std::pair(16, 16),
+                                      {100, 16},
+                                      {16, 100},
+                                      {1600, 16},
+                                      {16, 1600},
+                                      {728, 90},
+                                      {90, 728},
+                                      {996, 100},
+                                      {1200, 200},
+                                      {64, 64}}) {
+    scene.film.width = width;
+    scene.film.height = height;
+    for (const View view : {View::wrench, View::momentum, View::poinsot, View::quad}) {
+      scene.overlay.view = view;
+      const Timeline timeline(scene, {0});
+      Renderer renderer(*context, scene, timeline.takes());
+      const Frame frame = renderer.draw(timeline.moment(0));
+      EXPECT_EQ(frame.image.width, width);
+      EXPECT_EQ(frame.image.height, height);
+      for (const Area& area : frame.changed) {
+        EXPECT_EQ(common(area, {0, 0, width, height}), area) << width << "x" << height;
+      }
+    }
+  }
+}
+
 TEST_F(RendererTest, FollowsTheLook) {
   const Matrix3d X = turned(0.5, {1, 1, 0});
   const Image plain = PoseRenderer(*context, t_wrench()).draw(X);

@@ -119,6 +119,19 @@ TEST(ScreenArea, TakesOfEachBandNoMoreThanTheShapesDo) {
   EXPECT_LT(taken, 0.6 * reach * reach);
 }
 
+TEST(ScreenArea, IsTheWholePaneForWhatIsNoNumber) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Eigen::Vector4f& clip :
+       {Eigen::Vector4f(nan, 0, 0, 1), {0, infinity, 0, 1}, {0, 0, 0, nan}, {0, 0, 0, infinity}}) {
+    ScreenArea screen(pane, picture_height);
+    screen.begin_shape();
+    screen.add(clip);
+    EXPECT_EQ(screen.bounds(), pane);
+    EXPECT_EQ(screen.bands(band), std::vector{pane});
+  }
+}
+
 TEST(ScreenArea, PartsShapesThatAreFarApartAndJoinsThoseThatAreNear) {
   for (const auto& [place, count] : {std::pair(180.0, 2U), {110.0, 1U}}) {
     ScreenArea screen(pane, picture_height);

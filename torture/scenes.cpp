@@ -1,0 +1,341 @@
+// torture_scenes SECONDS SEED [CASE]: draws random scenes, all of them valid, until the time is
+// over, or one of them. What counts as a fault: an exception that no header promises, a picture of
+// another size than its film's or with changes beyond its edges, and a frame drawn in an earlier
+// one's memory that differs from the same frame drawn in new memory. Layers that leave the picture
+// are assertions, and the rest is for sanitizers: build with both.
+//
+// Case k is made by a generator seeded from SEED and k alone. Its number stands on standard error
+// while it is drawn, so that the last one is the one that crashed.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <random>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "gl/backend.h"
+#include "image/png.h"
+#include "math/so3.h"
+#include "motion/method.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+#include "scene/scene_json.h"
+#include "timeline/timeline.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Random numbers that are the same with every standard library, as its distributions are not.
+class Dice {
+ public:
+  Dice(std::uint32_t seed, std::uint32_t number) {
+    std::seed_seq sequence{seed, number};
+    engine_.seed(sequence);
+  }
+
+  /// In [low, high).
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
+  }
+  /// As often in each decade.
+  double spread(double low, double high) {
+    return std::exp(uniform(std::log(low), std::log(high)));
+  }
+  int whole(int low, int high) { return static_cast<int>(std::floor(uniform(low, high + 1.0))); }
+  bool chance(double share) { return uniform(0, 1) < share; }
+  Vector3d vector(double low, double high) {
+    const double x = uniform(low, high), y = uniform(low, high);
+    return {x, y, uniform(low, high)};
+  }
+  template <typename Values>
+  const auto& pick(const Values& values) {
+    return values[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(values)) - 1))];
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+Color random_color(Dice& dice) {
+  const int red = dice.whole(0, 255), green = dice.whole(0, 255);
+  return {red, green, dice.whole(0, 255)};
+}
+
+Part random_part(Dice& dice, double size) {
+  const double least = dice.chance(0.1) ? 1e-4 : 0.02;  // wires, needles and sheets too
+  const auto length = [&] { return size * dice.spread(least, 2); };
+  const auto lengths = [&] {
+    const double x = length(), y = length();
+    return Vector3d(x, y, length());
+  };
+  Shape shape;
+  switch (dice.whole(0, 2)) {
+    case 0: {
+      const double radius = length();
+      shape = Cylinder{radius, length()};
+      break;
+    }
+    case 1:
+      shape = Box{lengths()};
+      break;
+    default:
+      shape = Ellipsoid{dice.chance(0.3) ? Vector3d(Vector3d::Constant(length())) : lengths()};
+  }
+  const double density = dice.spread(0.1, 20);
+  const Vector3d position = size * dice.vector(-1.5, 1.5);
+  const Vector3d turn = dice.chance(0.3)
+                            ? Vector3d(std::numbers::pi / 2 * Vector3d::Unit(dice.whole(0, 2)))
+                            : dice.vector(-3, 3);
+  return {shape, density, position, so3::exp(turn)};
+}
+
+Body random_body(Dice& dice) {
+  Body body;
+  if (dice.chance(0.15)) {
+    const double x = dice.spread(0.01, 1), y = dice.spread(0.01, 1), z = dice.spread(0.01, 1);
+    body.moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
+    return body;
+  }
+  const double size = dice.chance(0.1) ? dice.spread(1e-6, 1e5) : dice.spread(1e-2, 1e3);
+  const int count = dice.whole(1, 8);
+  for (int i = 0; i < count; ++i) body.parts.push_back(random_part(dice, size));
+  return body;
+}
+
+Motion random_motion(Dice& dice) {
+  Motion motion;
+  const double speed = dice.spread(0.1, 100);
+  const double kind = dice.uniform(0, 1);
+  motion.omega = speed * (kind < 0.1   ? Vector3d(Vector3d::Unit(dice.whole(0, 2)))
+                          : kind < 0.2 ? Vector3d(1, 1e-3, 1e-3)
+                                       : dice.vector(-1, 1));
+  if (dice.chance(0.05)) motion.omega.setZero();
+  motion.method = dice.pick(methods()).name;
+  motion.control.step = dice.spread(0.003, 0.1) / speed;
+  motion.control.tolerance = dice.spread(1e-12, 1e-4);
+  motion.duration = dice.spread(1, 100) / speed;
+  return motion;
+}
+
+/// Mostly of some 10^5 pixels and of any aspect ratio, at times as long as they come.
+Film random_film(Dice& dice, const Motion& motion) {
+  Film film;
+  const bool extreme = dice.chance(0.15);
+  const double area = dice.spread(400, 300'000);
+  const double aspect = extreme ? dice.spread(0.01, 100) : dice.spread(0.2, 5);
+  const auto side = [](double length) {
+    return static_cast<int>(std::clamp(std::round(length), 16.0, 4000.0));
+  };
+  film.width = side(std::sqrt(area * aspect));
+  film.height = side(std::sqrt(area / aspect));
+  film.fps = dice.spread(1, 120);
+  film.speed = film.fps * motion.duration / dice.spread(1, 1000);
+  return film;
+}
+
+Look random_look(Dice& dice) {
+  Look look;
+  look.theme = dice.pick(std::array{Theme::studio, Theme::paper, Theme::space});
+  look.samples = dice.pick(std::array{1, 1, 1, 2, 4});
+  look.motion_blur = dice.chance(0.3) ? dice.whole(2, 4) : 1;
+  const double kind = dice.uniform(0, 1);
+  look.transparent = kind < 0.2;
+  if (kind > 0.8) look.background = random_color(dice);
+  if (dice.chance(0.2)) look.color = random_color(dice);
+  if (dice.chance(0.2)) look.metallic = dice.uniform(0, 1);
+  if (dice.chance(0.2)) look.roughness = dice.uniform(0.05, 1);
+  return look;
+}
+
+CameraPath random_camera(Dice& dice) {
+  CameraPath camera;
+  camera.azimuth = dice.uniform(-10, 10);
+  if (dice.chance(0.5)) camera.elevation = dice.uniform(-1, 1) * std::numbers::pi / 2;
+  if (dice.chance(0.05)) camera.elevation = std::copysign(std::numbers::pi / 2, camera.azimuth);
+  if (dice.chance(0.3)) camera.distance = dice.spread(0.2, 20);
+  if (dice.chance(0.3)) camera.orbit = dice.uniform(-3, 3);
+  if (dice.chance(0.3)) camera.field_of_view = dice.uniform(0.05, 2.5);
+  return camera;
+}
+
+Overlay random_overlay(Dice& dice, const Motion& motion) {
+  using enum Feature;
+  constexpr std::array all{floor,  axes, momentum,   omega,  trail,  plane,
+                           labels, hud,  components, sphere, poinsot};
+  Overlay overlay;
+  overlay.view =
+      dice.pick(std::array{View::wrench, View::wrench, View::momentum, View::poinsot, View::quad});
+  const double share = dice.pick(std::array{0.0, 0.5, 0.9, 1.0});
+  overlay.show.clear();
+  for (const Feature feature : all) {
+    if (dice.chance(share)) overlay.show.insert(feature);
+  }
+  if (overlay.view == View::wrench && dice.chance(0.3)) {
+    const int count = dice.whole(1, 4);
+    for (int i = 0; i < count; ++i) overlay.compare.emplace_back(dice.pick(methods()).name);
+  }
+  if (dice.chance(0.2)) overlay.trail_point = dice.vector(-10, 10);
+  if (dice.chance(0.3)) overlay.trail_length = motion.duration * dice.spread(1e-3, 10);
+  overlay.font = dice.pick(std::array{"sans", "mono"});
+  return overlay;
+}
+
+std::string random_title(Dice& dice) {
+  static const std::array<std::string, 16> titles{"",
+                                                  "x",
+                                                  "The Dzhanibekov effect",
+                                                  "Η περιστροφή ενός στερεού",
+                                                  "Вращение твёрдого тела",
+                                                  "دوران جسم صلب",
+                                                  "סיבוב גוף קשיח",
+                                                  "刚体的旋转、剛体の回転",
+                                                  "강체의 회전",
+                                                  "e\u0301\u0302\u0303a\u0308\u0308",
+                                                  "\u0301\u0301",
+                                                  "🛰️ 🔧",
+                                                  "\u200B\u200D",
+                                                  "\u2009\u2007\u2009",
+                                                  "Ω × (I Ω) = −I Ω̇, ω₁²⁺⁻",
+                                                  "T-wrench — “quoted”, 50 %\tof\n<it> & \\more"};
+  std::string title = dice.pick(titles);
+  if (dice.chance(0.15)) {
+    const int times = dice.whole(10, 300);
+    const std::string once = title + " ";
+    for (int i = 0; i < times; ++i) title += once;
+  }
+  return title;
+}
+
+Scene random_scene(Dice& dice) {
+  Scene scene;
+  scene.name = "torture";
+  scene.title = random_title(dice);
+  scene.body = random_body(dice);
+  scene.motion = random_motion(dice);
+  scene.film = random_film(dice, scene.motion);
+  scene.look = random_look(dice);
+  scene.camera = random_camera(dice);
+  scene.overlay = random_overlay(dice, scene.motion);
+  return scene;
+}
+
+/// One to three, ascending.
+std::vector<int> random_frames(Dice& dice, int count) {
+  std::vector<int> frames;
+  const int wanted = dice.whole(1, 3);
+  for (int i = 0; i < wanted; ++i) frames.push_back(dice.whole(0, count - 1));
+  std::ranges::sort(frames);
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+void check(const Frame& frame, const Scene& scene) {
+  const Image& image = frame.image;
+  require(image.width == scene.film.width && image.height == scene.film.height,
+          "the picture has another size than its film");
+  require(image.channels == (scene.look.transparent ? 4 : 3) &&
+              image.pixels.size() == image.row_bytes() * static_cast<std::size_t>(image.height),
+          "the picture has other pixels than its size and channels say");
+  for (const auto& [x, y, width, height] : frame.changed) {
+    require(x >= 0 && y >= 0 && width >= 0 && height >= 0 && x + width <= image.width &&
+                y + height <= image.height,
+            "what has changed lies beyond the picture");
+  }
+}
+
+/// Draws some frames of the scene as the program does, and each again.
+void draw(const Scene& scene, Dice& dice) {
+  const auto opened = gl::open_context({});
+  const Timeline timeline(scene, random_frames(dice, scene.frame_count()));
+  Renderer renderer(*opened.context, scene, timeline.takes());
+  std::vector<std::vector<std::uint8_t>> drawn;
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    Frame frame = renderer.draw(timeline.moment(i));
+    check(frame, scene);
+    drawn.push_back(frame.image.pixels);
+    if (i > 0) renderer.reuse(std::move(frame));
+  }
+  StillBands bands;
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    Frame frame = renderer.draw(timeline.moment(i));
+    require(frame.image.pixels == drawn[i], "a frame is another when it is drawn again");
+    if (i == 0) {
+      require(scene.look.transparent ||
+                  encode_png(frame.image, {frame.changed, bands}) == encode_png(frame.image),
+              "a frame's file depends on what is known of the frames beside it");
+    }
+    renderer.reuse(std::move(frame));
+  }
+}
+
+enum class Outcome { drawn, refused, fault };
+
+/// Errors that a user is told are no faults, but where they say that they are.
+Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>& refusals) {
+  Dice dice(seed, number);
+  const Scene scene = random_scene(dice);
+  std::string what;
+  try {
+    draw(scene, dice);
+    return Outcome::drawn;
+  } catch (const Error& error) {
+    what = error.what();
+    if (error.code() == ExitCode::usage) {
+      ++refusals[what.substr(0, what.find(':'))];
+      return Outcome::refused;
+    }
+  } catch (const std::exception& error) {
+    what = error.what();
+  }
+  fmt::print("\nscenes: fault: seed {} case {}: {}\n{}\n", seed, number, what,
+             scene_json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return Outcome::fault;
+}
+
+int torture(double seconds, std::uint32_t seed, std::optional<std::uint32_t> only) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  std::map<Outcome, int> outcomes;
+  std::map<std::string, int> refusals;
+  std::uint32_t number = only.value_or(0);
+  do {
+    fmt::print(stderr, "\rscenes: seed {} case {} ", seed, number);
+    ++outcomes[run(seed, number, refusals)];
+    ++number;
+  } while (!only && Clock::now() < end);
+  fmt::print(stderr, "\n");
+  for (const auto& [what, count] : refusals) fmt::print("scenes: {} refused: {}\n", count, what);
+  fmt::print("scenes: {} drawn, {} faults\n", outcomes[Outcome::drawn], outcomes[Outcome::fault]);
+  return outcomes[Outcome::fault] > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace twrench
+
+int main(int count, char** words) {
+  if (count != 3 && count != 4) {
+    fmt::print(stderr, "usage: torture_scenes SECONDS SEED [CASE]\n");
+    return 2;
+  }
+  const auto number = [&](int i) { return static_cast<std::uint32_t>(std::stoul(words[i])); };
+  return twrench::torture(std::stod(words[1]), number(2),
+                          count == 4 ? std::optional(number(3)) : std::nullopt);
+}
