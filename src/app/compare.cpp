@@ -48,7 +48,9 @@ ExitCode compare_files(const Options& options) {
 void add_compare(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
       "compare", "Two PNG images: exit 0 when they are alike, 1 when they differ");
-  command->footer("Example: twrench compare golden.png actual.png --threshold 8 --share 0.001");
+  command->footer(
+      "Example: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
+      "Exit code 0 alike, 1 different, 5 when an image cannot be read or is damaged.");
   const auto options = std::make_shared<Options>();
   command->add_option("A", options->a, "a PNG file")->required();
   command->add_option("B", options->b, "a PNG file")->required();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "base/child_process.h"
@@ -155,7 +156,7 @@ std::string as_json(const Diagnosis& diagnosis) {
   }
   const nlohmann::ordered_json whole{{"can_render", diagnosis.code() == ExitCode::done},
                                      {"findings", findings}};
-  return whole.dump(2) + "\n";
+  return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -166,7 +167,8 @@ void add_doctor(CLI::App& app, ExitCode& code) {
   command->footer("Example: twrench doctor\nExit code 0 when twrench render can run.");
   const auto format = std::make_shared<std::string>("text");
   command->add_option("--format", *format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of("--format", {"text", "json"}))
+      ->type_name("FORMAT")
       ->capture_default_str();
   command->callback([format, &code] {
     const Diagnosis diagnosis = diagnose();
