@@ -26,7 +26,7 @@ ExitCode compare_files(const Options& options) {
       limits::check_whole({0, 255}, "--threshold", parse_number(options.threshold, "--threshold"));
   const double allowed =
       limits::check(limits::fraction, "--share", parse_number(options.share, "--share"));
-  const Image a = read_png(options.a), b = read_png(options.b);
+  const DeepImage a = read_deep_png(options.a), b = read_deep_png(options.b);
   const std::optional<Difference> difference = compare(a, b, threshold);
   if (!difference) {
     write_output("-", fmt::format("different: {}x{} with {} channels against {}x{} with {}\n",
@@ -37,7 +37,7 @@ ExitCode compare_files(const Options& options) {
     write_file_atomically(options.diff, encode_png(difference_image(a, b)));
   }
   const bool alike = difference->share <= allowed;
-  write_output("-", fmt::format("{}: max {} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
+  write_output("-", fmt::format("{}: max {:.6g} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
                                 alike ? "alike" : "different", difference->max, difference->mean,
                                 difference->share, threshold));
   return alike ? ExitCode::done : ExitCode::answer_is_no;

@@ -6,6 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
 
@@ -38,7 +39,7 @@ std::string text(const Scene& scene, const MassProperties& body) {
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
       "principal axes, the columns, in body axes\n{}",
-      scene.name, mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
+      escape(scene.name), mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
       matrix(body.axes));
 }
 

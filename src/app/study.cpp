@@ -120,7 +120,8 @@ bool is_exact(const Method* method) { return method->order == 0; }
 
 std::string report(const Options& options, const Study& study, const Scene& scene) {
   if (options.format == "csv") return study_csv(study);
-  return options.format == "json" ? study_json(study, scene.name) : study_text(study, scene.name);
+  return options.format == "json" ? study_json(study, scene.name)
+                                  : study_text(study, escape(scene.name));
 }
 
 ExitCode run_study(const Options& options) {

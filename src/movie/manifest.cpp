@@ -136,8 +136,10 @@ Json parse_json(std::string_view text, const std::string& name, std::vector<Fram
   };
   try {
     return Json::parse(text, take);
-  } catch (const Json::exception& error) {
-    throw FileError("cannot use " + name, error.what());
+  } catch (const Json::parse_error& error) {
+    throw FileError("cannot use " + name, fmt::format("it is no JSON from byte {} on", error.byte));
+  } catch (const Json::exception&) {  // a number that no double holds
+    throw FileError("cannot use " + name, "it has a number that is too large");
   }
 }
 
