@@ -9,7 +9,8 @@ namespace twrench {
 namespace {
 
 TEST(Escape, LeavesWhatCanBeRead) {
-  for (const char* text : {"", "a b-c_d.toml", "C:\\x", "omega \u03c9 \u65e5\u672c \U0001f6f0", "'\"`$"}) {
+  for (const char* text :
+       {"", "a b-c_d.toml", "C:\\x", "omega \u03c9 \u65e5\u672c \U0001f6f0", "'\"`$"}) {
     EXPECT_EQ(escape(text), text);
   }
 }

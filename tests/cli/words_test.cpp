@@ -60,8 +60,9 @@ TEST(Help, AFullDiskIsAnError) {
   for (const char* words : {"--help", "--version", "help", "render --help"}) {
     const Outcome run = run_shell(folder, std::string("\"$TWRENCH\" ") + words + " >/dev/full");
     EXPECT_EQ(run.code, 5) << words;
-    EXPECT_EQ(run.err, "twrench: error: cannot write standard output: No space left on device\n"
-                       "  free some space there, or choose another disk\n");
+    EXPECT_EQ(run.err,
+              "twrench: error: cannot write standard output: No space left on device\n"
+              "  free some space there, or choose another disk\n");
   }
 }
 
@@ -91,9 +92,8 @@ TEST(Words, AllIsJsonWhereJsonIsAskedFor) {
 TEST(Words, BytesThatAreNoUtf8AreReplacedInJson) {
   const ScratchFolder folder;
   write_file_atomically(folder / "b\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
-  for (const char* command :
-       {"simulate --times 1 --format json", "inertia --format json",
-        "study --methods exact --duration 1 --format json"}) {
+  for (const char* command : {"simulate --times 1 --format json", "inertia --format json",
+                              "study --methods exact --duration 1 --format json"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " b\xff.toml");
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(json::parse(run.out)["scene"], "b\ufffd") << command;
@@ -106,8 +106,9 @@ TEST(Words, BytesThatAreNoUtf8AreReplacedInJson) {
 TEST(Words, NothingForgesLinesOfOpenjd) {
   const ScratchFolder folder;
   const Outcome run =
-      run_shell(folder, "\"$TWRENCH\" encode \"$(printf 'a\\nopenjd_env: PATH=/b')\" -o v.mp4 "
-                        "--progress openjd");
+      run_shell(folder,
+                "\"$TWRENCH\" encode \"$(printf 'a\\nopenjd_env: PATH=/b')\" -o v.mp4 "
+                "--progress openjd");
   EXPECT_EQ(run.code, 5);
   EXPECT_EQ(lines_of(run.out).size(), 1U) << run.out;
   EXPECT_THAT(run.out, StartsWith("openjd_fail: cannot use a\\nopenjd_env: PATH=/b: "));
@@ -155,9 +156,9 @@ TEST(Words, ABarInAFileIsPlain) {
 // exec keeps what the system has counted for the process and for its children until then.
 TEST(Words, TimingDoesNotCountTheTimeBefore) {
   const ScratchFolder folder;
-  const Outcome run = run_shell(
-      folder, "sh -c 'head -c 300000000 /dev/zero | sha256sum; exec \"$TWRENCH\" " + tiny +
-                  "--progress none --timing=json'");
+  const Outcome run =
+      run_shell(folder, "sh -c 'head -c 300000000 /dev/zero | sha256sum; exec \"$TWRENCH\" " +
+                            tiny + "--progress none --timing=json'");
   EXPECT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.err);
   EXPECT_EQ(report["cpu_ms_per_frame"]["children"], 0.0);
@@ -175,10 +176,9 @@ TEST(Words, NoPermissionIsToldAsSuch) {
   std::filesystem::create_directories(folder / "closed/f");
   std::filesystem::permissions(folder / "closed", std::filesystem::perms::none);
   if (run_as_nobody(folder, "test -x \"$TWRENCH\"").code != 0) GTEST_SKIP() << "nobody sees it";
-  for (const char* words :
-       {"encode closed/f -o v.mp4", "inertia closed/a.toml", "inertia closed/a",
-        "simulate -o closed/a.csv", "compare closed/a.png closed/a.png",
-        "render --size 32x32 --frames 0 --no-video --frames-dir closed/f"}) {
+  for (const char* words : {"encode closed/f -o v.mp4", "inertia closed/a.toml", "inertia closed/a",
+                            "simulate -o closed/a.csv", "compare closed/a.png closed/a.png",
+                            "render --size 32x32 --frames 0 --no-video --frames-dir closed/f"}) {
     const Outcome run = run_as_nobody(folder, std::string("\"$TWRENCH\" ") + words);
     EXPECT_EQ(run.code, 5) << words << "\n" << run.err;
     EXPECT_THAT(run.err, HasSubstr("Permission denied")) << words;
