@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/error.h"
+#include "base/nearest.h"
 
 namespace twrench {
 namespace {
@@ -56,6 +58,14 @@ Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
   const std::vector<double> v = split_numbers(text, 'x', what);
   if (v.size() == 2) return {v[0], v[1]};
   throw UsageError(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
+}
+
+std::function<std::string(const std::string&)> one_of(const std::string& what,
+                                                      std::vector<std::string> names) {
+  return [what, names = std::move(names)](const std::string& word) -> std::string {
+    if (std::ranges::find(names, word) == names.end()) throw unknown_name(what, word, names);
+    return {};
+  };
 }
 
 }  // namespace twrench

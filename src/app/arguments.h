@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,9 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& wh
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
 /// "WxH", not yet checked
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
+
+/// A check for CLI::Option: of a value that is to be one of `names`. Throws where it is none.
+std::function<std::string(const std::string&)> one_of(const std::string& what,
+                                                      std::vector<std::string> names);
 
 }  // namespace twrench

@@ -1,12 +1,35 @@
 #include "app/commands.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "app/help.h"
+#include "app/usage.h"
+#include "app/version.h"
 #include "base/nearest.h"
 
 namespace twrench {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0         done\n"
+    "  1         it ran, and the answer is no: compare, study\n"
+    "  2         a bad option or scene\n"
+    "  3         no usable OpenGL\n"
+    "  4         ffmpeg, or gnuplot for a figure, is missing or failed\n"
+    "  5         a file could not be read or written\n"
+    "  70        a fault of twrench itself\n"
+    "  130, 143  interrupted; what was written is whole";
+
+}  // namespace
 
 void add_commands(CLI::App& app, ExitCode& code) {
+  app.formatter(std::make_shared<Help>());  // before the commands, which inherit it
+  app.set_version_flag("--version", version_line(), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.footer(exit_codes);
+  app.require_subcommand(1);
   add_render(app);
   add_simulate(app);
   add_plot(app);
@@ -17,6 +40,8 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_doctor(app, code);
   add_methods(app);
   add_scenes(app);
+  add_help(app);
+  refuse_empty_values(app);
 }
 
 void require_known_command(const CLI::App& app, const std::string& word) {

@@ -18,7 +18,7 @@ void add_doctor(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
 void add_scenes(CLI::App& app);
 
-/// Adds all of them.
+/// Adds all of them, and what all have in common.
 void add_commands(CLI::App& app, ExitCode& code);
 
 /// Throws UsageError, with the nearest offered, when `word` is neither an option nor a command.

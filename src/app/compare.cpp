@@ -27,7 +27,7 @@ ExitCode compare_files(const Options& options) {
       limits::check_whole({0, 255}, "--threshold", parse_number(options.threshold, "--threshold"));
   const double allowed =
       limits::check(limits::fraction, "--share", parse_number(options.share, "--share"));
-  const Image a = read_png(options.a), b = read_png(options.b);
+  const DeepImage a = read_deep_png(options.a), b = read_deep_png(options.b);
   const std::optional<Difference> difference = compare(a, b, threshold);
   if (!difference) {
     write_output("-", fmt::format("different: {}x{} with {} channels against {}x{} with {}\n",
@@ -38,7 +38,7 @@ ExitCode compare_files(const Options& options) {
     write_file_atomically(options.diff, encode_png(difference_image(a, b)));
   }
   const bool alike = difference->share <= allowed;
-  write_output("-", fmt::format("{}: max {} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
+  write_output("-", fmt::format("{}: max {:.6g} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
                                 alike ? "alike" : "different", difference->max, difference->mean,
                                 difference->share, threshold));
   return alike ? ExitCode::done : ExitCode::answer_is_no;
@@ -49,7 +49,9 @@ ExitCode compare_files(const Options& options) {
 void add_compare(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
       "compare", "Two PNG images: exit 0 when they are alike, 1 when they differ");
-  command->footer("Example: twrench compare golden.png actual.png --threshold 8 --share 0.001");
+  command->footer(
+      "Example: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
+      "Exit code 0 alike, 1 different, 5 when an image cannot be read or is damaged.");
   const auto options = std::make_shared<Options>();
   command->add_option("A", options->a, "a PNG file")->required();
   command->add_option("B", options->b, "a PNG file")->required();

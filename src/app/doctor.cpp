@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/output.h"
 #include "base/child_process.h"
 #include "base/disk_space.h"
+#include "base/file.h"
 #include "base/processors.h"
 #include "canvas/font.h"
 #include "figure/gnuplot.h"
@@ -74,20 +77,29 @@ std::string figure_formats() {
   return "writes SVG, PDF and PNG";
 }
 
+/// Whether a file can be made there or, while it is not made yet, where it would be.
+std::string try_to_write_in(const std::string& folder) {
+  const PendingFile trial(existing_folder(folder) / "trial");  // is gone again
+  return format_bytes(static_cast<double>(free_space(folder))) + " free";
+}
+
 struct Diagnosis {
   std::vector<Finding> backends;  ///< one is enough
   std::vector<Finding> encoder;   ///< all are needed
+  std::vector<Finding> disk;      ///< likewise
   std::vector<Finding> others;
 
   ExitCode code() const {
     const auto is_there = [](const Finding& finding) { return finding.is_there(); };
     if (std::ranges::none_of(backends, is_there)) return ExitCode::no_gl;
-    return std::ranges::all_of(encoder, is_there) ? ExitCode::done : ExitCode::encoder;
+    if (!std::ranges::all_of(encoder, is_there)) return ExitCode::encoder;
+    return std::ranges::all_of(disk, is_there) ? ExitCode::done : ExitCode::file;
   }
 
   std::vector<Finding> all() const {
     std::vector<Finding> findings = backends;
     findings.insert(findings.end(), encoder.begin(), encoder.end());
+    findings.insert(findings.end(), disk.begin(), disk.end());
     findings.insert(findings.end(), others.begin(), others.end());
     return findings;
   }
@@ -108,6 +120,10 @@ Diagnosis diagnose() {
     });
   };
   diagnosis.encoder.push_back(encoder("libx264", "films: H.264 in MP4", Container::mp4, false));
+  diagnosis.disk.push_back(examine("disk",
+                                   "frames and films, here in out/; others by -o and "
+                                   "--frames-dir",
+                                   [] { return try_to_write_in("out"); }));
   diagnosis.others.push_back(
       encoder("libvpx-vp9", "films in WebM, with alpha too", Container::webm, true));
   diagnosis.others.push_back(encoder("prores_ks", "films with alpha in MOV", Container::mov, true));
@@ -117,9 +133,6 @@ Diagnosis diagnose() {
   }));
   diagnosis.others.push_back(
       examine("gnuplot", "figures: plot, study --plot; films do without", &figure_formats));
-  diagnosis.others.push_back(examine("disk", "frames and films, here in out/", [] {
-    return format_bytes(static_cast<double>(free_space("out"))) + " free";
-  }));
   diagnosis.others.push_back(examine("processors", "drawing and compressing at once",
                                      [] { return fmt::format("{}", processor_count()); }));
   return diagnosis;
@@ -131,12 +144,13 @@ std::string as_text(const Diagnosis& diagnosis) {
   const std::size_t width = length(std::ranges::max(findings, {}, length));
   std::string text;
   for (const Finding& finding : findings) {
-    text += fmt::format("{:<{}}  {:<7}  {}\n", finding.name, width,
-                        finding.is_there() ? "found" : "missing",
-                        finding.is_there() ? finding.found : finding.why);
+    text += format_message("{:<{}}  {:<7}  {}\n", finding.name, width,
+                           finding.is_there() ? "found" : "missing",
+                           finding.is_there() ? finding.found : finding.why);
     if (finding.is_there()) continue;
-    text += fmt::format("{:<{}}  used for {}\n", "", width + 9, finding.used_for);
-    if (!finding.remedy.empty()) text += fmt::format("{:<{}}  {}\n", "", width + 9, finding.remedy);
+    text += format_message("{:<{}}  used for {}\n", "", width + 9, finding.used_for);
+    if (!finding.remedy.empty())
+      text += format_message("{:<{}}  {}\n", "", width + 9, finding.remedy);
   }
   return text + (diagnosis.code() == ExitCode::done
                      ? "The main job, twrench render, can run.\n"
@@ -155,7 +169,7 @@ std::string as_json(const Diagnosis& diagnosis) {
   }
   const nlohmann::ordered_json whole{{"can_render", diagnosis.code() == ExitCode::done},
                                      {"findings", findings}};
-  return whole.dump(2) + "\n";
+  return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -163,10 +177,13 @@ std::string as_json(const Diagnosis& diagnosis) {
 void add_doctor(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
       "doctor", "What of this machine can be used, and a remedy for what is missing");
-  command->footer("Example: twrench doctor\nExit code 0 when twrench render can run.");
+  command->footer(
+      "Example: twrench doctor\nExit code 0 when twrench render can run; 3 without OpenGL, 4 "
+      "without ffmpeg,\n5 where nothing can be written.");
   const auto format = std::make_shared<std::string>("text");
   command->add_option("--format", *format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of("--format", {"text", "json"}))
+      ->type_name("FORMAT")
       ->capture_default_str();
   command->callback([format, &code] {
     const Diagnosis diagnosis = diagnose();

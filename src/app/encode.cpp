@@ -2,7 +2,6 @@
 
 #include "app/commands.h"
 #include "app/film_options.h"
-#include "app/message.h"
 #include "app/progress.h"
 #include "movie/encode_frames.h"
 #include "movie/frame_range.h"
@@ -28,8 +27,8 @@ void encode(const Options& options) {
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;
-  say("twrench: warning: {}: the film is without the missing frames {}\n", options.film.output,
-      brief_frame_range(left_out));
+  progress.warn(fmt::format("{}: the film is without the missing frames {}", options.film.output,
+                            brief_frame_range(left_out)));
 }
 
 }  // namespace

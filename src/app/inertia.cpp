@@ -4,7 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.h"
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
 
@@ -37,7 +39,7 @@ std::string text(const Scene& scene, const MassProperties& body) {
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
       "principal axes, the columns, in body axes\n{}",
-      scene.name, mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
+      escape(scene.name), mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
       matrix(body.axes));
 }
 
@@ -54,7 +56,7 @@ std::string json(const Scene& scene, const MassProperties& body) {
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
   document["principal_axes"] = rows(body.axes);
-  return document.dump(1) + "\n";
+  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -65,7 +67,8 @@ void add_inertia(CLI::App& app) {
   command->footer("Example: twrench inertia dzhanibekov --format json");
   const auto options = std::make_shared<Options>(*command);
   command->add_option("--format", options->format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of("--format", {"text", "json"}))
+      ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "file, or - for standard output")
       ->capture_default_str();

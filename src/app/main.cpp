@@ -2,29 +2,39 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/report.h"
-#include "app/version.h"
+#include "app/usage.h"
 #include "base/termination.h"
 
 namespace {
 
+/// Runs the command that the words name, or prints the help or version that they ask for.
+void parse(CLI::App& app, std::vector<std::string> words) try {
+  app.parse(std::move(words));
+} catch (const CLI::Success& request) {
+  std::ostringstream text;
+  app.exit(request, text, text);
+  twrench::write_output("-", text.str());
+} catch (const CLI::ParseError& error) {
+  throw twrench::usage_error(app, error);
+}
+
 twrench::ExitCode run(int argc, char** argv) {
   CLI::App app("From a rigid body's equations of motion to a film of it", "twrench");
-  app.set_version_flag("--version", twrench::version_line());
-  app.require_subcommand(1);
   twrench::ExitCode code = twrench::ExitCode::done;
-  twrench::add_commands(app, code);
   try {
+    twrench::add_commands(app, code);
     twrench::require_known_command(app, argc > 1 ? argv[1] : "-");
-    app.parse(argc, argv);
+    parse(app, twrench::words_for_parser(argc, argv));
     return code;
-  } catch (const CLI::Success& request) {  // --help, --version
-    app.exit(request);
-    return twrench::ExitCode::done;
   } catch (...) {
-    return twrench::report_current_exception();
+    return twrench::report_current_exception(app);
   }
 }
 

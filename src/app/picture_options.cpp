@@ -1,5 +1,7 @@
 #include "app/picture_options.h"
 
+#include <fmt/format.h>
+
 #include "app/arguments.h"
 #include "scene/names.h"
 
@@ -7,51 +9,72 @@ namespace twrench {
 namespace {
 
 void add_film_options(SceneOptions& scene) {
-  scene.add("--theme", "NAME", "studio, paper or space",
-            [](Scene& s, const std::string& text) { s.look.theme = theme_of(text, "--theme"); });
-  scene.add("--size", "WxH", "size of the frames, pixels", [](Scene& s, const std::string& text) {
-    const Eigen::Vector2d size = parse_size(text, "--size");
-    s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
-    s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
-  });
-  scene.add(
-      "--background", "COLOR", "#rrggbb, black, gray, white or transparent",
-      [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); });
-  scene.add("--samples", "N", "samples a pixel; 1, the default, smooths edges one by one",
-            [](Scene& s, const std::string& text) {
-              s.look.samples = limits::check_whole(limits::samples, "--samples",
-                                                   parse_number(text, "--samples"));
-            });
-  scene.add("--motion-blur", "N", "poses that a frame is the mean of",
-            [](Scene& s, const std::string& text) {
-              s.look.motion_blur = limits::check_whole(limits::motion_blur, "--motion-blur",
-                                                       parse_number(text, "--motion-blur"));
-            });
+  scene
+      .add("--theme", "NAME", "studio, paper or space",
+           [](Scene& s, const std::string& text) { s.look.theme = theme_of(text, "--theme"); })
+      ->default_str(name_of(Scene().look.theme));
+  scene
+      .add("--size", "WxH", "size of the frames, pixels",
+           [](Scene& s, const std::string& text) {
+             const Eigen::Vector2d size = parse_size(text, "--size");
+             s.film.width = limits::check_whole(limits::pixels, "--size", size.x());
+             s.film.height = limits::check_whole(limits::pixels, "--size", size.y());
+           })
+      ->default_str(fmt::format("{}x{}", Scene().film.width, Scene().film.height));
+  scene
+      .add("--background", "COLOR", "#rrggbb, black, gray, white or transparent",
+           [](Scene& s, const std::string& text) { set_background(s.look, text, "--background"); })
+      ->default_str("the theme's");
+  scene
+      .add("--samples", "N", "samples a pixel; with 1, edges are smoothed one by one",
+           [](Scene& s, const std::string& text) {
+             s.look.samples =
+                 limits::check_whole(limits::samples, "--samples", parse_number(text, "--samples"));
+           })
+      ->default_str(std::to_string(Scene().look.samples));
+  scene
+      .add("--motion-blur", "N", "poses that a frame is the mean of",
+           [](Scene& s, const std::string& text) {
+             s.look.motion_blur = limits::check_whole(limits::motion_blur, "--motion-blur",
+                                                      parse_number(text, "--motion-blur"));
+           })
+      ->default_str(std::to_string(Scene().look.motion_blur));
 }
 
 void add_material_options(SceneOptions& scene) {
-  scene.add("--color", "COLOR", "of the body; this and the next two are the theme's by default",
-            [](Scene& s, const std::string& text) { s.look.color = parse_color(text, "--color"); });
-  scene.add("--metallic", "F", "0 for paint to 1 for metal", [](Scene& s, const std::string& text) {
-    s.look.metallic =
-        limits::check(limits::fraction, "--metallic", parse_number(text, "--metallic"));
-  });
-  scene.add("--roughness", "R", "0.05 for a mirror to 1 for chalk",
-            [](Scene& s, const std::string& text) {
-              s.look.roughness = limits::check(limits::roughness, "--roughness",
-                                               parse_number(text, "--roughness"));
-            });
+  scene
+      .add("--color", "COLOR", "of the body",
+           [](Scene& s, const std::string& text) { s.look.color = parse_color(text, "--color"); })
+      ->default_str("the theme's");
+  scene
+      .add("--metallic", "F", "0 for paint to 1 for metal",
+           [](Scene& s, const std::string& text) {
+             s.look.metallic =
+                 limits::check(limits::fraction, "--metallic", parse_number(text, "--metallic"));
+           })
+      ->default_str("the theme's");
+  scene
+      .add("--roughness", "R", "0.05 for a mirror to 1 for chalk",
+           [](Scene& s, const std::string& text) {
+             s.look.roughness =
+                 limits::check(limits::roughness, "--roughness", parse_number(text, "--roughness"));
+           })
+      ->default_str("the theme's");
 }
 
 void add_overlay_options(SceneOptions& scene) {
   scene.add("--title", "TEXT", "over the picture",
             [](Scene& s, const std::string& text) { s.title = text; });
-  scene.add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
-            [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); });
-  scene.add("--compare", "M1,M2,...", "methods side by side, four at most",
-            [](Scene& s, const std::string& text) {
-              s.overlay.compare = compared_methods(parse_words(text), "--compare");
-            });
+  scene
+      .add("--view", "NAME", "what to see: wrench, momentum, poinsot or quad",
+           [](Scene& s, const std::string& text) { s.overlay.view = view_of(text, "--view"); })
+      ->default_str(name_of(Scene().overlay.view));
+  scene
+      .add("--compare", "M1,M2,...", "methods side by side, four at most",
+           [](Scene& s, const std::string& text) {
+             s.overlay.compare = compared_methods(parse_words(text), "--compare");
+           })
+      ->default_str("the one method");
   // In this order, so that --show adds to --bare.
   scene.add_flag("--bare", "the body alone", [](Scene& s) { s.overlay.show.clear(); });
   scene.add("--show", "LIST",
@@ -67,18 +90,24 @@ void add_overlay_options(SceneOptions& scene) {
       s.overlay.show.erase(feature_of(word, "--hide"));
     }
   });
-  scene.add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
-            [](Scene& s, const std::string& text) {
-              s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",
-                                                    parse_vector(text, "--trail-point"));
-            });
-  scene.add("--trail-length", "S", "seconds of motion that a trail covers",
-            [](Scene& s, const std::string& text) {
-              s.overlay.trail_length = limits::check(limits::trail_length, "--trail-length",
-                                                     parse_number(text, "--trail-length"));
-            });
-  scene.add("--font", "NAME", "sans, mono, or a font file",
-            [](Scene& s, const std::string& text) { s.overlay.font = text; });
+  scene
+      .add("--trail-point", "X,Y,Z", "whose trail is drawn: cm, in the axes of the parts",
+           [](Scene& s, const std::string& text) {
+             s.overlay.trail_point = limits::check(limits::coordinate, "--trail-point",
+                                                   parse_vector(text, "--trail-point"));
+           })
+      ->default_str("the farthest");
+  scene
+      .add("--trail-length", "S", "seconds of motion that a trail covers",
+           [](Scene& s, const std::string& text) {
+             s.overlay.trail_length = limits::check(limits::trail_length, "--trail-length",
+                                                    parse_number(text, "--trail-length"));
+           })
+      ->default_str("12 rad's worth");
+  scene
+      .add("--font", "NAME", "sans, mono, or a font file",
+           [](Scene& s, const std::string& text) { s.overlay.font = text; })
+      ->default_str(Scene().overlay.font);
 }
 
 void add_camera_options(SceneOptions& scene) {

@@ -63,7 +63,8 @@ void plot(const Options& options) {
 void add_plot(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "plot", "The nine components of X against time, with the instants of the flips");
-  command->footer("Example: twrench plot dzhanibekov stable-y stable-z -o components.svg");
+  command->footer(std::string(about_defaults) +
+                  "Example: twrench plot dzhanibekov stable-y stable-z -o components.svg");
   const auto options = std::make_shared<Options>(*command);
   command->add_option("-o,--output", options->output, "the figure: .svg, .pdf or .png")
       ->required()

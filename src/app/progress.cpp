@@ -1,15 +1,23 @@
 #include "app/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "app/arguments.h"
 #include "app/message.h"
 
 namespace twrench {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// "1:02:03" or "2:03"
 std::string clock_text(double seconds) {
@@ -19,36 +27,77 @@ std::string clock_text(double seconds) {
 }
 
 /// Whole lines, at once. Who starts this program for an Open Job Description reads them; that it
-/// went away is no reason to end.
-void print_openjd(const std::string& lines) {
-  static_cast<void>(std::fputs((lines + "\n").c_str(), stdout));
+/// went away is no reason to end. A line end within a value would forge a line.
+template <typename... T>
+void print_openjd(fmt::format_string<T...> format, const T&... values) {
+  static_cast<void>(std::fputs(format_message<T...>(format, values...).c_str(), stdout));
   static_cast<void>(std::fflush(stdout));
 }
 
+/// Whether standard error is a terminal on which a line can be drawn over.
+bool can_redraw() {
+  const char* const terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+int terminal_columns() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const char* const columns = std::getenv("COLUMNS");
+  const int told = columns == nullptr ? 0 : std::atoi(columns);  // 0 where it is no number
+  return told > 0 ? told : 80;
+}
+
+std::string summary_json(const Summary& summary, double rate) {
+  Json json{{"frames", summary.frames}, {"seconds", summary.seconds}, {"frames_per_second", rate}};
+  if (summary.frames_folder) json["frames_folder"] = summary.frames_folder->string();
+  if (summary.film) json["film"] = summary.film->string();
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
 }  // namespace
+
+std::string bar_line(double share, const std::string& figures, int columns) {
+  constexpr std::size_t widest = 30, narrowest = 5, frame = 3;           // frame: "[] "
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));  // the last one would wrap
+  std::string line = figures;
+  if (room >= figures.size() + narrowest + frame) {
+    const std::size_t width = std::min(widest, room - figures.size() - frame);
+    const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
+    line = fmt::format("[{:.<{}}] {}", std::string(filled, '#'), width, figures);
+  }
+  line.resize(room, ' ');
+  return line;
+}
 
 void Progress::tell_failure_of(const std::function<void()>& work, const std::string& style) {
   try {
     work();
   } catch (const std::exception& error) {
-    if (style == "openjd") print_openjd(fmt::format("openjd_fail: {}", error.what()));
+    if (style == "openjd") print_openjd("openjd_fail: {}\n", std::string(error.what()));
     throw;
   }
 }
 
 void Progress::add_option(CLI::App& command, std::string& style) {
-  command.add_option("--progress", style, "auto, bar, plain, json, openjd or none")
-      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "openjd", "none"}))
+  command
+      .add_option("--progress", style,
+                  "auto, bar, plain, json, openjd or none; auto is a bar on a terminal")
+      ->check(one_of("--progress", {"auto", "bar", "plain", "json", "openjd", "none"}))
+      ->type_name("STYLE")
       ->capture_default_str();
 }
 
+bool Progress::is_json(const CLI::App& command) {
+  const CLI::Option* const option = command.get_option_no_throw("--progress");
+  return option != nullptr && option->count() > 0 && option->results().back() == "json";
+}
+
 Progress::Style Progress::style_called(const std::string& name) {
-  if (name == "bar") return Style::bar;
   if (name == "json") return Style::json;
   if (name == "openjd") return Style::openjd;
   if (name == "none") return Style::none;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  return name == "auto" && terminal ? Style::bar : Style::plain;
+  return name != "plain" && can_redraw() ? Style::bar : Style::plain;
 }
 
 void Progress::update(int done, int total) {
@@ -70,26 +119,42 @@ void Progress::draw(int done, int total, double seconds) const {
         "\"frames_per_second\": {:.3f}, \"seconds_left\": {:.3f}}}\n",
         done, total, seconds, rate, left);
   } else if (style_ == Style::openjd) {
-    print_openjd(fmt::format("openjd_progress: {:.1f}\nopenjd_status: {} of {} frames, {} left",
-                             100.0 * done / total, done, total, clock_text(left)));
+    print_openjd("openjd_progress: {:.1f}\nopenjd_status: {} of {} frames, {} left\n",
+                 100.0 * done / total, done, total, clock_text(left));
   } else if (style_ == Style::plain) {
     say("{} of {} frames, {:.1f} frames/s, {} left\n", done, total, rate, clock_text(left));
   } else {
-    constexpr int width = 30;
-    const auto filled = static_cast<std::size_t>(width * static_cast<double>(done) / total);
-    say("\r[{:.<{}}] {}/{}  {:.1f} frames/s  {} left \x1b[K", std::string(filled, '#'), width, done,
-        total, rate, clock_text(left));
+    const std::string figures =
+        fmt::format("{}/{}  {:.1f} frames/s  {} left", done, total, rate, clock_text(left));
+    say("\r{}", bar_line(static_cast<double>(done) / total, figures, terminal_columns()));
     static_cast<void>(std::fflush(stderr));
   }
 }
 
 void Progress::note(const std::string& text) const {
+  if (style_ == Style::json) say("{}\n", to_json_line("note", text));
   if (style_ == Style::bar || style_ == Style::plain) say("twrench: note: {}\n", text);
 }
 
+void Progress::warn(const std::string& text) {
+  finish();
+  twrench::warn(text, style_ == Style::json);
+}
+
+void Progress::summarize(const Summary& summary) {
+  if (style_ == Style::none) return;
+  finish();
+  const double rate = static_cast<double>(summary.frames) / summary.seconds;
+  if (style_ == Style::json) return say("{}\n", summary_json(summary, rate));
+  std::string text =
+      fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", summary.frames, summary.seconds, rate);
+  if (summary.frames_folder) text += "; frames in " + summary.frames_folder->string();
+  if (summary.film) text += "; film " + summary.film->string();
+  say("{}\n", text);
+}
+
 void Progress::finish() {
-  if (open_) say("\n");
-  open_ = false;
+  if (open_.exchange(false)) say("\n");
 }
 
 }  // namespace twrench

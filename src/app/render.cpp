@@ -73,7 +73,7 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
           "--backend",
           [&choice, names](const std::string& name) { choice.backend = names.at(name); },
           "how OpenGL is reached: auto, osmesa or egl")
-      ->check(CLI::IsMember(names))
+      ->check(one_of("--backend", {"auto", "osmesa", "egl"}))
       ->type_name("NAME")
       ->default_str("auto");
   command.add_option("--egl-device", choice.egl_device, "EGL's device by its number, or software")
@@ -110,7 +110,7 @@ Options::Options(CLI::App& command) : scene(command) {
   command
       .add_flag("--timing{text}", timing,
                 "say at the end how long each stage was busy; --timing=json for programs")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(one_of("--timing", {"text", "json"}));
 }
 
 /// Drawing and the encoder have the other half of the processors: more jobs would only take turns
@@ -212,13 +212,11 @@ std::string film_name(const Options& options, const Scene& scene) {
   return options.film.is_streamed() ? "on standard output" : video_path(options, scene).string();
 }
 
-void print_summary(const Options& options, const Scene& scene, std::size_t frames, double seconds) {
-  if (options.progress == "none") return;
-  std::string text = fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", frames, seconds,
-                                 static_cast<double>(frames) / seconds);
-  if (!options.no_frames) text += "; frames in " + frames_folder(options, scene).string();
-  if (!options.no_video) text += "; film " + film_name(options, scene);
-  say("{}\n", text);
+Summary summary_of(const Options& options, const Scene& scene, std::size_t frames, double seconds) {
+  Summary summary{frames, seconds, {}, {}};
+  if (!options.no_frames) summary.frames_folder = frames_folder(options, scene);
+  if (!options.no_video) summary.film = film_name(options, scene);
+  return summary;
 }
 
 /// A frame, begun: to be ended, or from the folder where --resume keeps it.
@@ -271,6 +269,7 @@ void check(const Options& options) {
 
 void render(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
+  StageTimes times;
   check(options);
   const Scene scene = options.scene.scene();
   keep_memory_of_pictures(scene.film.width, scene.film.height);
@@ -286,7 +285,6 @@ void render(const Options& options) {
   // Whatever can fail for a reason known beforehand fails here, before the first frame.
   std::future<void> trial = try_encoder(options, scene);
   const gl::OpenedContext opened = gl::open_context(options.backend);
-  StageTimes times;
   const Timeline timeline = [&] {
     const Timed timed(times.pose);
     return Timeline(scene, numbers);
@@ -327,9 +325,10 @@ void render(const Options& options) {
   progress.finish();
   if (encoder) encoder->finish();
   const double seconds = seconds_since(start);
-  print_summary(options, scene, frames.size(), seconds);
+  progress.summarize(summary_of(options, scene, frames.size(), seconds));
   if (!options.timing.empty()) {
-    say("{}\n", timing_report(times, seconds, frames.size(), options.timing == "json"));
+    const bool json = options.timing == "json" || options.progress == "json";
+    say("{}\n", timing_report(times, seconds, frames.size(), json));
   }
 }
 
@@ -338,7 +337,9 @@ void render(const Options& options) {
 void add_render(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "The main job: simulate, draw every frame, write PNG frames and the video");
-  command->footer("Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4");
+  command->footer(std::string(about_defaults) +
+                  "Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4\n"
+                  "Exit code 3 without OpenGL, 4 without ffmpeg, 130 or 143 when interrupted.");
   const auto options = std::make_shared<Options>(*command);
   command->callback(
       [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });

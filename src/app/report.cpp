@@ -1,13 +1,13 @@
 #include "app/report.h"
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "app/message.h"
+#include "base/file.h"
 
 namespace twrench {
 namespace {
@@ -18,21 +18,51 @@ ExitCode report(ExitCode code, const std::string& message, const std::string& re
   return code;
 }
 
+ExitCode report(const Error& error) { return report(error.code(), error.what(), error.remedy()); }
+
+/// What the running command could be asked for less of.
+std::string remedy_for_memory(const CLI::App& app) {
+  const auto has = [&](const char* option) {
+    return std::ranges::any_of(app.get_subcommands(), [&](const CLI::App* command) {
+      return command->get_option_no_throw(option) != nullptr;
+    });
+  };
+  if (has("--jobs")) return "choose a smaller --size, fewer --samples, or fewer --jobs";
+  if (has("--fps")) return "ask for fewer samples: a shorter --duration, or a lower --fps";
+  return "end other programs, or raise the limit on memory (ulimit -v)";
+}
+
+/// What the system refused, which no code of ours expected.
+FileError refused(const std::system_error& error) {
+  const int number = error.code().value();
+  if (error.code() == std::errc::resource_unavailable_try_again) {
+    return {"cannot start a thread", error.code().message(),
+            "raise the limit on processes (ulimit -u), or that of the container"};
+  }
+  const auto* at = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+  const bool has_path = at != nullptr && !at->path1().empty();
+  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot go on", number);
+}
+
+bool is_of_the_system(const std::system_error& error) {
+  return error.code().category() == std::system_category() ||
+         error.code().category() == std::generic_category();
+}
+
 }  // namespace
 
-ExitCode report_current_exception() {
+ExitCode report_current_exception(const CLI::App& app) {
   try {
     throw;
   } catch (const Error& error) {
-    return report(error.code(), error.what(), error.remedy());
-  } catch (const CLI::ParseError& error) {
-    return report(ExitCode::usage, fmt::format("command line: {}", error.what()),
-                  "see twrench --help, and twrench COMMAND --help");
+    return report(error);
   } catch (const std::bad_alloc&) {
-    return report(ExitCode::internal, "memory: there is not enough of it",
-                  "choose a smaller --size, fewer --samples, or fewer --jobs");
+    return report(ExitCode::internal, "memory: there is not enough of it", remedy_for_memory(app));
+  } catch (const std::system_error& error) {
+    if (is_of_the_system(error)) return report(refused(error));
+    return report(ExitCode::internal, std::string("internal: ") + error.what());
   } catch (const std::exception& error) {
-    return report(ExitCode::internal, fmt::format("internal: {}", error.what()));
+    return report(ExitCode::internal, std::string("internal: ") + error.what());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/message.h"
+#include "app/progress.h"
 #include "base/file.h"
 
 namespace twrench {
@@ -12,14 +13,19 @@ namespace {
 constexpr int most_scenes = 16;
 
 /// A moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
-void warn_of_unreal_moments(const Scene& scene) {
+void warn_of_unreal_moments(const Scene& scene, bool as_json) {
   if (!scene.body.moments) return;
   const Eigen::Vector3d& moments = *scene.body.moments;
   constexpr double round_off = 1e-12;
   if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
-  say("twrench: warning: {}: moments {}, {} and {}: no real body has them; one is more than "
-      "the other two together\n",
-      scene.name, moments[0], moments[1], moments[2]);
+  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one is more than the other "
+                   "two together",
+                   scene.name, moments[0], moments[1], moments[2]),
+       as_json);
+}
+
+std::string format_vector(const Eigen::Vector3d& v) {
+  return fmt::format("{},{},{}", v.x(), v.y(), v.z());
 }
 
 }  // namespace
@@ -27,23 +33,25 @@ void warn_of_unreal_moments(const Scene& scene) {
 SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
   command.add_option("SCENE", names_, "a .toml file, or a built-in scene")
       ->expected(1, count == Count::one ? 1 : most_scenes)
-      ->capture_default_str();
+      ->default_str("dzhanibekov");
 }
 
-void SceneOptions::add(const std::string& name, const std::string& value, const std::string& help,
-                       Override apply) {
+CLI::Option* SceneOptions::add(const std::string& name, const std::string& value,
+                               const std::string& help, Override apply) {
   const auto remember = [this, apply = std::move(apply)](const std::string& text) {
     overrides_.emplace_back([=](Scene& scene) { apply(scene, text); });
   };
-  command_.add_option_function<std::string>(name, remember, help)->type_name(value);
+  return command_.add_option_function<std::string>(name, remember, help)->type_name(value);
 }
 
 void SceneOptions::add_number(const std::string& name, const std::string& value,
                               const std::string& help, const limits::Limit& limit,
                               std::function<double&(Scene&)> target) {
+  Scene defaults;
+  const std::string otherwise = fmt::format("{}", target(defaults));
   add(name, value, help, [=, target = std::move(target)](Scene& scene, const std::string& text) {
     target(scene) = limits::check(limit, name, parse_number(text, name));
-  });
+  })->default_str(otherwise);
 }
 
 void SceneOptions::add_flag(const std::string& name, const std::string& help,
@@ -66,12 +74,14 @@ void SceneOptions::add_motion_options() {
       [](Scene& scene, const std::string& text) {
         scene.motion.omega =
             limits::check(limits::coordinate, "--omega", parse_vector(text, "--omega"));
-      });
+      })
+      ->default_str(format_vector(Scene().motion.omega));
   add_inertia_option();
   add("--method", "NAME", "method of integration; see twrench methods",
       [](Scene& scene, const std::string& text) {
         scene.motion.method = find_method(text, "--method").name;
-      });
+      })
+      ->default_str(Scene().motion.method);
   add_number("--step", "H", "step of a fixed-step method, first step of an adaptive one, s",
              limits::step, [](Scene& s) -> double& { return s.motion.control.step; });
   add_number("--tolerance", "T", "error an adaptive method allows in a step", limits::tolerance,
@@ -94,7 +104,7 @@ std::vector<Scene> SceneOptions::scenes() const {
   for (const std::string& name : names_) {
     Scene scene = load_scene(name);
     for (const auto& override_value : overrides_) override_value(scene);
-    warn_of_unreal_moments(scene);
+    warn_of_unreal_moments(scene, Progress::is_json(command_));
     scenes.push_back(std::move(scene));
   }
   return scenes;

@@ -11,6 +11,10 @@
 
 namespace twrench {
 
+/// For the footer of a command with options of the scene.
+inline constexpr const char* about_defaults =
+    "What an option does not say, the scene says; the defaults are for what neither does.\n";
+
 /// The SCENE argument, or several, and the options that override its values. Lives as long as the
 /// command.
 class SceneOptions {
@@ -26,8 +30,9 @@ class SceneOptions {
   void add_motion_options();
 
   /// An option whose text changes the scene. `apply` throws UsageError about the option's name.
-  void add(const std::string& name, const std::string& value, const std::string& help,
-           Override apply);
+  /// The default_str of what is returned is for the help: what a scene has that does not say.
+  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
+                   Override apply);
   /// An option that is a number within `limit`, to be written to where `target` points.
   void add_number(const std::string& name, const std::string& value, const std::string& help,
                   const limits::Limit& limit, std::function<double&(Scene&)> target);

@@ -78,7 +78,7 @@ std::string json(const Scene& scene, const std::vector<Sample>& samples, const F
   }
   const nlohmann::ordered_json document{
       {"scene", scene.name}, {"method", scene.motion.method}, {"samples", rows}};
-  return document.dump(1) + "\n";
+  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void simulate(const Options& options) {
@@ -97,12 +97,14 @@ void simulate(const Options& options) {
 
 void add_simulate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simulate", "The trajectory as CSV or JSON");
-  command->footer("Example: twrench simulate stable-y --method rk4 --times 1,10,100");
+  command->footer(std::string(about_defaults) +
+                  "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
   const auto options = std::make_shared<Options>(*command);
   command->add_option("--times", options->times, "sample at exactly these times, s")
       ->type_name("T1,T2,...");
   command->add_option("--format", options->format, "csv or json")
-      ->check(CLI::IsMember({"csv", "json"}))
+      ->check(one_of("--format", {"csv", "json"}))
+      ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "file, or - for standard output")
       ->capture_default_str();

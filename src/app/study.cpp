@@ -120,7 +120,8 @@ bool is_exact(const Method* method) { return method->order == 0; }
 
 std::string report(const Options& options, const Study& study, const Scene& scene) {
   if (options.format == "csv") return study_csv(study);
-  return options.format == "json" ? study_json(study, scene.name) : study_text(study, scene.name);
+  return options.format == "json" ? study_json(study, scene.name)
+                                  : study_text(study, escape(scene.name));
 }
 
 ExitCode run_study(const Options& options) {
@@ -163,7 +164,8 @@ void add_options(CLI::App& command, Options& options) {
                   "exit 1 when a flip of a run is missed, or off by more than this, s")
       ->type_name("S");
   command.add_option("--format", options.format, "text, csv or json")
-      ->check(CLI::IsMember({"text", "csv", "json"}))
+      ->check(one_of("--format", {"text", "csv", "json"}))
+      ->type_name("FORMAT")
       ->capture_default_str();
   command.add_option("-o,--output", options.output, "file, or - for standard output")
       ->capture_default_str();
@@ -177,7 +179,9 @@ void add_options(CLI::App& command, Options& options) {
 void add_study(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
       "study", "Methods held against the exact motion: order, error, drifts, flip times, cost");
-  command->footer("Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20");
+  command->footer(std::string(about_defaults) +
+                  "Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20\n"
+                  "Exit code 1 when a bound, --max-..., is exceeded.");
   const auto options = std::make_shared<Options>(*command);
   add_options(*command, *options);
   command->callback([options, &code] { code = run_study(*options); });

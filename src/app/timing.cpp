@@ -15,7 +15,6 @@ double milliseconds(const StageTimes::Counter& counter) {
   return 1e-6 * static_cast<double>(counter.load());
 }
 
-/// User and system time in milliseconds of this process or of its children.
 double processor_milliseconds(int who) {
   rusage usage{};
   getrusage(who, &usage);
@@ -27,6 +26,10 @@ double processor_milliseconds(int who) {
 
 }  // namespace
 
+ProcessorTime processor_time() {
+  return {processor_milliseconds(RUSAGE_SELF), processor_milliseconds(RUSAGE_CHILDREN)};
+}
+
 std::string timing_report(const StageTimes& times, double seconds, std::size_t frames, bool json) {
   const auto count = static_cast<double>(std::max<std::size_t>(frames, 1));
   const std::array<std::pair<const char*, double>, 6> stages{
@@ -36,8 +39,9 @@ std::string timing_report(const StageTimes& times, double seconds, std::size_t f
        {"compress", milliseconds(times.compress) / count},
        {"write", milliseconds(times.write) / count},
        {"encode", milliseconds(times.encode) / count}}};
-  const double own = processor_milliseconds(RUSAGE_SELF) / count;
-  const double children = processor_milliseconds(RUSAGE_CHILDREN) / count;
+  const ProcessorTime now = processor_time();
+  const double own = (now.own - times.before.own) / count;
+  const double children = (now.children - times.before.children) / count;
   if (json) {
     nlohmann::ordered_json report{{"frames", frames},
                                   {"wall_seconds", seconds},

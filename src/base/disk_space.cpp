@@ -7,31 +7,26 @@
 #include <system_error>
 
 namespace twrench {
-namespace {
-
 namespace fs = std::filesystem;
 
-/// The folder, or the nearest above it that exists. That of a name alone is this one.
-fs::path existing(const fs::path& folder) {
+fs::path existing_folder(const fs::path& folder) {
   std::error_code failed;
   fs::path path = fs::absolute(folder.empty() ? fs::path(".") : folder, failed);
   while (!fs::exists(path, failed) && path != path.parent_path()) path = path.parent_path();
   return path;
 }
 
-}  // namespace
-
 std::uintmax_t free_space(const fs::path& folder) {
   std::error_code unknown;
-  const fs::space_info space = fs::space(existing(folder), unknown);
+  const fs::space_info space = fs::space(existing_folder(folder), unknown);
   return unknown ? std::numeric_limits<std::uintmax_t>::max() : space.available;
 }
 
 bool on_same_disk(const fs::path& a, const fs::path& b) {
   struct stat of_a {};
   struct stat of_b {};
-  return ::stat(existing(a).c_str(), &of_a) == 0 && ::stat(existing(b).c_str(), &of_b) == 0 &&
-         of_a.st_dev == of_b.st_dev;
+  return ::stat(existing_folder(a).c_str(), &of_a) == 0 &&
+         ::stat(existing_folder(b).c_str(), &of_b) == 0 && of_a.st_dev == of_b.st_dev;
 }
 
 std::string format_bytes(double bytes) {

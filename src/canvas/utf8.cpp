@@ -5,14 +5,11 @@
 namespace twrench {
 namespace {
 
-struct Decoded {
-  char32_t point;
-  std::size_t length;  ///< bytes
-};
+constexpr Utf8Character ill_formed{U'\uFFFD', 1};
 
-constexpr Decoded ill_formed{U'\uFFFD', 1};
+}  // namespace
 
-Decoded decode_first(std::string_view text) {
+Utf8Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);
   if (lead < 0x80) return {lead, 1};
@@ -29,12 +26,10 @@ Decoded decode_first(std::string_view text) {
   return {point, length};
 }
 
-}  // namespace
-
 std::vector<char32_t> decode_utf8(std::string_view text) {
   std::vector<char32_t> points;
   while (!text.empty()) {
-    const auto [point, length] = decode_first(text);
+    const auto [point, length] = first_character(text);
     const bool control = point < 0x20 || (point >= 0x7F && point < 0xA0);
     points.push_back(control ? U' ' : point);
     text.remove_prefix(length);

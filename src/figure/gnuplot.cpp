@@ -35,7 +35,11 @@ const Format& format_of(const std::string& path) {
   throw UsageError(fmt::format("figure {}", path), "its name must end in .svg, .pdf or .png");
 }
 
-ChildProcess start(const std::vector<std::string>& command) {
+/// With what a user's ~/.gnuplot and the environment change left out: a figure is the same
+/// anywhere.
+ChildProcess start(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"gnuplot", "--default-settings"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
   return start_program<FigureError>(command, "install it: apt-get install gnuplot-nox");
 }
 
@@ -80,7 +84,7 @@ std::string gnuplot_string(std::string_view text) {
 
 void require_gnuplot(const std::string& path) {
   const Format& format = format_of(path);
-  ChildProcess gnuplot = start({"gnuplot", "-e", fmt::format("set terminal {}", format.terminal)});
+  ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
   if (gnuplot.wait() == 0) return;
   throw FigureError(fmt::format("gnuplot cannot make {}", path), last_words(gnuplot.error_output()),
                     "install one that can: apt-get install gnuplot-nox");
@@ -92,7 +96,7 @@ void draw_figure(const std::string& path, const Figure& figure) {
   const std::string script = terminal(format, figure) +
                              fmt::format("set output {}\n", gnuplot_string(file.path().string())) +
                              figure.script + "\nunset output\n";
-  ChildProcess gnuplot = start({"gnuplot"});
+  ChildProcess gnuplot = start({});
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
   gnuplot.write({bytes, script.size()});
   if (const int status = gnuplot.wait(); status != 0) {

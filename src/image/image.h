@@ -6,16 +6,17 @@
 
 namespace twrench {
 
-/// An 8-bit image, sRGB, rows from the top left, no padding. 3 channels are RGB, 4 are RGBA with
-/// straight (not premultiplied) alpha.
-struct Image {
+/// An image, sRGB, rows from the top left, no padding. 3 channels are RGB, 4 are RGBA with straight
+/// (not premultiplied) alpha.
+template <typename Sample>
+struct BasicImage {
   int width = 0;
   int height = 0;
   int channels = 3;
-  std::vector<std::uint8_t> pixels;
+  std::vector<Sample> pixels;
 
-  Image() = default;
-  Image(int w, int h, int c)
+  BasicImage() = default;
+  BasicImage(int w, int h, int c)
       : width(w),
         height(h),
         channels(c),
@@ -23,8 +24,11 @@ struct Image {
                static_cast<std::size_t>(c)) {}
 
   std::size_t row_bytes() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) * sizeof(Sample);
   }
 };
+
+using Image = BasicImage<std::uint8_t>;
+using DeepImage = BasicImage<std::uint16_t>;  ///< as finely as a PNG file can tell
 
 }  // namespace twrench

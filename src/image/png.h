@@ -22,11 +22,15 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 /// The same bytes, for less where `still` tells that rows are those of other frames of a film.
 std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still);
 
-/// The image in the bytes of a PNG file: RGB or RGBA as stored; gray becomes RGB, 16 bits become 8.
-/// `name` names it in errors. Throws FileError when it is no PNG, is damaged or too large.
+/// The image in the bytes of a PNG file: RGB, or RGBA where anything can be transparent; gray
+/// becomes RGB, 16 bits become 8. `name` names it in errors. Throws FileError when it is no PNG, is
+/// too large, or is damaged, which all its checksums are asked for.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// The image in the file. Throws FileError when it cannot be read, and as decode_png.
 Image read_png(const std::filesystem::path& path);
+
+/// The same with all 16 bits of a channel; 8 bits become 16.
+DeepImage read_deep_png(const std::filesystem::path& path);
 
 }  // namespace twrench

@@ -40,6 +40,20 @@ unsigned char* take_rows(unsigned char* data, int size, int* compressed_size, in
 }  // namespace
 
 namespace twrench::stb {
+namespace {
+
+template <typename Sample>
+Pixels<Sample> decode(std::span<const std::uint8_t> file, int channels,
+                      Sample* (*load)(const stbi_uc*, int, int*, int*, int*, int)) {
+  Pixels<Sample> image;
+  int stored = 0;
+  image.data.reset(load(file.data(), static_cast<int>(file.size()), &image.width, &image.height,
+                        &stored, channels));
+  if (!image.data) image.failure = stbi_failure_reason();
+  return image;
+}
+
+}  // namespace
 
 void Free::operator()(void* memory) const noexcept { std::free(memory); }
 
@@ -50,29 +64,19 @@ void filter_rows(const std::uint8_t* pixels, int width, int rows, int channels,
   static_cast<void>(filter);
   taker = &take;
   int size = 0;
-  const Memory dropped(stbi_write_png_to_mem(pixels, 0, width, rows, channels, &size));
+  const Memory<std::uint8_t> dropped(
+      stbi_write_png_to_mem(pixels, 0, width, rows, channels, &size));
   if (!dropped) throw std::bad_alloc();
 }
 
-Pixels decode_png(std::span<const std::uint8_t> file, int max_side) {
-  const auto size = static_cast<int>(file.size());
-  Pixels image;
-  int stored = 0;
-  if (stbi_info_from_memory(file.data(), size, &image.width, &image.height, &stored) == 0) {
-    image.failure = stbi_failure_reason();
-    return image;
-  }
-  if (image.width > max_side || image.height > max_side) {
-    image.failure = "too large";
-    return image;
-  }
-  image.channels = stored == 2 || stored == 4 ? 4 : 3;
-  image.data.reset(stbi_load_from_memory(file.data(), size, &image.width, &image.height, &stored,
-                                         image.channels));
-  if (!image.data) {
-    image.failure = stbi_failure_reason();
-  }
-  return image;
+template <>
+Pixels<std::uint8_t> decode_png(std::span<const std::uint8_t> file, int channels) {
+  return decode<std::uint8_t>(file, channels, &stbi_load_from_memory);
+}
+
+template <>
+Pixels<std::uint16_t> decode_png(std::span<const std::uint8_t> file, int channels) {
+  return decode<std::uint16_t>(file, channels, &stbi_load_16_from_memory);
 }
 
 }  // namespace twrench::stb

@@ -13,7 +13,8 @@ namespace twrench::stb {
 struct Free {
   void operator()(void* memory) const noexcept;
 };
-using Memory = std::unique_ptr<std::uint8_t, Free>;
+template <typename Value>
+using Memory = std::unique_ptr<Value, Free>;
 
 /// Filters rows of 8-bit pixels as PNG has them, each without regard to others and then one byte
 /// longer, and gives them to `take`, which throws nothing. stb_image_write filters only what it
@@ -22,15 +23,21 @@ using Memory = std::unique_ptr<std::uint8_t, Free>;
 void filter_rows(const std::uint8_t* pixels, int width, int rows, int channels,
                  const std::function<void(std::span<std::uint8_t>)>& take);
 
+template <typename Sample>
 struct Pixels {
-  Memory data;  ///< null when `failure` says why
+  Memory<Sample> data;  ///< null when `failure` says why
   int width = 0;
   int height = 0;
-  int channels = 0;  ///< 3 or 4
   std::string failure;
 };
 
-/// The pixels of a PNG file whose sides are at most `max_side`. Any number of threads at once.
-Pixels decode_png(std::span<const std::uint8_t> file, int max_side);
+/// The pixels of a PNG file as so many channels, 3 or 4, of 8 or 16 bits. Any number of threads at
+/// once.
+template <typename Sample>
+Pixels<Sample> decode_png(std::span<const std::uint8_t> file, int channels);
+template <>
+Pixels<std::uint8_t> decode_png(std::span<const std::uint8_t> file, int channels);
+template <>
+Pixels<std::uint16_t> decode_png(std::span<const std::uint8_t> file, int channels);
 
 }  // namespace twrench::stb

@@ -140,8 +140,10 @@ Json parse_json(Input&& text, const std::string& name, std::vector<FrameRecord>&
   };
   try {
     return Json::parse(std::forward<Input>(text), take);
-  } catch (const Json::exception& error) {
-    throw FileError("cannot use " + name, error.what());
+  } catch (const Json::parse_error& error) {
+    throw FileError("cannot use " + name, fmt::format("it is no JSON from byte {} on", error.byte));
+  } catch (const Json::exception&) {  // a number that no double holds
+    throw FileError("cannot use " + name, "it has a number that is too large");
   }
 }
 

@@ -118,7 +118,8 @@ std::vector<Part> visible_parts(const Body& body);
 /// The names of the scenes that are built in.
 std::vector<std::string> builtin_scene_names();
 
-/// The built-in scene of that name or, when `name_or_path` ends in ".toml", that file's.
+/// The built-in scene of that name or, when `name_or_path` ends in ".toml", in any case, has a
+/// folder, or is there and no built-in name, that file's.
 /// Throws UsageError for an unknown name (with the nearest offered) or a bad scene (with file, line
 /// and key), FileError where the file cannot be read.
 Scene load_scene(const std::string& name_or_path);

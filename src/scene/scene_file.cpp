@@ -1,7 +1,10 @@
 // Scenes from TOML. Keys, units and defaults are documented in docs/scene-files.md.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -131,6 +134,17 @@ void read_overlay(TomlTable& table, Overlay& overlay) {
   table.text("font", overlay.font);
 }
 
+/// A file by its ending, in any case, by the folder it lies in, or because it is there; no name of
+/// a built-in scene looks so.
+bool is_path(const std::string& name_or_path) {
+  std::string ending = std::filesystem::path(name_or_path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::error_code none;
+  const bool is_builtin = embedded::scenes().contains(name_or_path + ".toml");
+  return ending == ".toml" || name_or_path.find('/') != std::string::npos ||
+         (!is_builtin && std::filesystem::exists(name_or_path, none));
+}
+
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& source) {
@@ -160,7 +174,7 @@ std::vector<std::string> builtin_scene_names() {
 }
 
 Scene load_scene(const std::string& name_or_path) {
-  if (name_or_path.ends_with(".toml")) {
+  if (is_path(name_or_path)) {
     constexpr std::size_t largest = 1 << 20;
     const std::vector<std::uint8_t> bytes = read_file(name_or_path, largest);
     return parse_scene(std::string(bytes.begin(), bytes.end()), name_or_path);

@@ -71,7 +71,8 @@ ordered_json scene_json(const Scene& scene) {
                     {"orbit", scene.camera.orbit},
                     {"field_of_view", scene.camera.field_of_view}};
   json["overlay"] = overlay_json(scene.overlay);
-  return json;
+  // JSON is UTF-8: other bytes, in a title or a font's path, are here what they are in a file.
+  return ordered_json::parse(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 }  // namespace twrench

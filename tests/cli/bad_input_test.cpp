@@ -29,6 +29,7 @@ TEST_P(BadInput, IsOneClearLine) {
   write_file_atomically(folder / "syntax.toml", "title = \n");
   write_file_atomically(folder / "mass.toml",
                         "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -1\n");
+  write_file_atomically(folder / "SYNTAX.Toml", "title = \n");
   write_file_atomically(folder / "file", "");
   std::filesystem::create_directory(folder / "folder.toml");
   const Outcome run = run_twrench(folder, GetParam().arguments);
@@ -43,7 +44,33 @@ TEST_P(BadInput, IsOneClearLine) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadInput,
     testing::Values(
-        Mistake{"", 2, "subcommand"}, Mistake{"rendr", 2, "did you mean 'render'?"},
+        Mistake{"", 2, "command line: a command is missing"},
+        Mistake{"--versoin", 2, "command line: unknown option '--versoin'"},
+        Mistake{"--versoin", 2, "did you mean '--version'?"},
+        Mistake{"help rendr", 2, "did you mean 'render'?"},
+        Mistake{"methods more", 2, "methods: unexpected argument 'more'"},
+        Mistake{"render --sise=640x360", 2, "did you mean '--size'? see twrench render --help"},
+        Mistake{"render --method", 2, "--method: its value, NAME, is missing"},
+        Mistake{"render --fps 1 --fps 2", 2, "--fps: can be given only once, not 2 times"},
+        Mistake{"render --no-video=x", 2, "--no-video: takes no value"},
+        Mistake{"render --timing=xml", 2, "--timing: unknown name 'xml'"},
+        Mistake{"simulate stable-y stable-z", 2, "SCENE: can be given only once"},
+        Mistake{"study --max-error ''", 2, "--max-error: its value is empty"},
+        Mistake{"study --max-error= stable-y", 2, "--max-error: its value is empty"},
+        Mistake{"study --methods ''", 2, "--methods: its value is empty"},
+        Mistake{"simulate --times ''", 2, "--times: its value is empty"},
+        Mistake{"simulate -o ''", 2, "--output: its value is empty"},
+        Mistake{"simulate ''", 2, "SCENE: its value is empty"},
+        Mistake{"render --frames ''", 2, "--frames: its value is empty"},
+        Mistake{"inertia missing.TOML", 5, "cannot read missing.TOML"},
+        Mistake{"inertia ./missing", 5, "cannot read ./missing"},
+        Mistake{"inertia SYNTAX.Toml", 2, "SYNTAX.Toml:1"}, Mistake{"inertia file", 2, "file"},
+        Mistake{"inertia \"$(printf 'a\\nopenjd_env: B=c\\033[2J.toml')\"", 5,
+                "a\\nopenjd_env: B=c\\x1b[2J.toml"},
+        Mistake{"inertia $(printf '%300s' | tr ' ' a).toml", 5, "File name too long"},
+        Mistake{"simulate -o $(printf '%300s' | tr ' ' a)", 5, "File name too long"},
+        Mistake{"encode $(printf '%300s' | tr ' ' a) -o v.mp4", 5, "File name too long"},
+        Mistake{"rendr", 2, "did you mean 'render'?"},
         Mistake{"render --sise 640x360", 2, "--sise"},
         Mistake{"render dzhanibekow", 2, "did you mean 'dzhanibekov'?"},
         Mistake{"render missing.toml", 5, "missing.toml"},

@@ -57,6 +57,33 @@ TEST_F(Compare, SizesThatDiffer) {
   EXPECT_THAT(run.out, HasSubstr("10x10"));
 }
 
+TEST_F(Compare, TheLowByteIsADifference) {
+  const std::string pam =
+      "printf 'P7\\nWIDTH 1\\nHEIGHT 1\\nDEPTH 3\\nMAXVAL 65535\\nTUPLTYPE "
+      "RGB\\nENDHDR\\n\\001\\002\\003\\004\\005\\";
+  const std::string to_png = "' | ffmpeg -v error -f image2pipe -c:v pam -i - -pix_fmt rgb48be ";
+  ASSERT_EQ(
+      run_shell(folder_, pam + "006" + to_png + "c.png && " + pam + "007" + to_png + "d.png").code,
+      0);
+  const Outcome run = run_twrench(folder_, "compare c.png d.png");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_THAT(run.out, StartsWith("different: max 0.00389105 "));
+  EXPECT_EQ(run_twrench(folder_, "compare c.png c.png").code, 0);
+}
+
+TEST_F(Compare, DamagedFilesAreRefused) {
+  const std::string png = text_of(folder_ / "a.png");
+  std::string checksum = png, cut = png.substr(0, png.size() - 30);
+  checksum[png.size() - 13] ^= 1;
+  for (const std::string& damaged : {checksum, cut}) {
+    write_file_atomically(folder_ / "damaged.png", damaged);
+    const Outcome run = run_twrench(folder_, "compare damaged.png damaged.png");
+    EXPECT_EQ(run.code, 5) << run.out;
+    EXPECT_THAT(run.err, StartsWith("twrench: error: cannot read damaged.png: "));
+    EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+  }
+}
+
 TEST_F(Compare, FilesThatCannotBeRead) {
   EXPECT_EQ(run_twrench(folder_, "compare a.png missing.png").code, 5);
   write_file_atomically(folder_ / "text.png", "no picture");

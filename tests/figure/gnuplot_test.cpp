@@ -97,6 +97,17 @@ TEST(Gnuplot, AFileThatIsNotCompleteIsNotKept) {
   EXPECT_THAT(scratch.names(), ElementsAre("bin"));
 }
 
+TEST(Gnuplot, LeavesTheUsersSettingsOut) {
+  const ScratchFolder scratch;
+  const std::string home = std::getenv("HOME") == nullptr ? "/" : std::getenv("HOME");
+  draw_figure(scratch / "a.svg", line);
+  write_file_atomically(scratch / ".gnuplot", "set title 'mine'\nset terminal dumb\n");
+  setenv("HOME", scratch.path().c_str(), 1);
+  draw_figure(scratch / "b.svg", line);
+  setenv("HOME", home.c_str(), 1);
+  EXPECT_EQ(read_file(scratch / "a.svg", 1'000'000), read_file(scratch / "b.svg", 1'000'000));
+}
+
 TEST(Gnuplot, LacksAFormat) {
   const ScratchFolder scratch;
   const StubGnuplot stub(scratch, "echo 'unknown terminal' >&2; exit 1\n");

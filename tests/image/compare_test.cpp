@@ -57,6 +57,17 @@ TEST(Compare, AlphaCounts) {
   EXPECT_THAT(difference_image(a, b).pixels, ElementsAre(0, 0, 0, 255, 255, 255));
 }
 
+TEST(Compare, SixteenBitsTellPartsOfAStep) {
+  DeepImage a(2, 1, 3);
+  DeepImage b = a;
+  b.pixels[4] = 1;  // of 257 in a step
+  EXPECT_DOUBLE_EQ(compare(a, b, 0)->max, 1.0 / 257);
+  EXPECT_DOUBLE_EQ(compare(a, b, 0)->mean, 1.0 / 257 / 6);
+  EXPECT_DOUBLE_EQ(compare(a, b, 0)->share, 0.5);
+  EXPECT_DOUBLE_EQ(compare(a, b, 1)->share, 0.0);
+  EXPECT_THAT(difference_image(a, b).pixels, ElementsAre(0, 0, 0, 0, 255, 0));
+}
+
 TEST(Compare, OtherSizesAndChannelsHaveNoDifference) {
   const Image image = flat(4, 3, 3, 0);
   EXPECT_FALSE(compare(image, flat(3, 4, 3, 0), 0));

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -228,6 +229,108 @@ TEST(Png, DecodingRefusesWhatTheFileIsTooShortFor) {
   auto longer = encode_png(sample_image(4, 4, 3, 4));
   longer[33] = 0x3f;  // the length of the chunk after the header: a gigabyte
   EXPECT_THAT(failure(longer), HasSubstr("cut short"));
+}
+
+/// Where the chunk of that type has its data; its length lies 8 bytes before, its type 4.
+std::size_t data_of(const std::vector<std::uint8_t>& png, const std::string& type) {
+  const auto at = std::search(png.begin(), png.end(), type.begin(), type.end());
+  return static_cast<std::size_t>(at - png.begin()) + 4;
+}
+
+void put_number(std::vector<std::uint8_t>& png, std::size_t at, std::uint32_t value) {
+  for (std::size_t i = 0; i < 4; ++i)
+    png[at + i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
+}
+
+/// Makes the chunk's checksum right, after its data were changed.
+void sum_again(std::vector<std::uint8_t>& png, const std::string& type) {
+  const std::size_t data = data_of(png, type);
+  std::uint32_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i) length = length << 8U | png[data - 8 + i];
+  put_number(png, data + length, static_cast<std::uint32_t>(crc32(0, &png[data - 4], length + 4)));
+}
+
+TEST(Png, DecodingRefusesAWrongChecksumOfAnyChunk) {
+  const auto whole = encode_png(sample_image(40, 30, 3, 3));
+  for (const char* type : {"IHDR", "IDAT"}) {
+    auto damaged = whole;
+    damaged[data_of(whole, type) - 4] ^= 0x20;  // another type, which a decoder may ignore
+    EXPECT_NE(failure(damaged), "no error");
+    damaged = whole;
+    damaged[type == std::string("IHDR") ? 16 + 13 : whole.size() - 12 - 4] ^= 1;
+    EXPECT_THAT(failure(damaged), HasSubstr(std::string("checksum of its chunk ") + type));
+  }
+  auto end = whole;
+  end.back() ^= 1;
+  EXPECT_THAT(failure(end), HasSubstr("checksum of its chunk IEND"));
+}
+
+TEST(Png, DecodingRefusesDataThatAreNotWhatTheirChecksumSays) {
+  const auto whole = encode_png(sample_image(40, 30, 3, 3));
+  auto adler = whole;
+  adler[whole.size() - 12 - 4 - 1] ^= 1;  // the last byte of the data
+  sum_again(adler, "IDAT");
+  EXPECT_THAT(failure(adler), HasSubstr("its compressed data are damaged"));
+  auto shorter = whole;
+  const std::size_t data = data_of(whole, "IDAT");
+  shorter.erase(shorter.end() - 12 - 4 - 4, shorter.end() - 12 - 4);
+  put_number(shorter, data - 8, static_cast<std::uint32_t>(whole.size() - 16 - data - 4));
+  sum_again(shorter, "IDAT");
+  EXPECT_THAT(failure(shorter), HasSubstr("its compressed data are cut short"));
+}
+
+TEST(Png, DecodingRefusesMoreDataThanPixels) {
+  auto png = encode_png(Image(200, 2000, 3));  // a million bytes, by a few
+  put_number(png, 20, 1);                      // of one row
+  sum_again(png, "IHDR");
+  EXPECT_THAT(failure(png), HasSubstr("its compressed data are damaged"));
+}
+
+/// A file of the data that a test has for one: chunks as PNG has them, compressed by zlib.
+std::vector<std::uint8_t> png_of(std::uint8_t depth, std::uint8_t colour_type,
+                                 const std::vector<std::uint8_t>& transparency,
+                                 const std::vector<std::uint8_t>& row) {
+  std::vector<std::uint8_t> png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  const auto add = [&](const std::string& type, const std::vector<std::uint8_t>& data) {
+    png.resize(png.size() + 4);
+    put_number(png, png.size() - 4, static_cast<std::uint32_t>(data.size()));
+    png.insert(png.end(), type.begin(), type.end());
+    png.insert(png.end(), data.begin(), data.end());
+    png.resize(png.size() + 4);
+    sum_again(png, type);
+  };
+  add("IHDR", {0, 0, 0, 1, 0, 0, 0, 1, depth, colour_type, 0, 0, 0});
+  if (!transparency.empty()) add("tRNS", transparency);
+  std::vector<std::uint8_t> filtered{0};
+  filtered.insert(filtered.end(), row.begin(), row.end());
+  std::vector<std::uint8_t> data(100);
+  uLongf size = data.size();
+  compress(data.data(), &size, filtered.data(), filtered.size());
+  data.resize(size);
+  add("IDAT", data);
+  add("IEND", {});
+  return png;
+}
+
+TEST(Png, AColourThatIsTransparentMakesAlpha) {
+  const auto opaque = decode_png(png_of(8, 2, {}, {10, 20, 30}), "a.png");
+  EXPECT_THAT(opaque.pixels, ::testing::ElementsAre(10, 20, 30));
+  const auto hole = decode_png(png_of(8, 2, {0, 10, 0, 20, 0, 30}, {10, 20, 30}), "a.png");
+  EXPECT_THAT(hole.pixels, ::testing::ElementsAre(10, 20, 30, 0));
+  const auto other = decode_png(png_of(8, 2, {0, 10, 0, 20, 0, 31}, {10, 20, 30}), "a.png");
+  EXPECT_THAT(other.pixels, ::testing::ElementsAre(10, 20, 30, 255));
+  const auto gray = decode_png(png_of(8, 0, {0, 7}, {7}), "a.png");
+  EXPECT_THAT(gray.pixels, ::testing::ElementsAre(7, 7, 7, 0));
+}
+
+TEST(Png, DeepImagesHaveAllTheirBits) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "deep.png", png_of(16, 2, {}, {1, 2, 3, 4, 5, 6}));
+  EXPECT_THAT(read_deep_png(scratch / "deep.png").pixels,
+              ::testing::ElementsAre(0x102, 0x304, 0x506));
+  write_file_atomically(scratch / "flat.png", png_of(8, 2, {}, {1, 2, 255}));
+  EXPECT_THAT(read_deep_png(scratch / "flat.png").pixels,
+              ::testing::ElementsAre(0x101, 0x202, 0xFFFF));
 }
 
 TEST(Png, NamesTheFileThatCannotBeRead) {

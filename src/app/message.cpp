@@ -1,0 +1,77 @@
+#include "app/message.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "canvas/utf8.h"
+
+namespace twrench {
+namespace {
+
+struct Range {
+  char32_t first, last;
+};
+
+/// Control characters, line separators, and the format characters (Unicode's category Cf) that
+/// nothing shows: those that turn the direction, join, separate or tag.
+constexpr std::array<Range, 11> unseen{{{0x00, 0x1F},
+                                        {0x7F, 0x9F},
+                                        {0xAD, 0xAD},
+                                        {0x61C, 0x61C},
+                                        {0x180E, 0x180E},
+                                        {0x200B, 0x200F},
+                                        {0x2028, 0x202E},
+                                        {0x2060, 0x206F},
+                                        {0xFEFF, 0xFEFF},
+                                        {0xFFF9, 0xFFFB},
+                                        {0xE0000, 0xE007F}}};
+
+bool is_unseen(char32_t point) {
+  return std::ranges::any_of(
+      unseen, [=](const Range& range) { return range.first <= point && point <= range.last; });
+}
+
+std::string escape_sequence(char32_t point) {
+  if (point == '\n') return "\\n";
+  if (point == '\r') return "\\r";
+  if (point == '\t') return "\\t";
+  const auto code = static_cast<unsigned>(point);
+  if (code < 0x80) return fmt::format("\\x{:02x}", code);
+  return code > 0xFFFF ? fmt::format("\\U{:08x}", code) : fmt::format("\\u{:04x}", code);
+}
+
+}  // namespace
+
+std::string escape(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const auto [point, length] = first_character(text);
+    if (point == U'\uFFFD' && length == 1) {
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+    } else if (is_unseen(point)) {
+      shown += escape_sequence(point);
+    } else {
+      shown += text.substr(0, length);
+    }
+    text.remove_prefix(length);
+  }
+  return shown;
+}
+
+void write_message(const std::string& text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
+std::string to_json_line(const std::string& key, const std::string& text) {
+  using Json = nlohmann::ordered_json;
+  return Json{{key, text}}.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+void warn(const std::string& text, bool as_json) {
+  if (as_json) return say("{}\n", to_json_line("warning", text));
+  say("twrench: warning: {}\n", text);
+}
+
+}  // namespace twrench
