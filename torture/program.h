@@ -14,7 +14,7 @@ struct Program {
   std::vector<std::string> command;
   std::filesystem::path folder;  ///< it runs in this one
   std::filesystem::path said;    ///< where what it says is kept, under this name and .out, .err
-  Seconds until_asked{20};       ///< after which it gets SIGTERM
+  Seconds until_asked{30};       ///< after which it gets SIGTERM
   Seconds until_killed{5};       ///< after that, SIGKILL
 };
 
