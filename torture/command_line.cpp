@@ -27,7 +27,7 @@ Option option_of(const CLI::Option& option) {
 const Value& draw_value(const Values& values, Dice& dice) {
   // As root, whom nothing is refused, no case touches what the system has.
   const bool spare_system = ::geteuid() == 0;
-  if (dice.chance(0.25)) {
+  if (dice.chance(0.15)) {
     const Value& hostile = dice.one_of(values.hostile);
     if (!spare_system || !hostile.text.starts_with("/")) return hostile;
   }

@@ -185,7 +185,7 @@ void judge_json(const Tried& tried, Faults& faults) {
 Manner manner_of(const CommandLine& line) {
   const std::string progress = line.value("progress", "auto");
   Manner manner;
-  manner.has_progress = line.has("progress") && progress != "none";
+  manner.has_progress = line.is_odd || progress != "none";
   manner.has_bar = line.is_odd || progress == "bar";
   const std::string output = line.value("output");
   manner.out_is_text = (line.command != "render" && line.command != "encode") ||
