@@ -151,7 +151,7 @@ void judge_new_entries(const Tried& tried, Faults& faults) {
 
 void judge_output(const Tried& tried, const fs::path& folder, Faults& faults) {
   const CommandLine& line = tried.line;
-  if (tried.ended.code != 0 || line.command == "render" || line.has("help")) return;
+  if (tried.ended.code != 0 || line.has("help") || line.has("no-video")) return;
   for (const char* option : {"output", "diff", "plot"}) {
     const std::string name = line.value(option, "-");
     std::error_code failed;

@@ -131,9 +131,10 @@ std::vector<FaultPoint> all_fault_points(const std::vector<CallCounts>& counts,
   const auto calls = points_of_system_calls(counts, dice);
   const auto memory = points_of_memory(counts, dice);
   std::vector<FaultPoint> points;
-  for (std::size_t i = 0; i < std::max(calls.size(), memory.size()); ++i) {
+  for (std::size_t i = 0, m = 0; i < calls.size() || m < memory.size(); ++i) {
     if (i < calls.size()) points.push_back(calls[i]);
-    if (i < memory.size()) points.push_back(memory[i]);
+    // There are more of these, and most take less time.
+    for (int n = 0; n < 2 && m < memory.size(); ++n) points.push_back(memory[m++]);
   }
   return points;
 }

@@ -35,7 +35,7 @@ struct CallCounts {
 };
 
 /// All points in a random order of the seed: those of system calls, in which each call fails once
-/// before any fails in another way, in turn with those of memory.
+/// before any fails in another way, each followed by two of memory.
 std::vector<FaultPoint> all_fault_points(const std::vector<CallCounts>& counts, std::uint32_t seed);
 
 }  // namespace twrench::torture

@@ -27,7 +27,6 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <string_view>
 
@@ -182,12 +181,26 @@ void log_counts() {
   const int log = open_log();
   if (log < 0) return;
   for (unsigned i = 0; i < kind_count; ++i) {
-    ::dprintf(log, "count %s %ld\n", kind_names[i], state().counts[i].load());
+    static_cast<void>(::dprintf(log, "count %s %ld\n", kind_names[i], state().counts[i].load()));
   }
 }
 
 /// "KIND:N:ERRNO:once|always"
-void read_order(const char* order) {
+void read_order(std::string_view order) {
+  State& s = state();
+  const std::string_view kind = order.substr(0, order.find(':'));
+  for (unsigned i = 0; i < kind_count; ++i) {
+    if (kind == kind_names[i]) s.target = i;
+  }
+  const char* const number = kind.end() + 1;
+  char* end = nullptr;
+  s.at = std::strtol(number, &end, 10);
+  s.error = static_cast<int>(std::strtol(end + 1, nullptr, 10));
+  s.always = order.ends_with(":always");
+}
+| always "
+    void
+    read_order(const char* order) {
   State& s = state();
   std::array<char, 16> kind{};
   std::array<char, 16> how{};
@@ -225,12 +238,14 @@ Function* next(const char* name) {
 
 }  // namespace
 
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): glibc's own
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 }
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 
 // FAULT_FUNCTION(KIND, RESULT IF IT FAILS, TYPE, NAME, (PARAMETERS), (ARGUMENTS)): stands before
 // libc's function of that name.
@@ -292,6 +307,8 @@ void* __libc_memalign(std::size_t, std::size_t);
   }
 
 using Path = const char*;
+// NOLINTNEXTLINE(performance-no-int-to-ptr): that is how it is defined
+void* const no_memory = reinterpret_cast<void*>(-1);
 FAULT_OPEN(open)
 FAULT_OPEN(open64)
 FAULT_OPENAT(openat)
@@ -325,10 +342,10 @@ FAULT_FUNCTION(polling, -1, int, poll, (void* events, unsigned long n, int ms), 
 FAULT_FUNCTION(polling, -1, int, ppoll,
                (void* events, unsigned long n, const void* time, const void* signals),
                (events, n, time, signals))
-FAULT_FUNCTION(mapping, reinterpret_cast<void*>(-1), void*, mmap,
+FAULT_FUNCTION(mapping, no_memory, void*, mmap,
                (void* at, std::size_t n, int protection, int flags, int file, off_t from),
                (at, n, protection, flags, file, from))
-FAULT_FUNCTION(mapping, reinterpret_cast<void*>(-1), void*, mmap64,
+FAULT_FUNCTION(mapping, no_memory, void*, mmap64,
                (void* at, std::size_t n, int protection, int flags, int file, off_t from),
                (at, n, protection, flags, file, from))
 FAULT_FUNCTION(listing, nullptr, void*, opendir, (Path path), (path))

@@ -23,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 /// Starts the words as a program in a group of its own, its output to files.
 pid_t start(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
@@ -70,7 +71,7 @@ Ended run(const Program& program) {
   // The limits are in kilobytes, and for files in blocks of 512 bytes.
   std::vector<std::string> words{
       "sh", "-c",
-      "cd \"$1\" && ulimit -c 0 && ulimit -v 6000000 && ulimit -f 400000 && shift && exec \"$@\"",
+      R"(cd "$1" && ulimit -c 0 && ulimit -v 6000000 && ulimit -f 400000 && shift && exec "$@")",
       "sh", program.folder.string()};
   words.insert(words.end(), program.command.begin(), program.command.end());
   const pid_t pid = start(words, out, err);
@@ -124,7 +125,8 @@ std::string shell_quoted(const std::vector<std::string>& words) {
 
 fs::path make_scratch_folder(const std::string& name) {
   const char* const temporary = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe)
-  std::string path = fmt::format("{}/torture-{}-XXXXXX", temporary ? temporary : "/tmp", name);
+  std::string path =
+      fmt::format("{}/torture-{}-XXXXXX", temporary != nullptr ? temporary : "/tmp", name);
   if (::mkdtemp(path.data()) == nullptr) {
     throw std::system_error(errno, std::generic_category(), path);
   }
