@@ -11,8 +11,12 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-seconds=$((${1:-3} * 60 / 4))
-seed=${2:-2020}
+minutes=${1:-3} seed=${2:-2020}
+if [[ ! $minutes =~ ^[0-9]+$ || ! $seed =~ ^[0-9]+$ ]]; then
+  echo "usage: $0 [MINUTES] [SEED]" >&2
+  exit 2
+fi
+seconds=$((minutes * 60 / 4))
 scripts/setup.sh test
 
 # build PRESET TARGET...: configures anew only where that was done without these programs.

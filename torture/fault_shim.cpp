@@ -192,26 +192,11 @@ void read_order(std::string_view order) {
   for (unsigned i = 0; i < kind_count; ++i) {
     if (kind == kind_names[i]) s.target = i;
   }
-  const char* const number = kind.end() + 1;
+  const char* const number = kind.data() + kind.size() + 1;
   char* end = nullptr;
   s.at = std::strtol(number, &end, 10);
   s.error = static_cast<int>(std::strtol(end + 1, nullptr, 10));
   s.always = order.ends_with(":always");
-}
-| always "
-    void
-    read_order(const char* order) {
-  State& s = state();
-  std::array<char, 16> kind{};
-  std::array<char, 16> how{};
-  if (std::sscanf(order, "%15[a-z]:%ld:%d:%15s", kind.data(), &s.at, &s.error, how.data()) != 4) {
-    static_cast<void>(std::fprintf(stderr, "TWRENCH_FAULT is KIND:N:ERRNO:once|always\n"));
-    std::abort();
-  }
-  for (unsigned i = 0; i < kind_count; ++i) {
-    if (std::strcmp(kind.data(), kind_names[i]) == 0) s.target = i;
-  }
-  s.always = std::strcmp(how.data(), "always") == 0;
 }
 
 __attribute__((constructor)) void start() {
