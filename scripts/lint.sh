@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folders=()
-for folder in src tests fuzz bench; do
+for folder in src tests fuzz bench torture; do
   [[ ! -d $folder ]] || folders+=("$folder")
 done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
@@ -27,9 +27,9 @@ case "${1-}" in
   tidy)
     scripts/setup.sh tidy
     # The compile commands and the generated headers; clang does not read GCC's precompiled ones.
-    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern keeps generated sources out: they lie under build/.
-    run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench)/"
+    run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench|torture)/"
     ;;
   *)
     echo "usage: $0 format|fix|tidy" >&2

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# torture.sh [MINUTES] [SEED]: tries what nobody thought of, for so many minutes (3), in four parts:
+#   scenes    random scenes, drawn under AddressSanitizer and UndefinedBehaviorSanitizer
+#   motions   random motions, under them too, the exact one against the Taylor series
+#   commands  random command lines, in a folder full of traps
+#   faults    small runs in which one system call or allocation fails, or all from one on
+# The same SEED (2020) draws the same cases, of which a faster machine tries more. Each part's last
+# line is printed, and each fault with its case: build/PRESET/bin/torture_PART 0 SEED CASE tries
+# that one again. Exit code 1 when there was a fault.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+minutes=${1:-3} seed=${2:-2020}
+if [[ ! $minutes =~ ^[0-9]+$ || ! $seed =~ ^[0-9]+$ ]]; then
+  echo "usage: $0 [MINUTES] [SEED]" >&2
+  exit 2
+fi
+seconds=$((minutes * 60 / 4))
+scripts/setup.sh test
+
+# build PRESET TARGET...: configures anew only where that was done without these programs.
+build() {
+  local cache=build/$1/CMakeCache.txt
+  [[ -f $cache ]] || scripts/build.sh --tests "$1" twrench
+  grep -qxF TWRENCH_TORTURE:BOOL=ON "$cache" ||
+    cmake --preset "$1" -DTWRENCH_TORTURE=ON >"build/$1/configure.log" 2>&1 ||
+    die "cmake could not configure build/$1" "all it said is in build/$1/configure.log"
+  scripts/build.sh --tests "$@"
+}
+
+failed=0
+# run_part PRESET PART [LAUNCHER...]
+run_part() {
+  local program=build/$1/bin/torture_$2 log=build/torture/$2.log
+  if "${@:3}" "$program" "$seconds" "$seed" >"$log" 2>&1; then
+    tail -n 1 "$log"
+    return
+  fi
+  failed=1
+  cat "$log"
+  say "error: torture_$2 found a fault; to try a case again: $program 0 $seed CASE"
+}
+
+# As in scripts/check.sh: GCC's sanitizers, and random addresses of too many bits.
+launcher=()
+if setarch --addr-no-randomize true 2>/dev/null; then
+  launcher=(setarch --addr-no-randomize)
+fi
+# As tests/CMakeLists.txt has it.
+export LSAN_OPTIONS="suppressions='$PWD/tests/lsan.supp':print_suppressions=0:intercept_tls_get_addr=0"
+
+build asan torture_scenes torture_motions
+build release torture_commands torture_faults
+mkdir -p build/torture
+run_part asan scenes "${launcher[@]}"
+run_part asan motions "${launcher[@]}"
+run_part release commands
+run_part release faults
+exit "$failed"

@@ -1,0 +1,296 @@
+// torture_commands SECONDS SEED [CASE]: random command lines, made from each command's own table of
+// options, run by the real program in a folder full of traps, until the time is over; or one of
+// them. Case k is drawn by a generator seeded from SEED and k alone. What counts as a fault: how
+// the run ended and what it said (messages.h); a file that nobody asked for, an input or another's
+// file that was changed, an output that was said to be written and is not there; JSON that is none;
+// a small run that takes 30 seconds, and a long one that does not hear SIGTERM.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "command_line.h"
+#include "messages.h"
+#include "playground.h"
+#include "program.h"
+#include "snapshot.h"
+#include "torture.h"
+
+namespace twrench::torture {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a name of the command line leads, relative to the folder it is given in.
+std::string place_of(const std::string& name, const fs::path& folder) {
+  fs::path path = fs::path(name).lexically_normal();
+  std::error_code failed;
+  if (fs::is_symlink(folder / path, failed)) {
+    path = (path.parent_path() / fs::read_symlink(folder / path, failed)).lexically_normal();
+  }
+  std::string text = path.string();
+  while (text.size() > 1 && text.ends_with('/')) text.pop_back();
+  return text;
+}
+
+/// What a command was asked to write.
+struct Asked {
+  std::set<std::string> files;
+  std::set<std::string> frame_folders;
+
+  bool covers(const std::string& path) const {
+    if (files.contains(path)) return true;
+    static const std::regex in_frames("(frame_[0-9]{6,8}\\.png|manifest.*\\.json)");
+    const fs::path as_path(path);
+    const std::string folder = as_path.has_parent_path() ? as_path.parent_path().string() : ".";
+    return frame_folders.contains(folder) &&
+           std::regex_match(as_path.filename().string(), in_frames);
+  }
+  /// A folder on the way to what is asked.
+  bool leads_through(const std::string& folder) const {
+    const auto is_below = [&](const std::string& path) { return path.starts_with(folder + "/"); };
+    return frame_folders.contains(folder) || std::ranges::any_of(files, is_below) ||
+           std::ranges::any_of(frame_folders, is_below);
+  }
+};
+
+/// The name that the outputs of a scene get of themselves.
+std::string default_name(const CommandLine& line) {
+  return line.arguments.empty() ? "dzhanibekov" : fs::path(line.arguments.front()).stem().string();
+}
+
+Asked asked_by(const CommandLine& line, const fs::path& folder) {
+  Asked asked;
+  const auto add_file = [&](const std::string& name) {
+    asked.files.insert(place_of(name, folder));
+  };
+  for (const char* option : {"output", "diff", "plot"}) {
+    if (line.has(option)) add_file(line.value(option));
+  }
+  if (line.command == "render") {
+    const std::string name = default_name(line);
+    if (!line.has("output")) add_file("out/" + name + ".mp4");
+    asked.frame_folders.insert(place_of(line.value("frames-dir", "out/" + name), folder));
+  }
+  return asked;
+}
+
+std::set<std::string> inputs_of(const CommandLine& line, const fs::path& folder) {
+  std::set<std::string> inputs;
+  for (const std::string& argument : line.arguments) inputs.insert(place_of(argument, folder));
+  if (line.has("font")) inputs.insert(place_of(line.value("font"), folder));
+  return inputs;
+}
+
+/// A case, run: what there was and what there is.
+struct Tried {
+  CommandLine line;
+  Ended ended;
+  Snapshot before, after;
+  Asked asked;
+  std::set<std::string> inputs;
+
+  bool succeeded() const { return ended.code == 0 || ended.code == 1; }
+};
+
+using Faults = std::vector<std::string>;
+
+std::string printable(const std::string& path) { return shell_quoted({path}); }
+
+/// What there was is still as it was, but for what was asked to be written anew.
+void judge_old_entries(const Tried& tried, Faults& faults) {
+  for (const auto& [path, was] : tried.before) {
+    const auto found = tried.after.find(path);
+    if (found == tried.after.end()) {
+      faults.push_back("removed: " + printable(path));
+      continue;
+    }
+    const Entry& is = found->second;
+    if (is == was) continue;
+    const bool is_frame = !tried.asked.files.contains(path) && tried.asked.covers(path);
+    const bool goes_on =
+        path.ends_with("/manifest.json") && !path.starts_with("m_") && tried.line.has("resume");
+    if (is.type != was.type) {
+      faults.push_back("no longer of its kind: " + printable(path));
+    } else if (was.type == fs::file_type::directory) {
+      faults.push_back("another mode: " + printable(path));
+    } else if (tried.inputs.contains(path)) {
+      faults.push_back("an input was written over: " + printable(path));
+    } else if (!tried.asked.covers(path)) {
+      faults.push_back("changed unasked: " + printable(path));
+    } else if (is_frame && !goes_on && !tried.line.has("overwrite")) {
+      faults.push_back("frames written over without --overwrite: " + printable(path));
+    } else if (!is_frame && !tried.succeeded()) {
+      faults.push_back("changed by a run that failed: " + printable(path));
+    } else if (is.mode != was.mode) {
+      faults.push_back("another mode: " + printable(path));
+    }
+  }
+}
+
+/// What is new was asked for, and is not there where the run was refused.
+void judge_new_entries(const Tried& tried, Faults& faults) {
+  for (const auto& [path, entry] : tried.after) {
+    if (tried.before.contains(path)) continue;
+    const bool is_folder = entry.type == fs::file_type::directory;
+    if (is_folder ? !tried.asked.leads_through(path) : !tried.asked.covers(path)) {
+      faults.push_back("left, and not asked for: " + printable(path));
+    } else if (tried.ended.code == 2) {
+      faults.push_back("left by a run that was refused: " + printable(path));
+    } else if (!is_folder && tried.asked.files.contains(path) && !tried.succeeded()) {
+      faults.push_back("left by a run that failed: " + printable(path));
+    }
+  }
+}
+
+void judge_output(const Tried& tried, const fs::path& folder, Faults& faults) {
+  const CommandLine& line = tried.line;
+  if (tried.ended.code != 0 || line.has("help") || line.has("no-video")) return;
+  for (const char* option : {"output", "diff", "plot"}) {
+    const std::string name = line.value(option, "-");
+    std::error_code failed;
+    const fs::path path = folder / name;
+    if (name == "-" || (fs::exists(path, failed) && !fs::is_regular_file(path, failed))) continue;
+    if (fs::file_size(path, failed) == 0 || failed) {
+      faults.push_back("not there, or empty: " + printable(name));
+    }
+  }
+}
+
+bool is_json(const std::string& text) { return nlohmann::json::accept(text); }
+
+void judge_json(const Tried& tried, Faults& faults) {
+  const CommandLine& line = tried.line;
+  if (!tried.succeeded() || tried.ended.out.size() >= std::size_t{4} << 20U) return;
+  if (line.value("format") == "json" && line.value("output", "-") == "-" &&
+      !is_json(tried.ended.out)) {
+    faults.emplace_back("no JSON on standard output");
+  }
+  if (line.value("progress") == "json" && (!line.has("timing") || line.value("timing") == "json")) {
+    std::istringstream lines(tried.ended.err);
+    for (std::string text; std::getline(lines, text);) {
+      if (is_json(text) || text.starts_with("twrench: warning: ")) continue;
+      faults.push_back("a line of --progress json that is none: " + printable(text));
+      break;
+    }
+  }
+}
+
+Manner manner_of(const CommandLine& line) {
+  const std::string progress = line.value("progress", "auto");
+  Manner manner;
+  manner.has_progress = line.is_odd || progress != "none";
+  manner.has_bar = line.is_odd || progress == "bar";
+  const std::string output = line.value("output");
+  manner.out_is_text = (line.command != "render" && line.command != "encode") ||
+                       (output != "-" && output != "/dev/stdout");
+  return manner;
+}
+
+class Commands {
+ public:
+  explicit Commands(std::uint32_t seed)
+      : seed_(seed), scratch_(make_scratch_folder("commands")), table_(read_option_table()) {
+    fs::create_directories(scratch_ / "template");
+    set_environment();
+    furnish(scratch_ / "template", TWRENCH_BINARY);
+  }
+  ~Commands() { remove_folder(scratch_); }
+  Commands(const Commands&) = delete;
+  Commands& operator=(const Commands&) = delete;
+
+  /// How many faults case `number` has, which are told; `aloud`: as well as what was run.
+  void try_case(std::uint32_t number, bool aloud);
+
+  std::size_t faults() const { return faults_; }
+
+ private:
+  void set_environment() const {
+    // NOLINTBEGIN(concurrency-mt-unsafe): there is one thread yet
+    fs::create_directories(scratch_ / "home");
+    ::setenv("HOME", (scratch_ / "home").c_str(), 1);
+    ::setenv("XDG_CACHE_HOME", (scratch_ / "home").c_str(), 1);
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    // NOLINTEND(concurrency-mt-unsafe)
+  }
+  Tried run_case(const CommandLine& line, const fs::path& folder) const;
+
+  std::uint32_t seed_;
+  fs::path scratch_;
+  OptionTable table_;
+  std::mutex counting_;
+  std::size_t faults_ = 0;
+};
+
+Tried Commands::run_case(const CommandLine& line, const fs::path& folder) const {
+  const fs::path work = folder / "work";
+  fs::create_directories(work);
+  copy_playground(scratch_ / "template", work);
+  Tried tried{line, {}, take_snapshot(work), {}, asked_by(line, work), inputs_of(line, work)};
+  Program program{{TWRENCH_BINARY}, work, folder / "said"};
+  program.command.insert(program.command.end(), line.words.begin(), line.words.end());
+  if (line.may_last || line.is_odd) program.until_asked = Seconds(4);
+  tried.ended = run(program);
+  tried.after = take_snapshot(work);
+  return tried;
+}
+
+void Commands::try_case(std::uint32_t number, bool aloud) {
+  Dice dice(seed_, number);
+  const CommandLine line = random_command_line(table_, dice);
+  const fs::path folder = scratch_ / fmt::format("case{}", number);
+  const Tried tried = run_case(line, folder);
+  Faults faults = faults_in_manner(tried.ended, manner_of(line));
+  if (tried.ended.asked_to_stop && !line.may_last && !line.is_odd) {
+    faults.emplace_back("it takes more than 30 s");
+  }
+  if (!line.is_odd) {
+    judge_old_entries(tried, faults);
+    judge_new_entries(tried, faults);
+    judge_output(tried, folder / "work", faults);
+    judge_json(tried, faults);
+  }
+  remove_folder(folder);
+  if (faults.empty() && !aloud) return;
+  std::vector<std::string> words{"twrench"};
+  words.insert(words.end(), line.words.begin(), line.words.end());
+  std::string text = fmt::format("commands: seed {}, case {}: exit {}\n  {}\n", seed_, number,
+                                 tried.ended.code, shell_quoted(words));
+  for (const std::string& fault : faults) text += fmt::format("  fault: {}\n", fault);
+  text += fmt::format("  said: {}\n", printable(tried.ended.err.substr(0, 400)));
+  tell(text);
+  const std::lock_guard lock(counting_);
+  faults_ += faults.size();
+}
+
+int run_all(const Request& request) {
+  Commands commands(request.seed);
+  std::size_t ran = 1;
+  if (request.only.empty()) {
+    constexpr std::size_t most = 100'000'000;
+    ran = run_cases(request.seconds, most,
+                    [&](std::uint32_t number) { commands.try_case(number, false); });
+  } else {
+    commands.try_case(static_cast<std::uint32_t>(std::stoul(request.only)), true);
+  }
+  tell(fmt::format("commands: {} ran, {} faults\n", ran, commands.faults()));
+  return commands.faults() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace twrench::torture
+
+int main(int argc, char** argv) try {
+  const auto request = twrench::torture::parse_request(argc, argv);
+  twrench::torture::become_nobody(TWRENCH_BINARY);
+  return twrench::torture::run_all(request);
+} catch (const std::exception& error) {
+  twrench::torture::tell(fmt::format("torture_commands: {}\n", error.what()));
+  return 2;
+}

@@ -1,0 +1,167 @@
+#include "playground.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "program.h"
+
+namespace twrench::torture {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+void put_fifo(const fs::path& path) {
+  if (::mkfifo(path.c_str(), 0666) != 0) {
+    throw std::system_error(errno, std::generic_category(), path.string());
+  }
+}
+
+const std::string sound_scene = R"(title = "Sound"
+[[part]]
+shape = "box"
+size = [1, 2, 3]
+density = 2
+[motion]
+omega = [0.1, 2, 0.3]
+duration = 2
+[film]
+size = [64, 48]
+fps = 4
+speed = 1
+)";
+
+std::string part(const std::string& keys) { return "[[part]]\nshape = \"cylinder\"\n" + keys; }
+
+void put_scenes(const fs::path& folder) {
+  const std::string cylinder = "radius = 1\nlength = 2\ndensity = 3\n";
+  const std::vector<std::pair<std::string, std::string>> scenes{
+      {"sound.toml", sound_scene},
+      {"moments.toml", "[body]\nmoments = [3, 4, 5]\n"},
+      {"with a space.toml", sound_scene},
+      {"caf\xc3\xa9.toml", sound_scene},
+      {"empty.toml", ""},
+      {"syntax.toml", "[motion]\nomega = [1,\n"},
+      {"wrong_type.toml", "[motion]\nomega = \"fast\"\n"},
+      {"unknown_key.toml", "[motion]\nomega = [1, 2, 3]\nspeeed = 1\n"},
+      {"no_number.toml", "[motion]\nomega = [nan, inf, -inf]\n"},
+      {"whole.toml", "[motion]\nomega = [1, 2, 9007199254740993]\n"},
+      {"dense.toml", part("radius = 1\nlength = 2\ndensity = 9007199254740993\n")},
+      {"short_axis.toml", part(cylinder + "axis = [1e-300, 0, 0]\n")},
+      {"thin.toml", part("radius = 1e-300\nlength = 2\ndensity = 3\n")},
+      {"tiny_moments.toml", "[body]\nmoments = [1e-107, 1e-107, 1e-107]\n"},
+      {"uneven_moments.toml", "[body]\nmoments = [1e30, 1e30, 1e-300]\n"},
+      {"principal.toml", "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [0, 0, 2]\n"},
+      {"fast.toml", "[motion]\nomega = [1e6, 5, 3]\n"},
+      {"long_film.toml", "[motion]\nduration = 1e9\n[film]\nfps = 0.001\nspeed = 1e6\n"},
+      {"latin1.toml", "title = \"caf\xe9\"\n"},
+      {"escapes.toml", "title = \"\\u001b[31m red\\u0007\"\n"},
+      {"key_escapes.toml", "[motion]\n\"\\u001b[31momega\\n\" = 1\n"},
+      {"raw_control.toml", "title = \"\x01\x1b\"\n"},
+      {"nul.toml", std::string("title = \"\0\"\n", 12)},
+      {"deep.toml", "a = " + std::string(20000, '[') + std::string(20000, ']')},
+      {"long_line.toml", "title = \"" + std::string(200'000, 'x') + "\"\n"},
+      {"many_parts.toml",
+       [&] {
+         std::string parts;
+         for (int i = 0; i < 1001; ++i) parts += part(cylinder);
+         return parts;
+       }()},
+      {"upper.TOML", sound_scene},
+      {"\x1b[31mred.toml", sound_scene},
+      {"new\nline.toml", "omega = 1\n"},
+      {"caf\xe9.toml", sound_scene},
+      {"secret.toml", sound_scene}};
+  for (const auto& [name, text] : scenes) put(folder / name, text);
+  fs::create_directory(folder / "folder.toml");
+  fs::create_symlink("sound.toml", folder / "link.toml");
+  fs::create_symlink("loop.toml", folder / "loop.toml");
+  fs::create_symlink("nowhere.toml", folder / "dangling.toml");
+  fs::create_symlink("/dev/zero", folder / "zero.toml");
+}
+
+void put_pictures(const fs::path& folder) {
+  fs::copy(fs::path(TWRENCH_FUZZ_CORPUS) / "png", folder / "png", fs::copy_options::recursive);
+  fs::copy_file(folder / "frames/frame_000000.png", folder / "a.png");
+  fs::copy_file(folder / "frames/frame_000001.png", folder / "b.png");
+  fs::copy_file(folder / "a.png", folder / "half.png");
+  fs::resize_file(folder / "half.png", fs::file_size(folder / "a.png") / 2);
+  fs::permissions(folder / "a.png", fs::perms(0640));
+  put(folder / "text.png", "no picture");
+  put(folder / "font.ttf", "no font");
+  fs::create_symlink("b.png", folder / "link.png");
+}
+
+/// Folders with manifests that are not as we write them.
+void put_broken_frames(const fs::path& folder) {
+  const std::vector<std::pair<std::string, std::string>> manifests{
+      {"m_empty", ""},
+      {"m_syntax", "{\"frames\": [" + std::string(30000, '[')},
+      {"m_null", "{\"version\": null, \"frames\": null, \"fps\": 0, \"size\": [0, 0]}"},
+      {"m_other", "{\"name\": \"a web extension\", \"manifest_version\": 3}\n"},
+      {"m_escapes", "{\"\x1b[31m\": \"\xff\"}"}};
+  for (const auto& [name, text] : manifests) {
+    fs::create_directory(folder / name);
+    put(folder / name / "manifest.json", text);
+    fs::copy_file(folder / "a.png", folder / name / "frame_000000.png");
+  }
+  fs::copy(folder / "frames", folder / "holes");
+  fs::remove(folder / "holes/frame_000001.png");
+  fs::copy(folder / "frames", folder / "orphans");
+  fs::remove(folder / "orphans/manifest.json");
+  fs::create_directory(folder / "m_zero");
+  fs::create_symlink("/dev/zero", folder / "m_zero/manifest.json");
+  fs::create_directory(folder / "m_fifo");
+}
+
+void put_places(const fs::path& folder) {
+  fs::create_directory(folder / "folder");
+  fs::create_directory(folder / "folder.mp4");
+  fs::create_directory(folder / "locked");
+  fs::create_directory(folder / "read_only");
+  put(folder / "old.csv", "old\n");
+  put(folder / "old.mp4", "old\n");
+  put(folder / "target.mp4", "old\n");
+  fs::create_symlink("target.mp4", folder / "link.mp4");
+  fs::create_symlink("new.mp4", folder / "dangling.mp4");
+  fs::create_symlink("loop", folder / "loop");
+}
+
+}  // namespace
+
+void furnish(const fs::path& folder, const fs::path& twrench) {
+  put_scenes(folder);
+  for (const auto& [name, scene] : {std::pair{"frames", "sound.toml"}, {"other", "stable-y"}}) {
+    const Ended ended =
+        run({{twrench.string(), "render", scene, "--no-video", "--size", "64x48", "--duration", "1",
+              "--fps", "4", "--speed", "1", "--progress", "none", "--frames-dir", name},
+             folder,
+             folder / "said"});
+    if (ended.code != 0) throw std::runtime_error("the frames cannot be drawn: " + ended.err);
+  }
+  fs::remove(folder / "said.out");
+  fs::remove(folder / "said.err");
+  put_pictures(folder);
+  put_broken_frames(folder);
+  put_places(folder);
+}
+
+void copy_playground(const fs::path& from, const fs::path& to) {
+  fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  for (const char* name : {"fifo", "fifo.toml", "m_fifo/manifest.json"}) put_fifo(to / name);
+  fs::permissions(to / "secret.toml", fs::perms::none);
+  fs::permissions(to / "locked", fs::perms::none);
+  fs::permissions(to / "read_only", fs::perms(0555));
+}
+
+}  // namespace twrench::torture
