@@ -125,6 +125,14 @@ TEST(SceneFile, MomentsAlone) {
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
 }
 
+// Not every whole number is a double; those that are not are rounded, as a number with a point is.
+TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
+  const Scene scene = parse_scene(
+      "[body]\nmoments = [9007199254740993, 9223372036854775807, 9007199254740992]", "m.toml");
+  EXPECT_EQ(scene.body.moments,
+            Vector3d(9007199254740992.0, 9223372036854775808.0, 9007199254740992.0));
+}
+
 TEST(SceneFile, VisiblePartsStandAboutTheCentreOfMass) {
   const Scene scene = parse_scene(
       "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\nposition = [5, 0, 0]", "s.toml");
@@ -163,6 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments = [1,2,'3']", "bad.toml:2: body.moments", "number"},
         Mistake{"[body]\nmoments = [1,2,nan]", "bad.toml:2: body.moments", "nan"},
         Mistake{"[body]\nmoments = [1,2,inf]", "bad.toml:2: body.moments", "inf"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nomega = [1, 2, 9007199254740993]",
+                "bad.toml:4: motion.omega", "is 9007199254740992"},
         Mistake{"title = 'x'", "part", "either"},
         Mistake{"[[part]]\nshape='sphere'\nradius=1\ndensity=1\n[body]\nmoments=[1,2,3]", "part",
                 "either"},
