@@ -16,7 +16,8 @@ inline constexpr double least_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
-  double step = 0.01;        ///< s: the step of a fixed-step method, the first of an adaptive one
+  double step = 0.01;  ///< s: the step of a fixed-step method, the first of an adaptive one, if
+                       ///< that is shorter than 0.9 of a turn of the body
   double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
   std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
 };

@@ -154,6 +154,32 @@ TEST(Adaptive, StepsFollowSauersControl) {
   EXPECT_NEAR(steps_with(1e-9 / 32) / steps_with(1e-9), 2.0, 0.25);
 }
 
+// Where omega is constant the estimate vanishes, and the control would take ever longer steps.
+TEST(Adaptive, NoStepOfItsOwnIsLongerThanATurn) {
+  const FreeBody at_rest = free_body(Vector3d(1, 2, 3).asDiagonal(), Vector3d::Zero());
+  for (const char* name : {"rkf45", "rkmk45"}) {
+    for (const Vector3d& moments : {Vector3d(1, 1, 1), Vector3d(1, 2, 3)}) {
+      for (const double omega : {1e-300, 1e-9, 1.0, 1e10}) {
+        SCOPED_TRACE(testing::Message() << name << ' ' << moments.transpose() << ' ' << omega);
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vector3d velocity = omega * Vector3d::Unit(axis);
+          const FreeBody body = free_body(moments.asDiagonal(), velocity);
+          const std::vector<double> times{std::min(1e9, 1000 / omega), -std::min(1e9, 10 / omega)};
+          for (const double first : {1e-12, 0.01, 1e6}) {
+            const auto run = trajectory(body, find_method(name), {.step = first}, times);
+            for (const Sample& s : run.samples) {
+              EXPECT_LE((s.X - so3::exp(s.t * velocity)).norm(), 1e-11);
+            }
+            EXPECT_LT(run.steps, 300);
+          }
+        }
+      }
+    }
+    const std::vector<double> late{1e9};
+    EXPECT_EQ(trajectory(at_rest, find_method(name), {}, late).samples[0].X, Matrix3d::Identity());
+  }
+}
+
 TEST(Adaptive, RefusesAToleranceBelowRoundOff) {
   const ReferenceCase c = reference_case("wrench-a");
   const std::vector<double> times{10};
