@@ -51,14 +51,15 @@ class Walk {
   Sample sample_at(double t) {
     while (std::abs(t) > std::abs(t_next_)) advance();
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
-    require_finite(X, t);
-    return {t, X, angular_velocity(body_, method_, X)};
+    const Sample sample{t, X, angular_velocity(body_, method_, X)};
+    require_sane(sample);
+    return sample;
   }
 
   /// The next of the method's own steps.
   OwnStep next_step() {
     advance();
-    require_finite(X_next_, t_next_);
+    require_sane({t_next_, X_next_, angular_velocity(body_, method_, X_next_)});
     return {t_, t_next_ - t_, X_, X_next_, error_};
   }
 
@@ -124,10 +125,13 @@ class Walk {
     }
   }
 
-  void require_finite(const Matrix3d& X, double t) const {
-    if (X.allFinite()) return;
+  /// Of a method that leaves SO(3): beyond that bound, what is computed of X would overflow.
+  void require_sane(const Sample& sample) const {
+    constexpr double bound = 1e50;
+    if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
+      return;
     throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("the motion is no longer finite at t = {} s", t),
+                     fmt::format("the motion has diverged at t = {} s", sample.t),
                      "take a shorter --step, or a method that stays on SO(3)");
   }
 
@@ -254,6 +258,25 @@ Trajectory trajectory(const FreeBody& body, const Method& method, const StepCont
   return std::holds_alternative<Taylor>(method.scheme)
              ? walk<TaylorWalk>(body, method, control, times)
              : walk<Walk>(body, method, control, times);
+}
+
+void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
+                   std::size_t count, const std::function<double(std::size_t)>& time,
+                   const std::function<void(const Sample&)>& visit) {
+  const auto visit_all = [&](auto sample_at) {
+    for (std::size_t i = 0; i < count; ++i) visit(sample_at(time(i)));
+  };
+  if (std::holds_alternative<ClosedForm>(method.scheme)) {
+    return visit_all([motion = ExactMotion(body)](double t) { return motion.at(t); });
+  }
+  if (count > 0) require_possible(method, control, time(count - 1));
+  if (std::holds_alternative<Taylor>(method.scheme)) {
+    TaylorWalk walk(body, method, control, 1.0);
+    visit_all([&](double t) { return walk.sample_at(t); });
+  } else {
+    Walk walk(body, method, control, 1.0);
+    visit_all([&](double t) { return walk.sample_at(t); });
+  }
 }
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,

@@ -36,10 +36,16 @@ struct Trajectory {
 /// the same number whichever other times were asked for.
 ///
 /// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion is no longer finite, a step is longer than a turn of the body or otherwise too long for
+/// motion diverges, a step is longer than a turn of the body or otherwise too long for
 /// the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
+
+/// Calls `visit` for the motion at time(0), ..., time(count - 1) in turn, which must ascend from 0
+/// or above: the samples that trajectory has, none of which is kept. Throws as trajectory.
+void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
+                   std::size_t count, const std::function<double(std::size_t)>& time,
+                   const std::function<void(const Sample&)>& visit);
 
 /// A step that a method takes by itself.
 struct OwnStep {
