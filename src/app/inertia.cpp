@@ -54,7 +54,7 @@ std::string json(const Scene& scene, const MassProperties& body) {
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
   document["principal_axes"] = rows(body.axes);
-  return document.dump(1) + "\n";
+  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
