@@ -280,6 +280,36 @@ TEST(Trajectory, RefusesAStepLongerThanATurn) {
   }
 }
 
+TEST_P(EveryMethod, VisitedSamplesAreThoseOfTheTrajectory) {
+  const auto time = [](std::size_t i) { return 0.13 * static_cast<double>(i); };
+  std::vector<double> times;
+  for (std::size_t i = 0; i < 50; ++i) times.push_back(time(i));
+  const auto samples = trajectory(wrench_.body, GetParam(), control_, times).samples;
+  std::size_t next = 0;
+  visit_samples(wrench_.body, GetParam(), control_, times.size(), time, [&](const Sample& s) {
+    EXPECT_EQ(s.t, samples[next].t);
+    EXPECT_EQ(s.X, samples[next].X);
+    EXPECT_EQ(s.omega, samples[next++].omega);
+  });
+  EXPECT_EQ(next, times.size());
+}
+
+// Short of infinity too: squares of what is told would be infinite.
+TEST(Trajectory, NothingThatIsToldOverflows) {
+  const FreeBody fast = free_body(Vector3d(1, 2, 3).asDiagonal(), {0.1, 100, 0.1});
+  std::vector<double> times;
+  for (int i = 0; i < 2000; ++i) times.push_back(0.06 * i);
+  const double start = energy(fast.inertia, fast.omega);
+  const auto look = [&](const Sample& s) {
+    const Diagnostics d = diagnose(fast, start, s);
+    EXPECT_TRUE(
+        std::isfinite(d.energy + d.energy_drift + d.orthogonality_error + d.momentum_error));
+  };
+  const auto time = [&](std::size_t i) { return times[i]; };
+  EXPECT_THROW(visit_samples(fast, find_method("euler"), {.step = 0.06}, times.size(), time, look),
+               UsageError);
+}
+
 class VisitSteps : public testing::TestWithParam<Method> {};
 
 TEST_P(VisitSteps, AreThoseOfTheTrajectory) {
