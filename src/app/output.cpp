@@ -1,17 +1,40 @@
 #include "app/output.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
-
-#include "base/file.h"
 
 namespace twrench {
 
-void write_output(const std::string& path, const std::string& text) {
-  if (path != "-") return write_file_atomically(path, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+Output::Output(const std::string& path) {
+  if (path != "-") file_.emplace(path);
+}
+
+void Output::write(std::string_view text) {
+  constexpr std::size_t enough = 1 << 16;
+  waiting_ += text;
+  if (waiting_.size() >= enough) pass_on();
+}
+
+void Output::finish() {
+  pass_on();
+  if (file_) return file_->commit();
+  if (std::fflush(stdout) != 0) throw file_error("cannot write standard output", errno);
+}
+
+void Output::pass_on() {
+  if (file_) {
+    file_->write({reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()});
+  } else if (std::fwrite(waiting_.data(), 1, waiting_.size(), stdout) != waiting_.size()) {
     throw file_error("cannot write standard output", errno);
   }
+  waiting_.clear();
+}
+
+void write_output(const std::string& path, std::string_view text) {
+  Output output(path);
+  output.write(text);
+  output.finish();
 }
 
 }  // namespace twrench

@@ -64,8 +64,9 @@ void SceneOptions::add_inertia_option() {
   add("--inertia", "A,B,C", "principal moments, g cm^2; the body is then only these",
       [](Scene& scene, const std::string& text) {
         scene.body.parts.clear();
-        scene.body.moments =
-            limits::check(limits::moment, "--inertia", parse_vector(text, "--inertia"));
+        scene.body.moments = limits::check_moments(
+            "--inertia",
+            limits::check(limits::moment, "--inertia", parse_vector(text, "--inertia")));
       });
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -24,73 +26,113 @@ struct Options {
 };
 
 /// Every 1/fps from 0 to the duration, both ends included.
-std::vector<double> regular_times(const Scene& scene) {
-  const double samples = std::floor(scene.motion.duration * scene.film.fps);
-  if (samples > limits::most_frames) {
-    throw UsageError("simulate",
-                     fmt::format("there would be {} samples, but at most {} are allowed", samples,
-                                 limits::most_frames),
-                     "give a shorter --duration, a lower --fps, or --times");
+class RegularTimes {
+ public:
+  explicit RegularTimes(const Scene& scene)
+      : duration_(scene.motion.duration), fps_(scene.film.fps) {
+    const double whole = std::floor(duration_ * fps_);
+    if (whole > limits::most_frames) {
+      throw UsageError("simulate",
+                       fmt::format("there would be {} samples, but at most {} are allowed", whole,
+                                   limits::most_frames),
+                       "give a shorter --duration, a lower --fps, or --times");
+    }
+    regular_ = static_cast<std::size_t>(whole) + 1;
   }
-  std::vector<double> times;
-  for (int i = 0; i <= static_cast<int>(samples); ++i) times.push_back(i / scene.film.fps);
-  if (times.back() < scene.motion.duration) times.push_back(scene.motion.duration);
-  return times;
-}
 
-std::vector<double> sample_times(const Options& options, const Scene& scene) {
-  if (options.times.empty()) return regular_times(scene);
+  std::size_t size() const { return regular_ + (last_regular() < duration_ ? 1 : 0); }
+  double operator()(std::size_t i) const {
+    return i < regular_ ? static_cast<double>(i) / fps_ : duration_;
+  }
+
+ private:
+  double last_regular() const { return static_cast<double>(regular_ - 1) / fps_; }
+
+  double duration_, fps_;
+  std::size_t regular_;
+};
+
+std::vector<double> times_asked_for(const Options& options) {
   std::vector<double> times = parse_numbers(options.times, "--times");
   for (const double t : times) limits::check({-1e9, 1e9}, "--times", t);
   return times;
 }
 
-std::string csv(const std::vector<Sample>& samples, const FreeBody& body, double start) {
-  std::string text =
-      "t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,"
-      "energy,energy_drift,orthogonality_error,momentum_error\n";
+/// What stands before, between and after the samples, and the text of one.
+struct Format {
+  std::string before, between, after;
+  std::function<std::string(const Sample&, const Diagnostics&)> row;
+};
+
+std::string csv_row(const Sample& s, const Diagnostics& d) {
+  std::string text = fmt::format("{:.17g}", s.t);
   const auto out = std::back_inserter(text);
-  for (const Sample& s : samples) {
-    const Diagnostics d = diagnose(body, start, s);
-    fmt::format_to(out, "{:.17g}", s.t);
-    for (int i = 0; i < 9; ++i) fmt::format_to(out, ",{:.17g}", s.X(i / 3, i % 3));
-    for (const double w : s.omega) fmt::format_to(out, ",{:.17g}", w);
-    fmt::format_to(out, ",{:.17g},{:.17g},{:.17g},{:.17g}\n", d.energy, d.energy_drift,
-                   d.orthogonality_error, d.momentum_error);
+  for (int i = 0; i < 9; ++i) fmt::format_to(out, ",{:.17g}", s.X(i / 3, i % 3));
+  for (const double w : s.omega) fmt::format_to(out, ",{:.17g}", w);
+  fmt::format_to(out, ",{:.17g},{:.17g},{:.17g},{:.17g}\n", d.energy, d.energy_drift,
+                 d.orthogonality_error, d.momentum_error);
+  return text;
+}
+
+Format csv() {
+  return {
+      "t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,"
+      "energy,energy_drift,orthogonality_error,momentum_error\n",
+      "", "", csv_row};
+}
+
+/// Indented as deep as it stands in the document.
+std::string json_row(const Sample& s, const Diagnostics& d) {
+  std::vector<double> X;
+  for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));
+  const nlohmann::ordered_json row{{"t", s.t},
+                                   {"X", X},
+                                   {"omega", std::vector<double>(s.omega.begin(), s.omega.end())},
+                                   {"energy", d.energy},
+                                   {"energy_drift", d.energy_drift},
+                                   {"orthogonality_error", d.orthogonality_error},
+                                   {"momentum_error", d.momentum_error}};
+  std::string text;
+  for (const char c : row.dump(1)) {
+    text += c;
+    if (c == '\n') text += "  ";
   }
   return text;
 }
 
-std::string json(const Scene& scene, const std::vector<Sample>& samples, const FreeBody& body,
-                 double start) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const Sample& s : samples) {
-    const Diagnostics d = diagnose(body, start, s);
-    std::vector<double> X;
-    for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));
-    rows.push_back({{"t", s.t},
-                    {"X", X},
-                    {"omega", std::vector<double>(s.omega.begin(), s.omega.end())},
-                    {"energy", d.energy},
-                    {"energy_drift", d.energy_drift},
-                    {"orthogonality_error", d.orthogonality_error},
-                    {"momentum_error", d.momentum_error}});
-  }
-  const nlohmann::ordered_json document{
-      {"scene", scene.name}, {"method", scene.motion.method}, {"samples", rows}};
-  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+Format json(const Scene& scene) {
+  using Json = nlohmann::ordered_json;
+  const Json document{
+      {"scene", scene.name}, {"method", scene.motion.method}, {"samples", Json::array()}};
+  const std::string text = document.dump(1, ' ', false, Json::error_handler_t::replace);
+  const std::size_t samples = text.rfind(']');
+  return {text.substr(0, samples) + "\n  ", ",\n  ", "\n " + text.substr(samples) + "\n", json_row};
 }
 
 void simulate(const Options& options) {
   options.scene.require_not_input(options.output);
   const Scene scene = options.scene.scene();
+  const Method& method = find_method(scene.motion.method);
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const std::vector<double> times = sample_times(options, scene);
-  const auto samples =
-      trajectory(body, find_method(scene.motion.method), scene.motion.control, times).samples;
   const double start = energy(body.inertia, scene.motion.omega);
-  write_output(options.output, options.format == "csv" ? csv(samples, body, start)
-                                                       : json(scene, samples, body, start));
+  const Format format = options.format == "csv" ? csv() : json(scene);
+  Output output(options.output);
+  output.write(format.before);
+  bool first = true;
+  const auto write = [&](const Sample& sample) {
+    if (!first) output.write(format.between);
+    first = false;
+    output.write(format.row(sample, diagnose(body, start, sample)));
+  };
+  if (options.times.empty()) {
+    const RegularTimes times(scene);
+    visit_samples(body, method, scene.motion.control, times.size(), times, write);
+  } else {
+    const std::vector<double> times = times_asked_for(options);
+    std::ranges::for_each(trajectory(body, method, scene.motion.control, times).samples, write);
+  }
+  output.write(format.after);
+  output.finish();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
 
 #include "math/so3.h"
 
@@ -44,8 +45,11 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 }  // namespace
 
 ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
-  const PrincipalAxes& principal = body.principal;
-  const Vector3d m = principal.axes.transpose() * body.momentum;
+  // A unit of mass by which the greatest moment is 1 or so: squares of them neither overflow nor
+  // underflow. A power of two, so that nothing is rounded.
+  const double unit = std::exp2(-std::ilogb(body.principal.moments[2]));
+  const PrincipalAxes principal{unit * body.principal.moments, body.principal.axes};
+  const Vector3d momentum = unit * body.momentum, m = principal.axes.transpose() * momentum;
   const double G = m.stableNorm();
   if (G == 0) return;
   const double D2 =
@@ -53,8 +57,10 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
-  const Vector3d mu = body_from_motion_.transpose() * body.momentum / G;
-  if (mu[0] * mu[0] * (I[1] - I[0]) == 0 || excess(I, mu, 0) == 0) return;
+  const Vector3d mu = body_from_motion_.transpose() * momentum / G;
+  // Below the least normal number D2 has no digits left.
+  constexpr double nothing = std::numeric_limits<double>::min();
+  if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   motion_from_body_ = Quaterniond(body_from_motion_).conjugate();
@@ -68,7 +74,7 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   // Eq. (E3); excess divides by G^2, and so amplitude is of mu = m/G.
   const Vector3d amplitude(std::sqrt(-I[0] * Dc / ac), std::sqrt(I[1] * Da / ab),
                            std::sqrt(I[2] * Da / ac));
-  const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 * ac / (Dc * ab));
+  const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 / Dc * (ac / ab));
   const double rate =
       std::copysign(G / I[0] * amplitude[0] * std::sqrt(ab / I[1] * (ac / I[2])), ac);
 

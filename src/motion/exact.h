@@ -16,7 +16,7 @@ namespace twrench {
 /// Every positive definite inertia and every momentum: both sides of the separatrix and the
 /// separatrix itself, symmetric bodies, the sphere, spin about a principal axis, rest.
 /// The error of X grows as eps |omega| t, and beyond that only as the motion itself spreads an eps
-/// of its initial velocity. Components of the momentum below 1e-150 |L| may count as zero.
+/// of its initial velocity. Components of the momentum below 1e-145 |L| may count as zero.
 class ExactMotion {
  public:
   /// What the momentum does, seen from the body.

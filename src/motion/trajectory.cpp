@@ -24,6 +24,11 @@ constexpr double safety = 0.8;
 constexpr double least_factor = 0.2;
 constexpr double largest_factor = 5.0;
 
+// Of a turn of the body: no adaptive step is longer. Where omega is constant the estimate vanishes
+// and would allow any step, though none beyond a turn can be told from a shorter one; dexpinv is
+// singular at a whole turn.
+constexpr double longest_part = 0.9;
+
 UsageError out_of_steps(const Method& method, const StepControl& control, double t) {
   return {fmt::format("method {}", method.name),
           fmt::format("more than {} steps at t = {} s", control.max_steps, t),
@@ -40,20 +45,21 @@ UsageError underflow(const Method& method, const StepControl& control, double t)
 class Walk {
  public:
   Walk(const FreeBody& body, const Method& method, const StepControl& control, double sign)
-      : body_(body), method_(method), control_(control), next_length_(sign * control.step) {}
+      : body_(body), method_(method), control_(control), next_length_(sign * first_) {}
 
   /// The sample at t, which must not lie before the one asked for last.
   Sample sample_at(double t) {
     while (std::abs(t) > std::abs(t_next_)) advance();
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
-    require_finite(X, t);
-    return {t, X, angular_velocity(body_, method_, X)};
+    const Sample sample{t, X, angular_velocity(body_, method_, X)};
+    require_sane(sample);
+    return sample;
   }
 
   /// The next of the method's own steps.
   OwnStep next_step() {
     advance();
-    require_finite(X_next_, t_next_);
+    require_sane({t_next_, X_next_, angular_velocity(body_, method_, X_next_)});
     return {t_, t_next_ - t_, X_, X_next_, error_};
   }
 
@@ -90,13 +96,17 @@ class Walk {
                      "take a shorter --step");
   }
 
+  double capped(double length) const {
+    return std::clamp(length, -longest_part * a_turn_, longest_part * a_turn_);
+  }
+
   void step_adaptively() {
     double length = next_length_;
     for (int attempt = 0;; ++attempt) {
       if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
       const double t_end = t_ + length;
       length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
-      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), control_.step)))
+      if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
         throw underflow(method_, control_, t_);
       const Step step = take_step(body_, method_, X_, length);
       evaluations_ += step.evaluations;
@@ -104,7 +114,7 @@ class Walk {
       const double order = method_.tableau_order;
       const double factor =
           std::clamp(safety * std::pow(ratio, 1.0 / (order + 1.0)), least_factor, largest_factor);
-      next_length_ = factor * length;
+      next_length_ = capped(factor * length);
       if (step.error < control_.tolerance) {
         X_next_ = step.X;
         t_next_ = t_end;
@@ -115,10 +125,13 @@ class Walk {
     }
   }
 
-  void require_finite(const Matrix3d& X, double t) const {
-    if (X.allFinite()) return;
+  /// Of a method that leaves SO(3): beyond that bound, what is computed of X would overflow.
+  void require_sane(const Sample& sample) const {
+    constexpr double bound = 1e50;
+    if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
+      return;
     throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("the motion is no longer finite at t = {} s", t),
+                     fmt::format("the motion has diverged at t = {} s", sample.t),
                      "take a shorter --step, or a method that stays on SO(3)");
   }
 
@@ -126,7 +139,8 @@ class Walk {
   const Method& method_;
   const StepControl& control_;
   const double a_turn_ = 2.0 * std::numbers::pi / body_.omega.norm();  ///< s; infinite at rest
-  double next_length_;                                                 ///< signed
+  const double first_ = method_.adaptive() ? capped(control_.step) : control_.step;
+  double next_length_;  ///< signed
   std::int64_t steps_ = 0;
   std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
@@ -244,6 +258,25 @@ Trajectory trajectory(const FreeBody& body, const Method& method, const StepCont
   return std::holds_alternative<Taylor>(method.scheme)
              ? walk<TaylorWalk>(body, method, control, times)
              : walk<Walk>(body, method, control, times);
+}
+
+void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
+                   std::size_t count, const std::function<double(std::size_t)>& time,
+                   const std::function<void(const Sample&)>& visit) {
+  const auto visit_all = [&](auto sample_at) {
+    for (std::size_t i = 0; i < count; ++i) visit(sample_at(time(i)));
+  };
+  if (std::holds_alternative<ClosedForm>(method.scheme)) {
+    return visit_all([motion = ExactMotion(body)](double t) { return motion.at(t); });
+  }
+  if (count > 0) require_possible(method, control, time(count - 1));
+  if (std::holds_alternative<Taylor>(method.scheme)) {
+    TaylorWalk walk(body, method, control, 1.0);
+    visit_all([&](double t) { return walk.sample_at(t); });
+  } else {
+    Walk walk(body, method, control, 1.0);
+    visit_all([&](double t) { return walk.sample_at(t); });
+  }
 }
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,

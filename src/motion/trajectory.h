@@ -16,7 +16,8 @@ inline constexpr double least_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
-  double step = 0.01;        ///< s: the step of a fixed-step method, the first of an adaptive one
+  double step = 0.01;  ///< s: the step of a fixed-step method, the first of an adaptive one, if
+                       ///< that is shorter than 0.9 of a turn of the body
   double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
   std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
 };
@@ -35,10 +36,16 @@ struct Trajectory {
 /// the same number whichever other times were asked for.
 ///
 /// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion is no longer finite, a step is longer than a turn of the body or otherwise too long for
+/// motion diverges, a step is longer than a turn of the body or otherwise too long for
 /// the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
+
+/// Calls `visit` for the motion at time(0), ..., time(count - 1) in turn, which must ascend from 0
+/// or above: the samples that trajectory has, none of which is kept. Throws as trajectory.
+void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
+                   std::size_t count, const std::function<double(std::size_t)>& time,
+                   const std::function<void(const Sample&)>& visit);
 
 /// A step that a method takes by itself.
 struct OwnStep {

@@ -8,14 +8,11 @@
 
 namespace twrench::limits {
 
-bool Limit::allows(double value) const {
-  return (low_is_open ? value > low : value >= low) && value <= high;
-}
+bool Limit::allows(double value) const { return value >= low && value <= high; }
 
 std::string Limit::describe() const {
   const std::string why = why_low.empty() ? "" : fmt::format(" ({})", why_low);
-  return fmt::format("{} {}{} and at most {}", low_is_open ? "greater than" : "at least", low, why,
-                     high);
+  return fmt::format("at least {}{} and at most {}", low, why, high);
 }
 
 double check(const Limit& limit, const std::string& what, double value) {
@@ -26,6 +23,15 @@ double check(const Limit& limit, const std::string& what, double value) {
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value) {
   for (const double entry : value) check(limit, what, entry);
   return value;
+}
+
+Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
+  const double ratio = moments.maxCoeff() / moments.minCoeff();
+  if (moments.minCoeff() > 0 && ratio <= most_moment_ratio) return moments;
+  throw UsageError(
+      what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the greatest "
+                        "must be at most {:.6g} times the least",
+                        moments[0], moments[1], moments[2], most_moment_ratio));
 }
 
 int check_whole(const Limit& limit, const std::string& what, double value) {

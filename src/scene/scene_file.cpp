@@ -65,12 +65,14 @@ Body read_body(TomlTable& file) {
     body.parts.push_back(read_part(part));
   });
   file.table("body", [&](TomlTable& table) {
-    body.moments = table.required_vector("moments", limits::moment);
+    body.moments = limits::check_moments(table.place("moments"),
+                                         table.required_vector("moments", limits::moment));
   });
   if (body.parts.empty() != body.moments.has_value()) {
     throw UsageError(file.place("part"),
                      "a body is given either by [[part]] tables or by [body] moments");
   }
+  if (!body.moments) limits::check_moments(file.place("part"), mass_properties(body.parts).moments);
   return body;
 }
 

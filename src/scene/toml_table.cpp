@@ -19,7 +19,9 @@ const toml::node* TomlTable::find(const std::string& key) {
 }
 
 double TomlTable::number_in(const toml::node& node, const std::string& what) const {
-  if (node.is_number()) return *node.value<double>();
+  // Not value<double>(), which gives nothing for a whole number that no double is equal to.
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  if (const auto* real = node.as_floating_point()) return real->get();
   throw UsageError(what, "must be a number");
 }
 
@@ -53,7 +55,7 @@ void TomlTable::whole(const std::string& key, const limits::Limit& limit, int& v
 void TomlTable::text(const std::string& key, std::string& value) {
   if (const toml::node* node = find(key)) {
     if (!node->is_string()) throw UsageError(place(key), "must be a text in quotes");
-    value = *node->value<std::string>();
+    value = node->as_string()->get();
   }
 }
 
@@ -100,7 +102,7 @@ std::vector<std::string> TomlTable::required_texts(const std::string& key) {
     throw UsageError(place(key), "must be texts in brackets");
   }
   std::vector<std::string> texts;
-  for (const toml::node& entry : *array) texts.push_back(*entry.value<std::string>());
+  for (const toml::node& entry : *array) texts.push_back(entry.as_string()->get());
   return texts;
 }
 

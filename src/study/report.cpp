@@ -215,7 +215,7 @@ std::string study_json(const Study& study, const std::string& scene) {
                       {"early", study.early},
                       {"flips", flips_json(study)},
                       {"methods", all}};
-  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace twrench

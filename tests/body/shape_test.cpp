@@ -78,6 +78,15 @@ TEST(Shape, FrameHasItsThirdAxisWhereAsked) {
   }
 }
 
+TEST(Shape, OnlyTheDirectionOfTheAxisMatters) {
+  const Vector3d axis(1, -2, 3);
+  const Eigen::Matrix3d frame = frame_with_z_along(axis);
+  for (const int power : {-1000, -600, 600, 1020}) {
+    EXPECT_LE((frame_with_z_along(std::ldexp(1.0, power) * axis) - frame).norm(), 1e-15) << power;
+  }
+  EXPECT_EQ(frame_with_z_along({1e-300, 0, 0}), frame_with_z_along({1, 0, 0}));
+}
+
 TEST(Shape, FramesOfTheCoordinateAxesAreExact) {
   for (int i = 0; i < 6; ++i) {
     const Vector3d axis = (i < 3 ? 2.0 : -2.0) * Vector3d::Unit(i % 3);

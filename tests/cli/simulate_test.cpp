@@ -79,6 +79,40 @@ TEST(Simulate, JsonHasTheSameNumbers) {
   EXPECT_EQ(sample["energy"], row[13]);
 }
 
+// The document is written sample by sample, as the JSON library would write it at once.
+TEST(Simulate, JsonIsTheLibrarysOwnText) {
+  const ScratchFolder folder;
+  for (const char* times : {"", " --times 2", " --times 2,-1"}) {
+    const std::string text =
+        run_twrench(folder, std::string("simulate --duration 1 --fps 7 --format json") + times).out;
+    EXPECT_EQ(nlohmann::ordered_json::parse(text).dump(1) + "\n", text);
+  }
+}
+
+// 200,000 samples are 20 MB and more of numbers, and 100 MB of text.
+TEST(Simulate, HoldsNoMoreThanASample) {
+  const ScratchFolder folder;
+  for (const char* format : {"csv", "json"}) {
+    const std::string command =
+        std::string("simulate --method exact --fps 1000 --duration 200 --format ") + format;
+    const std::string limited = "ulimit -v 120000; \"$TWRENCH\" " + command + " | tail -n 4";
+    const Outcome run = run_shell(folder, limited);
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(run.out,
+                testing::HasSubstr(format == std::string("csv") ? "\n200," : "}\n ]\n}\n"));
+  }
+}
+
+TEST(Simulate, ANameThatIsNoUtf8IsWrittenAsJsonCan) {
+  const ScratchFolder folder;
+  write_file_atomically(folder / "a\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
+  for (const char* command : {"simulate --times 1", "inertia", "study --methods exact"}) {
+    const Outcome run = run_twrench(folder, std::string(command) + " --format json a*.toml");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["scene"], "a\uFFFD") << command;
+  }
+}
+
 TEST(Simulate, WritesAFileWholeOrNotAtAll) {
   const ScratchFolder folder;
   EXPECT_EQ(run_twrench(folder, "simulate --times 1 -o a.csv").code, 0);

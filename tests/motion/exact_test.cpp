@@ -240,6 +240,19 @@ TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
   }
 }
 
+// Where the product of two small differences vanished, the phase became infinite.
+TEST(ExactMotion, NothingUnderflowsOfASmallBodyThatIsNearlyASphere) {
+  for (const double mass : {1e-300, 1e-44, 1.0, 1e44, 1e300}) {
+    const Vector3d moments = mass * Vector3d(1, 1.000000001055, 1.0000000005274);
+    for (const double off : {1e-10, 1e-100, 9.4e-133, 1e-145, 1e-160, 1e-300}) {
+      const Vector3d omega(off, 0, -0.005);
+      const Sample sample = exact(moments, omega).at(-26.7);
+      EXPECT_LT((sample.X - so3::exp(-26.7 * omega)).norm(), tight) << mass << ' ' << off;
+      EXPECT_LT((sample.omega - omega).norm(), tight * 0.005) << mass << ' ' << off;
+    }
+  }
+}
+
 TEST(ExactMotion, OnlyTheRatiosOfMomentsMatter) {
   const Vector3d moments(1, 2, 3), omega(0.3, 1.1, -0.4);
   const Sample sample = exact(moments, omega).at(7);

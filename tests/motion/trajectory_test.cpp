@@ -154,6 +154,32 @@ TEST(Adaptive, StepsFollowSauersControl) {
   EXPECT_NEAR(steps_with(1e-9 / 32) / steps_with(1e-9), 2.0, 0.25);
 }
 
+// Where omega is constant the estimate vanishes, and the control would take ever longer steps.
+TEST(Adaptive, NoStepOfItsOwnIsLongerThanATurn) {
+  const FreeBody at_rest = free_body(Vector3d(1, 2, 3).asDiagonal(), Vector3d::Zero());
+  for (const char* name : {"rkf45", "rkmk45"}) {
+    for (const Vector3d& moments : {Vector3d(1, 1, 1), Vector3d(1, 2, 3)}) {
+      for (const double omega : {1e-300, 1e-9, 1.0, 1e10}) {
+        SCOPED_TRACE(testing::Message() << name << ' ' << moments.transpose() << ' ' << omega);
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vector3d velocity = omega * Vector3d::Unit(axis);
+          const FreeBody body = free_body(moments.asDiagonal(), velocity);
+          const std::vector<double> times{std::min(1e9, 1000 / omega), -std::min(1e9, 10 / omega)};
+          for (const double first : {1e-12, 0.01, 1e6}) {
+            const auto run = trajectory(body, find_method(name), {.step = first}, times);
+            for (const Sample& s : run.samples) {
+              EXPECT_LE((s.X - so3::exp(s.t * velocity)).norm(), 1e-11);
+            }
+            EXPECT_LT(run.steps, 300);
+          }
+        }
+      }
+    }
+    const std::vector<double> late{1e9};
+    EXPECT_EQ(trajectory(at_rest, find_method(name), {}, late).samples[0].X, Matrix3d::Identity());
+  }
+}
+
 TEST(Adaptive, RefusesAToleranceBelowRoundOff) {
   const ReferenceCase c = reference_case("wrench-a");
   const std::vector<double> times{10};
@@ -252,6 +278,36 @@ TEST(Trajectory, RefusesAStepLongerThanATurn) {
       EXPECT_THROW(trajectory(c.body, method, {.step = 7}, times), UsageError) << name;
     }
   }
+}
+
+TEST_P(EveryMethod, VisitedSamplesAreThoseOfTheTrajectory) {
+  const auto time = [](std::size_t i) { return 0.13 * static_cast<double>(i); };
+  std::vector<double> times;
+  for (std::size_t i = 0; i < 50; ++i) times.push_back(time(i));
+  const auto samples = trajectory(wrench_.body, GetParam(), control_, times).samples;
+  std::size_t next = 0;
+  visit_samples(wrench_.body, GetParam(), control_, times.size(), time, [&](const Sample& s) {
+    EXPECT_EQ(s.t, samples[next].t);
+    EXPECT_EQ(s.X, samples[next].X);
+    EXPECT_EQ(s.omega, samples[next++].omega);
+  });
+  EXPECT_EQ(next, times.size());
+}
+
+// Short of infinity too: squares of what is told would be infinite.
+TEST(Trajectory, NothingThatIsToldOverflows) {
+  const FreeBody fast = free_body(Vector3d(1, 2, 3).asDiagonal(), {0.1, 100, 0.1});
+  std::vector<double> times;
+  for (int i = 0; i < 2000; ++i) times.push_back(0.06 * i);
+  const double start = energy(fast.inertia, fast.omega);
+  const auto look = [&](const Sample& s) {
+    const Diagnostics d = diagnose(fast, start, s);
+    EXPECT_TRUE(
+        std::isfinite(d.energy + d.energy_drift + d.orthogonality_error + d.momentum_error));
+  };
+  const auto time = [&](std::size_t i) { return times[i]; };
+  EXPECT_THROW(visit_samples(fast, find_method("euler"), {.step = 0.06}, times.size(), time, look),
+               UsageError);
 }
 
 class VisitSteps : public testing::TestWithParam<Method> {};

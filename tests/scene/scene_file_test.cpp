@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -125,6 +126,29 @@ TEST(SceneFile, MomentsAlone) {
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
 }
 
+// Not every whole number is a double; those that are not are rounded, as a number with a point is.
+TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
+  const Scene scene = parse_scene(
+      "[body]\nmoments = [9007199254740993, 9223372036854775807, 9007199254740992]", "m.toml");
+  EXPECT_EQ(scene.body.moments,
+            Vector3d(9007199254740992.0, 9223372036854775808.0, 9007199254740992.0));
+}
+
+// At the very limits of what a body is described by, its numbers are those of a body.
+TEST(SceneFile, WhatTheLimitsAllowHasAMotion) {
+  for (const double length : {1e-9, 1e6}) {
+    for (const double density : {1e-9, 1e6}) {
+      const std::string text = fmt::format(
+          "[[part]]\nshape = 'box'\nsize = [{0}, {0}, {0}]\ndensity = {1}\n"
+          "axis = [1e-300, 1e-300, 0]\nposition = [1e12, -1e12, 1e12]\n",
+          length, density);
+      const MassProperties body = mass_properties(parse_scene(text, "m.toml").body);
+      const double moment = density * std::pow(length, 5) / 6;
+      EXPECT_LE((body.inertia / moment - Eigen::Matrix3d::Identity()).norm(), 1e-14) << text;
+    }
+  }
+}
+
 TEST(SceneFile, VisiblePartsStandAboutTheCentreOfMass) {
   const Scene scene = parse_scene(
       "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\nposition = [5, 0, 0]", "s.toml");
@@ -163,11 +187,21 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments = [1,2,'3']", "bad.toml:2: body.moments", "number"},
         Mistake{"[body]\nmoments = [1,2,nan]", "bad.toml:2: body.moments", "nan"},
         Mistake{"[body]\nmoments = [1,2,inf]", "bad.toml:2: body.moments", "inf"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nomega = [1, 2, 9007199254740993]",
+                "bad.toml:4: motion.omega", "is 9007199254740992"},
+        Mistake{"[body]\nmoments = [1e-107, 1e-107, 1e-107]", "bad.toml:2: body.moments",
+                "must be at least 1e-60 and at most 1e+30"},
+        Mistake{"[body]\nmoments = [1e30, 1e30, 1]", "bad.toml:2: body.moments",
+                "the greatest must be at most 1e+12 times the least"},
+        Mistake{"[[part]]\nshape = 'sphere'\nradius = 1e-300\ndensity = 1",
+                "bad.toml:3: part[0].radius", "must be at least 1e-09 and at most 1000000"},
+        Mistake{"[[part]]\nshape = 'cylinder'\nradius = 1e-9\nlength = 1e6\ndensity = 1",
+                "bad.toml:1: part", "the greatest must be at most 1e+12 times the least"},
         Mistake{"title = 'x'", "part", "either"},
         Mistake{"[[part]]\nshape='sphere'\nradius=1\ndensity=1\n[body]\nmoments=[1,2,3]", "part",
                 "either"},
         Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 0",
-                "bad.toml:4: part[0].density", "greater than 0"},
+                "bad.toml:4: part[0].density", "at least 1e-09 and at most 1000000"},
         Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -2",
                 "bad.toml:4: part[0].density", "is -2"},
         Mistake{"[[part]]\nshape = 'sphere'\nradius = 1", "bad.toml:1: part[0].density", "missing"},
