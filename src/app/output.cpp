@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "base/file.h"
+
 namespace twrench {
 
 Output::Output(const std::string& path) {
