@@ -1,27 +1,37 @@
 #!/usr/bin/env bash
-# valgrind.sh [PROGRAM...]: the tests of the core (all that is before OpenGL) under valgrind's
-# memcheck, for what the sanitizers do not see: values that nothing has set. Takes minutes, and so
-# is not among the checks of scripts/test.sh.
+# valgrind.sh [--quick] [PROGRAM...]: the tests of the core (all that is before OpenGL) under
+# valgrind's memcheck, for what the sanitizers do not see: values that nothing has set. All of them
+# take minutes; with --quick those that look for such values, and take seconds.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh coverage
-programs=("$@")
-((${#programs[@]})) || programs=(
-  base_test math_test body_test motion_test study_test figure_test scene_test timeline_test
-  image_test canvas_test movie_test
-)
 # Not the longest; and not what is otherwise under valgrind: its vfork is a fork, so that only the
 # child's exit status 127 tells of a program that is not there; its long double has 64 bits.
 left_out=-*OfTheLargest*:*WithoutEnd*
 left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
+of_the_motion='*'
+programs=(
+  base_test math_test body_test motion_test study_test figure_test scene_test timeline_test
+  image_test canvas_test movie_test
+)
+if [[ ${1-} == --quick ]]; then
+  shift
+  programs=(body_test scene_test image_test motion_test)
+  # Of the motion what does not walk far.
+  of_the_motion='*EveryMethod*:*VisitSteps*:ExactMotion.*:Trajectory.*:Diagnostics*:Polhode*:Method*'
+  left_out+=:*EndsWhen*
+fi
+(($#)) && programs=("$@")
 scripts/build.sh --tests release "${programs[@]}"
 failed=()
 for program in "${programs[@]}"; do
   echo "== $program"
+  tests='*'
+  [[ $program == motion_test ]] && tests=$of_the_motion
   valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite \
-    "build/release/bin/$program" --gtest_brief=1 --gtest_filter="$left_out" || failed+=("$program")
+    "build/release/bin/$program" --gtest_brief=1 --gtest_filter="$tests$left_out" || failed+=("$program")
 done
 if ((${#failed[@]})); then
   echo "twrench: error: valgrind: not clean: ${failed[*]}" >&2

@@ -73,8 +73,7 @@ void SceneOptions::add_inertia_option() {
 void SceneOptions::add_motion_options() {
   add("--omega", "X,Y,Z", "angular velocity at t = 0, body axes, rad/s",
       [](Scene& scene, const std::string& text) {
-        scene.motion.omega =
-            limits::check(limits::coordinate, "--omega", parse_vector(text, "--omega"));
+        scene.motion.omega = limits::check_omega("--omega", parse_vector(text, "--omega"));
       })
       ->default_str(format_vector(Scene().motion.omega));
   add_inertia_option();

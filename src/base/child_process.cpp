@@ -132,6 +132,7 @@ class Idleness {
     const ChildProcess::Time span = std::min(left_, most);
     const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
     if (found == 0) left_ -= span;
+    if (found < 0 && errno != EINTR) throw_system_error(errno, "poll");
     return found > 0;
   }
   bool is_over() const { return left_.count() <= 0; }
@@ -186,7 +187,10 @@ ChildProcess::~ChildProcess() {
 
 bool ChildProcess::has_ended() {
   const auto hold = hold_termination();
-  if (::waitpid(pid_, &status_, WNOHANG) == 0) return false;
+  const pid_t ended = ::waitpid(pid_, &status_, WNOHANG);
+  if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
+  // Where the system does not say how it ended, it is not known to have done its work.
+  if (ended < 0) status_ = W_EXITCODE(255, 0);
   kill_.reset();
   pid_ = -1;
   return true;
@@ -266,8 +270,17 @@ std::string why_not_started(const std::system_error& error) {
   switch (error.code().value()) {
     case ENOENT:
       return "it was not found in PATH";
+    case EACCES:
+      return "the one in PATH may not be executed";
     case ENOEXEC:
-      return "it is there, but is no program that this system can run";
+      return "the one in PATH is no program for this machine";
+    case EMFILE:
+    case ENFILE:
+      return "too many files are open";
+    case EAGAIN:
+      return "no more processes may be started";
+    case ENOMEM:
+      return "there is not enough memory";
     default:
       return error.code().message();
   }
@@ -275,17 +288,21 @@ std::string why_not_started(const std::system_error& error) {
 
 std::string remedy_for_start(const std::system_error& error, const std::string& installation) {
   switch (error.code().value()) {
+    case ENOENT:
+      return installation;
+    case EACCES:
+      return "make it executable (chmod +x), or take it out of PATH";
+    case ENOEXEC:
+      return "install the one for this machine";
     case EMFILE:
     case ENFILE:
       return "raise the limit on open files (ulimit -n)";
     case EAGAIN:
-      return "raise the limit on processes (ulimit -u), or end some";
+      return "raise the limit on processes (ulimit -u)";
     case ENOMEM:
-      return "free some memory";
-    case EACCES:
-      return "check the permissions of the file of that name in PATH";
+      return "end other programs";
     default:
-      return installation;
+      return {};
   }
 }
 

@@ -16,11 +16,19 @@
 namespace twrench {
 namespace {
 
-std::string remedy_for(int error_number) {
+std::string remedy_for(int error_number, Access access) {
   switch (error_number) {
     case ENOENT:
+      return access == Access::read ? "there is no such file: check its name"
+                                    : "make its folder first, or check the path";
     case ENOTDIR:
-      return "check the path: each folder in it must exist";
+      return "something in the path is a file, not a folder";
+    case ENAMETOOLONG:
+      return "choose a shorter name: 255 bytes at most between slashes";
+    case EISDIR:
+      return access == Access::read ? "name a file in it" : "choose another name";
+    case ELOOP:
+      return "its links lead in a circle";
     case EACCES:
     case EPERM:
     case EROFS:
@@ -28,6 +36,8 @@ std::string remedy_for(int error_number) {
     case ENOSPC:
     case EDQUOT:
       return "free some space there, or choose another disk";
+    case EFBIG:
+      return "raise the limit on the size of files (ulimit -f), or choose another disk";
     case EMFILE:
     case ENFILE:
       return "raise the limit on open files (ulimit -n)";
@@ -45,7 +55,7 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Desc
   const std::string what = cannot_read(path);
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0) {
-    throw file_error(what, errno);
+    throw file_error(what, errno, Access::read);
   }
   // The size is a hint: a pipe has none. One byte more shows the end without growing.
   const auto hint = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
@@ -57,7 +67,7 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Desc
       continue;
     }
     if (got < 0) {
-      throw file_error(what, errno);
+      throw file_error(what, errno, Access::read);
     }
     if (got == 0) {
       break;
@@ -76,8 +86,8 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Desc
 
 }  // namespace
 
-FileError file_error(const std::string& what, int error_number) {
-  return {what, std::generic_category().message(error_number), remedy_for(error_number)};
+FileError file_error(const std::string& what, int error_number, Access access) {
+  return {what, std::generic_category().message(error_number), remedy_for(error_number, access)};
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -12,9 +12,12 @@
 
 namespace twrench {
 
+/// What was to be done with a file.
+enum class Access { read, write };
+
 /// A FileError for the system's error number, with the remedy where that number suggests one:
 /// "cannot write out/a.png: No space left on device".
-FileError file_error(const std::string& what, int error_number);
+FileError file_error(const std::string& what, int error_number, Access access = Access::write);
 
 /// Makes the folder, and those it lies in, where they are missing. Throws FileError.
 void make_folder(const std::filesystem::path& folder);

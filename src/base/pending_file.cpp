@@ -147,15 +147,18 @@ void PendingFile::open_temporary() {
   const auto hold = hold_termination();  // there is no temporary that would not be removed
   descriptor_ = open_beside(destination_, folder_, path_);
   if (!descriptor_) throw file_error(cannot_write(target_), errno);
-  removal_.emplace([this](TerminationMessage&) {
-    ::unlinkat(folder_.get(), path_.filename().c_str(), 0);  // wherever the folder is by now
-  });
+  temporary_ = path_.filename().string();
+  removal_.emplace([this](TerminationMessage&) { remove_temporary(); });
+}
+
+void PendingFile::remove_temporary() const noexcept {
+  ::unlinkat(folder_.get(), temporary_.c_str(), 0);  // wherever the folder is by now
 }
 
 PendingFile::~PendingFile() {
   if (!removal_) return;
   const auto hold = hold_termination();
-  ::unlinkat(folder_.get(), path_.filename().c_str(), 0);
+  remove_temporary();
   removal_.reset();
 }
 

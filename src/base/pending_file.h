@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "base/descriptor.h"
 #include "base/termination.h"
@@ -55,11 +56,13 @@ class PendingFile {
  private:
   void open_directly();
   void open_temporary();
+  void remove_temporary() const noexcept;
 
   std::filesystem::path target_;       ///< as it was given, for messages
   std::filesystem::path destination_;  ///< what the links lead to
   std::filesystem::path path_;
-  Descriptor folder_;  ///< of the temporary; none for a device
+  std::string temporary_;  ///< the name in path_: to remove it must not take memory
+  Descriptor folder_;      ///< of the temporary; none for a device
   Descriptor descriptor_;
   std::optional<TerminationAction> removal_;  ///< while there is a temporary
 };

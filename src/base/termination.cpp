@@ -48,17 +48,8 @@ TerminationMessage message_of(int arrived) {
 }
 
 [[noreturn]] void end(int signal, const std::function<void(const TerminationMessage&)>& report) {
-  registry().mutex.lock();  // for good: nothing new is begun, nothing old is given up twice
   TerminationMessage message = message_of(signal);
-  auto& actions = registry().actions;
-  while (!actions.empty()) {
-    const TerminationAction::Action* const action = actions.back();
-    actions.pop_back();
-    try {
-      (*action)(message);
-    } catch (...) {  // NOLINT(bugprone-empty-catch): the others are to be taken nevertheless
-    }
-  }
+  take_termination_actions(message);
   report(message);
   ::_exit(static_cast<int>(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated));
 }
@@ -77,6 +68,19 @@ TerminationAction::~TerminationAction() {
 
 std::unique_lock<std::recursive_mutex> hold_termination() {
   return std::unique_lock(registry().mutex);
+}
+
+void take_termination_actions(TerminationMessage& message) {
+  registry().mutex.lock();  // for good
+  auto& actions = registry().actions;
+  while (!actions.empty()) {
+    const TerminationAction::Action* const action = actions.back();
+    actions.pop_back();
+    try {
+      (*action)(message);
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the others are to be taken nevertheless
+    }
+  }
 }
 
 void end_on_termination_signals(std::function<void(const TerminationMessage&)> report) {

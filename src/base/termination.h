@@ -34,6 +34,10 @@ class TerminationAction {
 /// TerminationAction. A thread may hold it more than once, and not for long.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_termination();
 
+/// Takes the actions, and for good keeps others from making or giving up resources: to be called
+/// just before the process ends in a way in which no destructor runs.
+void take_termination_actions(TerminationMessage& message);
+
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU, but for those that the parent has told us to
 /// ignore, end the process at once, whatever it waits for: the actions are taken, `report` is
 /// called, and the process exits with 130 after SIGINT and 143 after the others. To be called once,

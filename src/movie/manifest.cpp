@@ -280,7 +280,7 @@ std::ifstream open_manifest(const std::filesystem::path& path) {
     throw FileError("cannot read " + path.string(), "it is not a regular file");
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error("cannot read " + path.string(), errno);
+  if (!file) throw file_error("cannot read " + path.string(), errno, Access::read);
   return file;
 }
 

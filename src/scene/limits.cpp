@@ -25,6 +25,13 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
   return value;
 }
 
+Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega) {
+  const double rate = check(coordinate, what, omega).stableNorm();
+  if (rate == 0 || rate >= slowest_rotation) return omega;
+  throw UsageError(what, fmt::format("is {:.6g} rad/s in all, but must be zero or at least {:.6g}",
+                                     rate, slowest_rotation));
+}
+
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
   const double ratio = moments.maxCoeff() / moments.minCoeff();
   if (moments.minCoeff() > 0 && ratio <= most_moment_ratio) return moments;

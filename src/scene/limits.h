@@ -49,6 +49,9 @@ inline constexpr Limit trail_length{1e-15, 1e6};  // s of motion
 /// beyond 1e15 or so the least moment is not known at all.
 inline constexpr double most_moment_ratio = 1e12;
 
+/// rad/s: the square of a slower rotation, in an energy, would underflow.
+inline constexpr double slowest_rotation = 1e-100;
+
 inline constexpr std::size_t most_compared = 4;
 inline constexpr int most_parts = 1000;
 inline constexpr double most_frames = 10'000'000;
@@ -56,6 +59,9 @@ inline constexpr double most_frames = 10'000'000;
 /// Returns `value`, or throws UsageError "WHAT: is VALUE, but must be ...".
 double check(const Limit& limit, const std::string& what, double value);
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value);
+/// An angular velocity, rad/s: each component is a coordinate, and the whole is zero or not slower
+/// than slowest_rotation.
+Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega);
 /// The principal moments, g cm^2, of one body: their ratio is limited too.
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
 int check_whole(const Limit& limit, const std::string& what, double value);

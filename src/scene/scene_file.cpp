@@ -77,7 +77,10 @@ Body read_body(TomlTable& file) {
 }
 
 void read_motion(TomlTable& table, Motion& motion) {
-  table.vector("omega", limits::coordinate, motion.omega);
+  if (table.has("omega")) {
+    motion.omega = limits::check_omega(table.place("omega"),
+                                       table.required_vector("omega", limits::coordinate));
+  }
   table.text("method", motion.method);
   find_method(motion.method, table.place("method"));
   table.number("step", limits::step, motion.control.step);

@@ -30,6 +30,10 @@ std::string hundredths(double value) {
 std::string flips_heading(const Study& study) {
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
   const ExactMotion::Flips& flips = *study.flips;
+  if (!std::isfinite(flips.interval)) {
+    return "Flips: one at most; on the separatrix the body comes to rest about its intermediate\n"
+           "axis.\n";
+  }
   return fmt::format(
       "Flips (sign changes of omega along the intermediate axis): every {:.12f} s, which is\n"
       "2K/|r|; asymptotically ln(16/mc)/|r| = {:.12f} s. {} of them; the axis swings through\n"

@@ -197,6 +197,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "bad.toml:3: part[0].radius", "must be at least 1e-09 and at most 1000000"},
         Mistake{"[[part]]\nshape = 'cylinder'\nradius = 1e-9\nlength = 1e6\ndensity = 1",
                 "bad.toml:1: part", "the greatest must be at most 1e+12 times the least"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nomega = [0, 1e-160, 0]",
+                "bad.toml:4: motion.omega", "is 1e-160 rad/s in all, but must be zero or at least"},
         Mistake{"title = 'x'", "part", "either"},
         Mistake{"[[part]]\nshape='sphere'\nradius=1\ndensity=1\n[body]\nmoments=[1,2,3]", "part",
                 "either"},

@@ -37,6 +37,14 @@ TEST(StudyReport, TextOfAMotionWithoutFlips) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Flips at")));
 }
 
+TEST(StudyReport, TextOfTheSeparatrix) {
+  StudyPlan plan{{&find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
+  const FreeBody body = free_body(Eigen::Vector3d(1, 4, 6).asDiagonal(), {2, 0, 1});
+  const std::string text = study_text(study(body, plan), "separatrix");
+  EXPECT_THAT(text, HasSubstr("Flips: one at most"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("inf")));
+}
+
 TEST(StudyReport, CsvHasTheSameNumberOfCellsInEveryLine) {
   std::istringstream lines(study_csv(small_study()));
   std::string header, line;
