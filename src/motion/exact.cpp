@@ -1,9 +1,12 @@
 #include "motion/exact.h"
 
+#include <fmt/format.h>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
 #include "math/so3.h"
 
 namespace twrench {
@@ -125,6 +128,13 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
 std::vector<double> ExactMotion::flip_times(double t_end) const {
   std::vector<double> times;
   if (const auto flips = this->flips()) {
+    constexpr double most = 1e7;
+    if (const double count = t_end / flips->interval; count > most) {
+      throw UsageError("flips",
+                       fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
+                                   count, t_end, most),
+                       "give a shorter --duration");
+    }
     double t = flips->first;
     for (int n = 1; t <= t_end; ++n) {
       times.push_back(t);

@@ -281,10 +281,10 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const OwnStep&)>& visit) {
+  require_possible(method, control, t_end);
   if (std::holds_alternative<ClosedForm>(method.scheme)) {
     return visit_exact_steps(body, control.step, t_end, visit);
   }
-  require_possible(method, control, t_end);
   const auto visit_all = [&](auto walk) {
     for (double t = 0.0; t < t_end;) {
       const OwnStep step = walk.next_step();

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/error.h"
 #include "motion/exact.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
@@ -18,6 +19,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
   return ExactMotion(free_body(moments.asDiagonal(), omega));
+}
+
+// A list of them would take all memory.
+TEST(Flips, MoreThanCanBeListedAreRefused) {
+  const ExactMotion fast = exact({1, 2, 3}, {1e12, 1e11, 1});
+  EXPECT_THROW(fast.flip_times(1e9), UsageError);
+  EXPECT_EQ(fast.flip_times(10 * fast.flips()->interval).size(), 10U);
 }
 
 TEST(Flips, IntervalsOfKnownBodies) {
