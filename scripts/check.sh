@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The checks of the project beyond scripts/test.sh: the layout of the sources, the tests that draw
 # once more over EGL alone, those of the threads under ThreadSanitizer, all tests under
-# AddressSanitizer and UndefinedBehaviorSanitizer, and three minutes of scripts/torture.sh.
+# AddressSanitizer and UndefinedBehaviorSanitizer, those that look for values nothing has set under
+# valgrind, and three minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -35,6 +36,9 @@ run_tests tsan --label-regex '^threads$'
 step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer"
 "${launcher[@]}" scripts/build.sh --tests asan
 run_tests asan
+
+step "The core's tests that look for values nothing has set, under valgrind"
+scripts/valgrind.sh --quick
 
 step "Random scenes, motions and command lines, and injected faults: three minutes"
 scripts/torture.sh 3 2020
