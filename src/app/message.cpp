@@ -64,13 +64,11 @@ void write_message(const std::string& text) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
-std::string to_json_line(const std::string& key, const std::string& text) {
-  using Json = nlohmann::ordered_json;
-  return Json{{key, text}}.dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
 void warn(const std::string& text, bool as_json) {
-  if (as_json) return say("{}\n", to_json_line("warning", text));
+  if (as_json) {
+    const nlohmann::json line{{"warning", text}};  // in ASCII, whatever bytes the text has
+    return say("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  }
   say("twrench: warning: {}\n", text);
 }
 

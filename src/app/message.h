@@ -44,7 +44,4 @@ void say(fmt::format_string<T...> format, const T&... values) {
 /// Says a warning: for people, or for a program that reads JSON, an object on a line.
 void warn(const std::string& text, bool as_json = false);
 
-/// {"KEY": "TEXT"} in ASCII, whatever bytes the text has.
-std::string to_json_line(const std::string& key, const std::string& text);
-
 }  // namespace twrench

@@ -97,7 +97,7 @@ Progress::Style Progress::style_called(const std::string& name) {
   if (name == "json") return Style::json;
   if (name == "openjd") return Style::openjd;
   if (name == "none") return Style::none;
-  return name != "plain" && can_redraw() ? Style::bar : Style::plain;
+  return name == "bar" || (name == "auto" && can_redraw()) ? Style::bar : Style::plain;
 }
 
 void Progress::update(int done, int total) {
@@ -132,7 +132,6 @@ void Progress::draw(int done, int total, double seconds) const {
 }
 
 void Progress::note(const std::string& text) const {
-  if (style_ == Style::json) say("{}\n", to_json_line("note", text));
   if (style_ == Style::bar || style_ == Style::plain) say("twrench: note: {}\n", text);
 }
 

@@ -34,14 +34,14 @@ class Progress {
   /// Does the work; where it throws, and the style is openjd, says openjd_fail before that goes on.
   static void tell_failure_of(const std::function<void()>& work, const std::string& style);
 
-  /// `style` is auto, bar, plain, json, openjd or none; auto is a bar on a terminal and plain
-  /// elsewhere. A bar where nothing can be redrawn is plain too.
+  /// `style` is auto, bar, plain, json, openjd or none; auto is a bar on a terminal that
+  /// can draw over a line, and plain elsewhere.
   explicit Progress(const std::string& style) : style_(style_called(style)) {}
 
   /// To be called after each frame with the number done so far, from one thread at a time.
   void update(int done, int total);
 
-  /// A line that is good to know, before the first frame.
+  /// A line for people, before the first frame.
   void note(const std::string& text) const;
 
   /// A line that is not to be missed: in every style.

@@ -141,7 +141,9 @@ Json parse_json(Input&& text, const std::string& name, std::vector<FrameRecord>&
   try {
     return Json::parse(std::forward<Input>(text), take);
   } catch (const Json::parse_error& error) {
-    throw FileError("cannot use " + name, fmt::format("it is no JSON from byte {} on", error.byte));
+    const auto before = text.substr(0, std::min(text.size(), error.byte));
+    throw FileError("cannot use " + name,
+                    fmt::format("line {} is no JSON", 1 + std::ranges::count(before, '\n')));
   } catch (const Json::exception&) {  // a number that no double holds
     throw FileError("cannot use " + name, "it has a number that is too large");
   }

@@ -42,10 +42,14 @@ TEST(FormatMessage, EscapesValuesAndNotItsFormat) {
   EXPECT_EQ(format_message("{:<6}|", std::string("\n")), "\\n    |");
 }
 
-TEST(JsonLine, IsAsciiOnOneLineWhateverTheText) {
-  const std::string line = to_json_line("note", "a\n\u202e\x7f\xff\"");
+TEST(Warn, IsAsciiOnOneLineOfJsonWhateverTheText) {
+  testing::internal::CaptureStderr();
+  warn("a\n\u202e\x7f\xff\"", true);
+  std::string line = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(line.back(), '\n');
+  line.pop_back();
   for (const char c : line) EXPECT_TRUE(c >= ' ' && c < '\x7f') << int{c};
-  EXPECT_EQ(nlohmann::json::parse(line)["note"], "a\n\u202e\x7f\ufffd\"");
+  EXPECT_EQ(nlohmann::json::parse(line)["warning"], "a\n\u202e\x7f\ufffd\"");
 }
 
 }  // namespace

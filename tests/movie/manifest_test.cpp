@@ -153,7 +153,9 @@ TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
 }
 
 TEST(Manifest, RefusesWhatIsNotJson) {
-  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("line 6"));
+  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("m.json: line 6 is no JSON"));
+  EXPECT_THAT(failure("\"fps\": ", "\"fps\": 1e999, \"\": "),
+              HasSubstr("a number that is too large"));
   EXPECT_THAT(failure("{", ""), HasSubstr("cannot use m.json"));
   EXPECT_THROW(parse_manifest("", "m.json"), FileError);
   EXPECT_THROW(parse_manifest("[1]", "m.json"), FileError);
