@@ -96,7 +96,7 @@ void distort(CommandLine& line, Dice& dice) {
   }
 }
 
-void draw_options(CommandLine& line, std::vector<Option> options, Dice& dice) {
+void draw_options(CommandLine& line, const std::vector<Option>& options, Dice& dice) {
   std::vector<Option> optional;
   for (const Option& option : options) {
     // All that must be there, and mostly what a command works on.
@@ -140,8 +140,9 @@ CommandLine random_command_line(const OptionTable& table, Dice& dice) {
   line.words.push_back(line.command);
   const std::vector<Option>& options = table.at(line.command);
   draw_options(line, options, dice);
-  for (const auto& [name, value] : small) {
-    const auto is_it = [&](const Option& option) { return option.name == name; };
+  for (const auto& bound : small) {
+    const auto& [name, value] = bound;
+    const auto is_it = [&](const Option& option) { return option.name == bound.first; };
     if (line.has(name) || std::ranges::none_of(options, is_it)) continue;
     line.words.insert(line.words.end(), {"--" + name, value});
     line.options[name] = value;

@@ -113,13 +113,15 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
     }
     const Entry& is = found->second;
     if (is == was) continue;
+    if (is.type == was.type && is.mode != was.mode)
+      faults.push_back("another mode: " + printable(path));
     const bool is_frame = !tried.asked.files.contains(path) && tried.asked.covers(path);
     const bool goes_on =
         path.ends_with("/manifest.json") && !path.starts_with("m_") && tried.line.has("resume");
     if (is.type != was.type) {
       faults.push_back("no longer of its kind: " + printable(path));
-    } else if (was.type == fs::file_type::directory) {
-      faults.push_back("another mode: " + printable(path));
+    } else if (is.content == was.content) {
+      continue;
     } else if (tried.inputs.contains(path)) {
       faults.push_back("an input was written over: " + printable(path));
     } else if (!tried.asked.covers(path)) {
@@ -128,8 +130,6 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
       faults.push_back("frames written over without --overwrite: " + printable(path));
     } else if (!is_frame && !tried.succeeded()) {
       faults.push_back("changed by a run that failed: " + printable(path));
-    } else if (is.mode != was.mode) {
-      faults.push_back("another mode: " + printable(path));
     }
   }
 }

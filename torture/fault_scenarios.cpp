@@ -60,7 +60,7 @@ std::vector<std::string> faults_of_manifests(const Snapshot& after, const fs::pa
   for (const auto& [path, entry] : after) {
     if (!is_manifest(path)) continue;
     const std::string objection = objection_to_manifest(folder / path);
-    if (!objection.empty()) faults.push_back(path + ": " + objection);
+    if (!objection.empty()) faults.push_back(fmt::format("{}: {}", path, objection));
   }
   return faults;
 }

@@ -211,7 +211,7 @@ __attribute__((constructor)) void start() {
   const char* const order = std::getenv("TWRENCH_FAULT");
   s.counts_all = order == nullptr;
   if (order != nullptr) read_order(order);
-  if (s.counts_all) std::atexit(&log_counts);
+  if (s.counts_all) static_cast<void>(std::atexit(&log_counts));
   s.ready = true;
 }
 
@@ -234,6 +234,7 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 // FAULT_FUNCTION(KIND, RESULT IF IT FAILS, TYPE, NAME, (PARAMETERS), (ARGUMENTS)): stands before
 // libc's function of that name.
+// NOLINTBEGIN(bugprone-macro-parentheses): parameters and types take none
 #define FAULT_FUNCTION(kind, failed, type, name, parameters, arguments) \
   extern "C" type fault_##name parameters __asm__(#name);               \
   extern "C" type fault_##name parameters {                             \
@@ -371,6 +372,8 @@ FAULT_ERROR(spawning, posix_spawnp,
 FAULT_ERROR(threading, pthread_create,
             (void* thread, const void* attributes, void* (*run)(void*), void* argument),
             (thread, attributes, run, argument))
+
+// NOLINTEND(bugprone-macro-parentheses)
 
 // What cannot be closed is closed all the same: only that what was written is lost is told.
 extern "C" int fault_close(int file) __asm__("close");

@@ -39,7 +39,7 @@ std::string text_of(const fs::path& path) {
 
 /// Where in the program the call was made, of the shim's log; innermost first.
 std::string callers_in(const std::string& log) {
-  static const std::regex place("/twrench\\(\\+(0x[0-9a-f]+)\\)");
+  static const std::regex place(R"(/twrench\(\+(0x[0-9a-f]+)\))");
   std::string places;
   for (std::sregex_iterator at(log.begin(), log.end(), place), end; at != end; ++at) {
     places += " " + (*at)[1].str();
@@ -74,7 +74,7 @@ class Faults {
  private:
   const Scenario& scenario_called(const std::string& name) const;
   void run_undisturbed(const Scenario& scenario);
-  Ended run_shimmed(const Words& words, const std::string& order, const fs::path& folder) const;
+  static Ended run_shimmed(const Words& words, const std::string& order, const fs::path& folder);
   /// What is wrong with the run that was disturbed.
   Words judge(const FaultPoint& point, const Ended& ended);
   /// What is wrong with the end that the same command then comes to.
@@ -97,8 +97,7 @@ const Scenario& Faults::scenario_called(const std::string& name) const {
   throw std::invalid_argument("no scenario is called " + name);
 }
 
-Ended Faults::run_shimmed(const Words& words, const std::string& order,
-                          const fs::path& folder) const {
+Ended Faults::run_shimmed(const Words& words, const std::string& order, const fs::path& folder) {
   Program program{
       {"env", "LD_PRELOAD=" TWRENCH_FAULT_SHIM, "TWRENCH_FAULT_LOG=" + folder.string() + ".log"},
       folder,

@@ -24,9 +24,7 @@ std::vector<Value> joined(std::initializer_list<std::vector<Value>> parts) {
 const std::vector<Value>& odd_words() {
   static const std::vector<Value> words =
       values({"", " ", "-", "--", "\xff\xfe", "\x1b[31mred", "a\nb", "\t", "%s%n", "caf\xc3\xa9",
-              "\xe2\x80\xae"
-              "abc",
-              std::string(5000, 'a'), "'\"\\", "@file", "..", "#", "\x7f\xc2\x85"});
+              "\u202e abc", std::string(5000, 'a'), "'\"\\", "@file", "..", "#", "\x7f\xc2\x85"});
   return words;
 }
 
@@ -186,8 +184,8 @@ Values outputs(const Words& endings) {
           "file:new", "pipe:1", "%d", "-new", "/proc/new", "new\nline", "\xff", "\x1b[31mred"}) {
       hostile.push_back(name + ending);
     }
-    for (const std::size_t length : {255, 256, 5000}) {
-      hostile.push_back(std::string(length - ending.size(), 'a') + ending);
+    for (const unsigned length : {255U, 256U, 5000U}) {
+      hostile.push_back(std::string(length - ending.size(), 'a').append(ending));
     }
   }
   return {values(sensible), joined({values(hostile), values({"fifo"}, true), odd_words()})};

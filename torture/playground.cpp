@@ -106,9 +106,9 @@ void put_pictures(const fs::path& folder) {
 void put_broken_frames(const fs::path& folder) {
   const std::vector<std::pair<std::string, std::string>> manifests{
       {"m_empty", ""},
-      {"m_syntax", "{\"frames\": [" + std::string(30000, '[')},
-      {"m_null", "{\"version\": null, \"frames\": null, \"fps\": 0, \"size\": [0, 0]}"},
-      {"m_other", "{\"name\": \"a web extension\", \"manifest_version\": 3}\n"},
+      {"m_syntax", R"({"frames": [)" + std::string(30000, '[')},
+      {"m_null", R"({"version": null, "frames": null, "fps": 0, "size": [0, 0]})"},
+      {"m_other", R"({"name": "a web extension", "manifest_version": 3})"},
       {"m_escapes", "{\"\x1b[31m\": \"\xff\"}"}};
   for (const auto& [name, text] : manifests) {
     fs::create_directory(folder / name);
