@@ -253,7 +253,7 @@ bool Draft::is_safe(const Area& area) const {
 
 /// Whether the words of each line are more than an ellipsis.
 bool Draft::has_room_for_words() const {
-  const auto& [title, figure, caption] = layout_.text;
+  const double title = layout_.text.title, figure = layout_.text.figure;
   const double corner = takes_ > 1 ? 6 * figure : 0;
   const auto room = [&](const Area& area, double width) {
     return is_safe(area) && area.width >= width;

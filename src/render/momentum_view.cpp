@@ -57,8 +57,16 @@ Camera MomentumView::camera(double film_time) const {
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
   constexpr double field_of_view = 0.5;
   Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
-  // Seen from any azimuth, as the camera may go around: only the axis that is up can stick out.
-  framing.distance = distance_to_see(framing, std::array{Vector3d(0, named * axis_end, 0)});
+  std::vector<Vector3d> points{Vector3d(0, named * axis_end, 0)};
+  // In an upright pane the others can stick out too: of a camera that goes around, all the way.
+  const Vector3d right = direction_of(azimuth + std::numbers::pi / 2, 0);
+  for (int i = 0; aspect < 1 && i < 3; ++i) {
+    const Vector3d tip = view_from_own_.col(i);
+    const double across =
+        path_.orbit == 0 ? std::abs(right.dot(tip)) : std::hypot(tip.x(), tip.z());
+    points.emplace_back(named * axis_end * across * right);
+  }
+  framing.distance = distance_to_see(framing, points);
   return widened(frame_sphere(framing), pane_.focus, pane_.area);
 }
 

@@ -194,6 +194,23 @@ TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
   }
 }
 
+TEST(Layout, GivesTheViewsOfALongPictureItsWholeBreadth) {
+  for (const auto& [width, height] :
+       {std::pair(1600, 300), {3840, 600}, {16384, 164}, {300, 1600}, {200, 1600}}) {
+    const Layout layout = layout_of(t_wrench(width, height));
+    EXPECT_TRUE(layout.title && layout.figures && layout.components && layout.momentum) << width;
+    const int breadth = std::min(width, height);
+    for (const Layout::Pane& pane : {layout.panes[0], *layout.momentum}) {
+      EXPECT_GE(std::min(pane.focus.width, pane.focus.height), 0.85 * breadth) << width;
+    }
+  }
+}
+
+TEST(Layout, NamesNothingWhereANameWouldHideIt) {
+  EXPECT_TRUE(layout_of(t_wrench(320, 180)).panes[0].named);
+  EXPECT_FALSE(layout_of(t_wrench(32, 18)).panes[0].named);
+}
+
 TEST(Layout, SetsTheWordsOfSmallPicturesNoSmallerThanCanBeRead) {
   EXPECT_TRUE(layout_of(t_wrench(320, 180)).title);
   EXPECT_TRUE(layout_of(t_wrench(320, 180)).figures);

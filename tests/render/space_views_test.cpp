@@ -145,6 +145,21 @@ TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
   }
 }
 
+TEST_F(SpaceViews, ShowTheSpheresAxesWholeInPanesOfAnyShape) {
+  Scene scene = with({Feature::labels});
+  for (const double orbit : {0.0, 0.4}) {
+    scene.camera.orbit = orbit;
+    const Timeline timeline(scene, {0, 300, 600});
+    for (const auto& [width, height] : {std::pair(20, 180), {100, 180}, {170, 180}, {320, 60}}) {
+      const Area all{0, 0, width, height};
+      const MomentumView view(gl, framebuffer, scene, timeline.takes(), 0, {all, all});
+      for (std::size_t i = 0; i < timeline.size(); ++i) {
+        EXPECT_EQ(view.labels(timeline.moment(i)).size(), 4U) << width << "x" << height;
+      }
+    }
+  }
+}
+
 TEST_F(SpaceViews, RollTheEllipsoidOnThePlane) {
   Scene scene = with({});
   scene.motion.omega = {1, 0.2, -0.1};
