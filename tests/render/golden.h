@@ -43,7 +43,7 @@ inline void expect_golden(const std::string& name, const Image& actual, Alike cl
   const Image golden = read_png(path);
   const auto difference = compare(actual, golden, 0);
   if (difference) {  // for docs/platforms.md: --gtest_output=xml tells them
-    testing::Test::RecordProperty("largest", difference->max);
+    testing::Test::RecordProperty("largest", fmt::format("{:g}", difference->max));
     testing::Test::RecordProperty("mean", fmt::format("{:.4f}", difference->mean));
   }
   if (close(actual, golden)) return;
