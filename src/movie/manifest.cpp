@@ -120,11 +120,24 @@ FrameRecord frame_record(const Place& place) {
           .sha256 = sha256(place.key("sha256"))};
 }
 
+/// The number of the line that the byte is in, from 1.
+std::ptrdiff_t line_of(std::string_view text, std::size_t byte) {
+  return 1 + std::ranges::count(text.substr(0, byte), '\n');
+}
+
+std::ptrdiff_t line_of(std::ifstream& text, std::size_t byte) {
+  text.clear();
+  text.seekg(0);
+  std::ptrdiff_t line = 1;
+  for (char c = 0; byte > 0 && text.get(c); --byte) line += c == '\n' ? 1 : 0;
+  return line;
+}
+
 /// A manifest's text as JSON without the frames, which are taken out as they come: as JSON they
 /// need several times the memory of their text. The depth is bounded, because what walks the rest
 /// walks it recursively.
 template <typename Input>
-Json parse_json(Input&& text, const std::string& name, std::vector<FrameRecord>& frames) {
+Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& frames) {
   constexpr int deepest = 32;
   bool in_frames = false;
   const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
@@ -139,11 +152,10 @@ Json parse_json(Input&& text, const std::string& name, std::vector<FrameRecord>&
     return !is_frame;
   };
   try {
-    return Json::parse(std::forward<Input>(text), take);
+    return Json::parse(text, take);
   } catch (const Json::parse_error& error) {
-    const auto before = text.substr(0, std::min(text.size(), error.byte));
     throw FileError("cannot use " + name,
-                    fmt::format("line {} is no JSON", 1 + std::ranges::count(before, '\n')));
+                    fmt::format("line {} is no JSON", line_of(text, error.byte)));
   } catch (const Json::exception&) {  // a number that no double holds
     throw FileError("cannot use " + name, "it has a number that is too large");
   }
@@ -235,9 +247,9 @@ std::string format_frame(const FrameRecord& record) {
 
 /// From a text, or a stream of it.
 template <typename Input>
-Manifest parse(Input&& text, const std::string& name) {
+Manifest parse(Input& text, const std::string& name) {
   std::vector<FrameRecord> frames;
-  const Json json = parse_json(std::forward<Input>(text), name, frames);
+  const Json json = parse_json(text, name, frames);
   const Place root(json, name, "");
   const Place size = root.key("size");
   if (size.size_of_array() != 2) {
