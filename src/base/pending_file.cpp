@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/file_lock.h"
 
 namespace twrench {
 namespace {
@@ -164,7 +165,7 @@ PendingFile::~PendingFile() {
 
 void PendingFile::claim() {
   if (is_direct()) return;
-  ::flock(descriptor_.get(), LOCK_EX);  // had at once: no one else keeps it
+  lock_file(descriptor_, LOCK_EX);
   std::error_code failed;
   const fs::path folder = destination_.has_parent_path() ? destination_.parent_path() : ".";
   for (const auto& entry : fs::directory_iterator(folder, failed)) {
@@ -173,7 +174,7 @@ void PendingFile::claim() {
                               name.ends_with(temporary_suffix) && name != path_.filename();
     if (!is_of_target) continue;
     const Descriptor other(::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-    if (other && ::flock(other.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    if (other && !lock_file(other, LOCK_SH)) {
       throw FileError(cannot_write(target_), "another run is writing it at this moment",
                       "wait for its end, or choose another name");
     }
