@@ -54,6 +54,7 @@ struct Options {
   std::string frames_dir;
   std::string range;
   Shard shard;
+  bool is_shard = false;  ///< --shard was given
   bool no_video = false;
   bool no_frames = false;
   bool resume = false;
@@ -93,7 +94,7 @@ Options::Options(CLI::App& command) : scene(command) {
           "--shard",
           [this](const std::string& text) {
             shard = parse_shard(text);
-            no_video = true;
+            is_shard = no_video = true;
           },
           "draw part i of n of the frames, into a folder that all n share; no video: see encode")
       ->type_name("i/n");
@@ -259,10 +260,10 @@ void check(const Options& options) {
   if (options.no_video && options.no_frames) {
     throw UsageError("render", "--no-video and --no-frames leave nothing to write");
   }
-  if (!options.shard.is_whole() && !options.film.output.empty()) {
+  if (options.no_video && !options.film.output.empty()) {
     throw UsageError(
-        "render", "a --shard makes no video",
-        "when all shards are done: twrench encode FRAMES_DIR -o " + options.film.output);
+        "render", "with --no-video, and --shard, there is no film for --output",
+        "when all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
   }
   if (!options.no_video) options.film.require_free_output(options.progress);
 }

@@ -136,8 +136,10 @@ ExitCode run_study(const Options& options) {
   }
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
-  write_output(options.output, report(options, result, scene));
+  Output output(options.output);  // it and the figure, or neither
+  output.write(report(options, result, scene));
   if (!options.plot.empty()) draw_figure(options.plot, study_figure(result));
+  output.finish();
   return verdict(result, bounds);
 }
 

@@ -166,8 +166,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patienc
   Pipe errors = make_pipe();
   {
     const auto hold = hold_termination();  // there is no child that would not be killed
-    pid_ = spawn(command, input.read, output, errors.write);
     kill_.emplace([this](TerminationMessage&) { ::kill(-pid_, SIGKILL); });
+    pid_ = spawn(command, input.read, output, errors.write);
   }
   input_ = std::move(input.write);
   errors_ = std::move(errors.read);

@@ -65,11 +65,11 @@ constexpr std::string_view temporary_suffix = ".tmp";
 
 /// Makes and opens a file beside target, in its folder. O_EXCL neither follows a link nor takes
 /// another's file.
-Descriptor open_beside(const fs::path& target, const Descriptor& folder, fs::path& path) {
+Descriptor open_beside(const fs::path& target, const Descriptor& folder, fs::path& path,
+                       std::string& name) {
   constexpr int most_leftovers = 10'000;  // of killed processes that had our number
   for (int n = 0; n < most_leftovers; ++n) {
-    const std::string name =
-        fmt::format("{}{}-{}{}", temporary_prefix(target), ::getpid(), n, temporary_suffix);
+    name = fmt::format("{}{}-{}{}", temporary_prefix(target), ::getpid(), n, temporary_suffix);
     path = target.parent_path() / name;
     Descriptor descriptor(
         ::openat(folder.get(), name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
@@ -146,10 +146,10 @@ void PendingFile::open_temporary() {
   folder_ = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) throw file_error(cannot_write(target_), errno);
   const auto hold = hold_termination();  // there is no temporary that would not be removed
-  descriptor_ = open_beside(destination_, folder_, path_);
-  if (!descriptor_) throw file_error(cannot_write(target_), errno);
-  temporary_ = path_.filename().string();
   removal_.emplace([this](TerminationMessage&) { remove_temporary(); });
+  // From here on nothing takes memory, for want of which the file would stay.
+  descriptor_ = open_beside(destination_, folder_, path_, temporary_);
+  if (!descriptor_) throw file_error(cannot_write(target_), errno);
 }
 
 void PendingFile::remove_temporary() const noexcept {

@@ -19,10 +19,17 @@ struct Registry {
   std::list<const TerminationAction::Action*> actions;
 };
 
-/// Never destroyed: the thread that waits for signals may use it while the process exits.
+/// Never destroyed, for the thread that waits for signals may use it while the process exits; and
+/// not allocated, for it is needed where there is no memory.
+union Immortal {
+  Immortal() : registry() {}
+  ~Immortal() {}
+  Registry registry;
+};
+
 Registry& registry() {
-  static Registry* const only = new Registry;
-  return *only;
+  static Immortal only;
+  return only.registry;
 }
 
 constexpr std::pair<int, const char*> ending_signals[] = {
