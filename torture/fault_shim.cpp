@@ -424,11 +424,17 @@ extern "C" int fault_posix_memalign(void** at, std::size_t to, std::size_t size)
 
 namespace {
 
+/// As the standard has it: the handler that the program has set is called, and may throw.
 void* allocate(std::size_t size, const void* caller) {
-  if (failure(memory, caller) != 0) throw std::bad_alloc();
-  void* const place = __libc_malloc(size == 0 ? 1 : size);
-  if (place == nullptr) throw std::bad_alloc();
-  return place;
+  bool fails = failure(memory, caller) != 0;
+  while (true) {
+    void* const place = fails ? nullptr : __libc_malloc(size == 0 ? 1 : size);
+    if (place != nullptr) return place;
+    fails = false;
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr) throw std::bad_alloc();
+    handler();
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -24,23 +25,46 @@ void fill_standard_streams() {
   }
 }
 
-std::string_view reason() {
-  try {
-    if (std::current_exception()) throw;
-  } catch (const std::bad_alloc&) {
-    return "memory: there is not enough of it\n"
-           "  end other programs, or raise the limit on memory (ulimit -v)\n";
-  } catch (...) {  // NOLINT(bugprone-empty-catch): a bug, as without any
-  }
-  return "internal: ended by std::terminate\n";
-}
-
 void write_error(std::string_view text) {
   static_cast<void>(::write(STDERR_FILENO, text.data(), text.size()) < 0);  // nobody may listen
 }
 
+/// Compiled code that may not throw calls std::terminate without telling it of the exception.
+std::atomic<bool> memory_ran_out = false;
+
+void note_lack_of_memory() {
+  memory_ran_out = true;
+  throw std::bad_alloc();
+}
+
+void write_lack_of_memory() {
+  write_error(
+      "memory: there is not enough of it\n"
+      "  end other programs, or raise the limit on memory (ulimit -v)\n");
+}
+
+/// What could not be thrown to main(), if anything was.
+void write_reason() {
+  try {
+    if (std::current_exception()) throw;
+    if (memory_ran_out) return write_lack_of_memory();
+    write_error("internal: std::terminate without an exception\n");
+  } catch (const std::bad_alloc&) {
+    write_lack_of_memory();
+  } catch (const std::exception& error) {
+    write_error("internal: ");
+    write_error(error.what());
+    write_error("\n");
+  } catch (...) {
+    write_error("internal: an exception of no known type\n");
+  }
+}
+
 /// Before the libraries make their static objects, which also takes memory.
-[[gnu::constructor(101)]] void handle_terminate() { std::set_terminate(&end_at_once); }
+[[gnu::constructor(101)]] void handle_terminate() {
+  std::set_terminate(&end_at_once);
+  std::set_new_handler(&note_lack_of_memory);
+}
 
 }  // namespace
 
@@ -55,11 +79,10 @@ void prepare_process() {
 }
 
 void end_at_once() noexcept {
-  const std::string_view why = reason();
   TerminationMessage unused;
   take_termination_actions(unused);
   write_error("twrench: error: ");
-  write_error(why);
+  write_reason();
   ::_exit(static_cast<int>(ExitCode::internal));
 }
 
