@@ -50,6 +50,9 @@ bool same_film(const Manifest& a, const Manifest& b);
 /// The manifest as JSON, a frame a line; every double is read back as the same double.
 std::string format_manifest(const Manifest& manifest);
 
+/// What stands in it before the frames, after all else.
+inline constexpr std::string_view line_of_frames = "\n\"frames\": [";
+
 /// That text, piece by piece, for a manifest too long to be held twice: its `count` frames are
 /// those that `frame` gives, not its own.
 void write_manifest(const Manifest& manifest, std::size_t count,
