@@ -1,5 +1,6 @@
 #include "image/png_bounds.h"
 
+#include <fmt/format.h>
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 
@@ -7,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace twrench {
 namespace {
@@ -123,8 +125,8 @@ std::string find_png_damage(Bytes file) {
   for (std::size_t at = signature; !is_last;) {
     const Chunk chunk = chunk_at(file, at).value();
     if (crc32_gzip_refl(0, chunk.checked.data(), chunk.checked.size()) != chunk.sum) {
-      return "the checksum of its chunk " +
-             std::string(chunk.checked.begin(), chunk.checked.begin() + 4) + " is wrong";
+      const std::string_view name(reinterpret_cast<const char*>(chunk.checked.data()), 4);
+      return fmt::format("the checksum of its chunk {} is wrong", name);
     }
     if (chunk.type() == Chunk::data_type && !data.is_complete() && !data.add(chunk.data())) {
       return "its compressed data are damaged";
