@@ -96,17 +96,22 @@ void SceneOptions::add_motion_options() {
 
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
   for (const std::string& name : names_) twrench::require_not_input(output, name);
-  for (const Scene& scene : scenes()) twrench::require_not_input(output, scene.overlay.font);
+  for (const Scene& scene : load()) twrench::require_not_input(output, scene.overlay.font);
 }
 
-std::vector<Scene> SceneOptions::scenes() const {
+std::vector<Scene> SceneOptions::load() const {
   std::vector<Scene> scenes;
   for (const std::string& name : names_) {
     Scene scene = load_scene(name);
     for (const auto& override_value : overrides_) override_value(scene);
-    warn_of_unreal_moments(scene, Progress::is_json(command_));
     scenes.push_back(std::move(scene));
   }
+  return scenes;
+}
+
+std::vector<Scene> SceneOptions::scenes() const {
+  std::vector<Scene> scenes = load();
+  for (const Scene& scene : scenes) warn_of_unreal_moments(scene, Progress::is_json(command_));
   return scenes;
 }
 

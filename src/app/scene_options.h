@@ -55,6 +55,9 @@ class SceneOptions {
   std::vector<Scene> scenes() const;
 
  private:
+  /// The scenes, without a word.
+  std::vector<Scene> load() const;
+
   CLI::App& command_;
   std::vector<std::string> names_{"dzhanibekov"};
   std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the options' definition

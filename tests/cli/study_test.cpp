@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/twrench.h"
@@ -100,6 +101,7 @@ TEST(StudyCommand, WarnsOfMomentsThatNoBodyHas) {
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.err, StartsWith("twrench: warning: "));
   EXPECT_THAT(run.err, HasSubstr("no real body has them"));
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << "said once";
   EXPECT_EQ(run_twrench(folder, "simulate --inertia 1,2,3 --times 1").err, "") << "a flat body";
   EXPECT_EQ(run_twrench(folder, "simulate --inertia 1,2,3.1 --times 1").code, 0);
   EXPECT_NE(run_twrench(folder, "simulate --inertia 1,2,3.1 --times 1").err, "");
