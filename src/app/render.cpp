@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "app/arguments.h"
 #include "app/commands.h"
@@ -198,14 +199,16 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
 }
 
 /// What is left when a signal ends the run, told of on disk and to the user.
-void end_whole(FrameSequence* sequence, std::size_t total, TerminationMessage& message) {
+void end_whole(FrameSequence* sequence, std::span<const FrameRecord> frames,
+               TerminationMessage& message) {
   message.error = "render: " + message.error;
   if (sequence == nullptr) {
     message.error += "; the film was not complete";
     return;
   }
   sequence->finish();
-  message.error += fmt::format(" after {} of {} frames, which are whole", sequence->size(), total);
+  message.error += fmt::format(" after {} of {} frames, which are whole", sequence->count(frames),
+                               frames.size());
   message.remedy = "the same command with --resume goes on";
 }
 
@@ -308,7 +311,7 @@ void render(const Options& options) {
   const auto encoder = open_encoder(options, scene, identity, std::move(trial));
   FrameSequence* const sequence = output ? &output->open() : nullptr;
   const TerminationAction on_signal(
-      [&](TerminationMessage& message) { end_whole(sequence, frames.size(), message); });
+      [&](TerminationMessage& message) { end_whole(sequence, frames, message); });
 
   Progress progress(options.progress);
   if (!opened.note.empty()) progress.note(opened.note);

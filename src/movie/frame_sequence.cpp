@@ -1,6 +1,7 @@
 #include "movie/frame_sequence.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/file.h"
@@ -66,6 +67,14 @@ void FrameSequence::tell(const FrameRecord& record, const std::string& sha256) {
     frames_.insert(place, frame);
   }
   finished_ = false;
+}
+
+std::size_t FrameSequence::count(std::span<const FrameRecord> records) const {
+  const auto is_among = [&](const Frame& frame) {
+    return std::less_equal<>()(records.data(), frame.record) &&
+           std::less<>()(frame.record, records.data() + records.size());
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(frames_, is_among));
 }
 
 void FrameSequence::finish() {

@@ -41,8 +41,8 @@ class FrameSequence {
   /// Writes the manifest of the frames so far, ascending. Throws FileError.
   void finish();
 
-  /// How many frames the manifest tells of.
-  std::size_t size() const { return frames_.size(); }
+  /// How many of these very records the manifest tells of: of a run, without those before it.
+  std::size_t count(std::span<const FrameRecord> records) const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -89,6 +89,17 @@ TEST(Signals, EndAnEncodingWithoutATemporary) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
 }
 
+TEST(Signals, TellHowManyFramesTheRunHasDrawn) {
+  const ScratchFolder folder;
+  const std::string film =
+      "render --size 160x90 --no-video --progress none --frames-dir f --frames ";
+  ASSERT_EQ(run_twrench(folder, film + "0-9").code, 0);
+  const Outcome run = run_and_signal(folder, film + "100-499", "INT", "[ -e f/frame_000104.png ]");
+  EXPECT_EQ(run.code, 130);
+  const std::size_t drawn = digests(folder / "f").size() - 10;
+  EXPECT_THAT(run.err, HasSubstr("after " + std::to_string(drawn) + " of 400 frames"));
+}
+
 TEST(Signals, ThatTheParentIgnoresStayIgnored) {
   const ScratchFolder folder;
   const Outcome run = run_shell(
