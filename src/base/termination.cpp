@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <exception>
 #include <list>
@@ -23,7 +24,7 @@ struct Registry {
 /// not allocated, for it is needed where there is no memory.
 union Immortal {
   Immortal() : registry() {}
-  ~Immortal() {}
+  ~Immortal() {}  // NOLINT(modernize-use-equals-default): that would be deleted
   Registry registry;
 };
 
@@ -32,8 +33,8 @@ Registry& registry() {
   return only.registry;
 }
 
-constexpr std::pair<int, const char*> ending_signals[] = {
-    {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}};
+constexpr std::array<std::pair<int, const char*>, 4> ending_signals{
+    {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
 
 /// Those signals that are not ignored: nohup, or a shell's `&`, ignores some for its children.
 sigset_t heeded_signals() {

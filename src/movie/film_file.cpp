@@ -35,10 +35,9 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
     -> std::optional<decltype(read(Json()))> {
   std::vector<std::string> command{"ffprobe", "-v", "error", "-select_streams", "v:0"};
   command.insert(command.end(), how.begin(), how.end());
-  command.insert(command.end(), {"-show_entries",
-                                 "stream=width,height,nb_read_packets:format=duration:"
-                                 "format_tags=comment",
-                                 "-of", "json", "file:" + file.string()});
+  constexpr const char* entries =
+      "stream=width,height,nb_read_packets:format=duration:format_tags=comment";
+  command.insert(command.end(), {"-show_entries", entries, "-of", "json", "file:" + file.string()});
   auto ffprobe =
       start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
                                   ChildProcess::default_patience, ChildProcess::output_with_errors);

@@ -166,10 +166,10 @@ void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
   if (frames.empty()) return;  // a head: its range may be of a million frames
   const std::vector<int> range = parse_frame_range(range_text, max_frame_count);
   auto asked = range.begin();
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    asked = std::find(asked, range.end(), frames[i].frame);
+  for (const FrameRecord& record : frames) {
+    asked = std::find(asked, range.end(), record.frame);
     if (asked == range.end()) {
-      place.fail(fmt::format("in the range and ascending, which frame {} is not", frames[i].frame));
+      place.fail(fmt::format("in the range and ascending, which frame {} is not", record.frame));
     }
     ++asked;
   }
@@ -205,10 +205,9 @@ double positive(const Place& place) {
 }
 
 std::vector<std::string> texts(const Place& place) {
-  std::vector<std::string> result(place.size_of_array());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = place.item(i).text();
-  }
+  std::vector<std::string> result;
+  const std::size_t size = place.size_of_array();
+  for (std::size_t i = 0; i < size; ++i) result.push_back(place.item(i).text());
   return result;
 }
 
