@@ -22,13 +22,11 @@ ExitCode report(const Error& error) { return report(error.code(), error.what(), 
 
 /// What the running command could be asked for less of.
 std::string remedy_for_memory(const CLI::App& app) {
-  const auto has = [&](const char* option) {
-    return std::ranges::any_of(app.get_subcommands(), [&](const CLI::App* command) {
-      return command->get_option_no_throw(option) != nullptr;
-    });
+  const auto has_jobs = [](const CLI::App* command) {
+    return command->get_option_no_throw("--jobs") != nullptr;
   };
-  if (has("--jobs")) return "choose a smaller --size, fewer --samples, or fewer --jobs";
-  if (has("--fps")) return "ask for fewer samples: a shorter --duration, or a lower --fps";
+  const bool draws = std::ranges::any_of(app.get_subcommands(), has_jobs);
+  if (draws) return "choose a smaller --size, fewer --samples, or fewer --jobs";
   return "end other programs, or raise the limit on memory (ulimit -v)";
 }
 

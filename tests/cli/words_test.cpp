@@ -197,14 +197,5 @@ TEST(Doctor, TellsWhereNothingCanBeWritten) {
   EXPECT_EQ(run.code, 5);
 }
 
-TEST(Words, TooLittleMemoryIsToldWithWhatTheCommandHas) {
-  const ScratchFolder folder;
-  const Outcome run = run_shell(
-      folder, "ulimit -v 150000; \"$TWRENCH\" simulate --fps 1000 --duration 9000 -o a.csv");
-  if (run.code != 70) GTEST_SKIP() << "it was enough, or not even to start";
-  EXPECT_THAT(run.err, HasSubstr("fewer samples"));
-  EXPECT_THAT(run.err, Not(HasSubstr("--jobs")));
-}
-
 }  // namespace
 }  // namespace twrench
