@@ -301,8 +301,8 @@ std::vector<std::uint8_t> png_of(std::uint8_t depth, std::uint8_t colour_type,
   };
   add("IHDR", {0, 0, 0, 1, 0, 0, 0, 1, depth, colour_type, 0, 0, 0});
   if (!transparency.empty()) add("tRNS", transparency);
-  std::vector<std::uint8_t> filtered{0};
-  filtered.insert(filtered.end(), row.begin(), row.end());
+  std::vector<std::uint8_t> filtered(1 + row.size());  // no filter, and the row
+  std::ranges::copy(row, filtered.begin() + 1);
   std::vector<std::uint8_t> data(100);
   uLongf size = data.size();
   compress(data.data(), &size, filtered.data(), filtered.size());
