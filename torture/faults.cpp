@@ -42,7 +42,7 @@ std::string callers_in(const std::string& log) {
   static const std::regex place(R"(/twrench\(\+(0x[0-9a-f]+)\))");
   std::string places;
   for (std::sregex_iterator at(log.begin(), log.end(), place), end; at != end; ++at) {
-    places += " " + (*at)[1].str();
+    places.append(" ").append((*at)[1].str());
   }
   return places.empty() ? "  it was not reached\n" : "  addr2line -Cfpe twrench" + places + "\n";
 }
