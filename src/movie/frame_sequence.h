@@ -58,7 +58,7 @@ class FrameSequence {
 
   const std::filesystem::path folder_;
   const FolderLock lock_;
-  std::mutex mutex_;  ///< of what follows
+  std::recursive_mutex mutex_;  ///< of what follows; without memory finish() may end in finish()
   Manifest manifest_;
   std::vector<Frame> frames_;  ///< ascending by number
   Clock::time_point next_manifest_ = Clock::now();
