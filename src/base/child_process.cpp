@@ -189,8 +189,10 @@ bool ChildProcess::has_ended() {
   const auto hold = hold_termination();
   const pid_t ended = ::waitpid(pid_, &status_, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
-  // Where the system does not say how it ended, it is not known to have done its work.
-  if (ended < 0) status_ = W_EXITCODE(255, 0);
+  if (ended < 0) {  // nobody says how it ended, or whether: it has not done its work
+    ::kill(-pid_, SIGKILL);
+    status_ = W_EXITCODE(255, 0);
+  }
   kill_.reset();
   pid_ = -1;
   return true;
