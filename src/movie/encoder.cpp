@@ -202,10 +202,7 @@ void VideoEncoder::write(const Image& frame) {
 
 void VideoEncoder::finish() {
   // It moves the index to the front (faststart), which is to write the film again.
-  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
-  std::error_code unknown;
-  const std::uintmax_t size = std::filesystem::file_size(file_.path(), unknown);
-  if (ffmpeg_.wait(ChildProcess::Time(unknown ? 0 : size / slow_disk)) != 0) {
+  if (ffmpeg_.wait(disk_time(file_.path())) != 0) {
     fail();
   }
   if (!file_.is_direct()) require_whole();

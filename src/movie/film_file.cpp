@@ -8,7 +8,6 @@
 #include <span>
 #include <system_error>
 
-#include "base/child_process.h"
 #include "base/error.h"
 #include "base/sha256.h"
 #include "movie/frame_range.h"
@@ -41,10 +40,7 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
   auto ffprobe =
       start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
                                   ChildProcess::default_patience, ChildProcess::output_with_errors);
-  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
-  std::error_code unknown;
-  const std::uintmax_t size = fs::file_size(file, unknown);
-  if (ffprobe.wait(ChildProcess::Time(unknown ? 0 : size / slow_disk)) != 0) return std::nullopt;
+  if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
   try {
     return read(Json::parse(ffprobe.error_output()));
   } catch (const Json::exception&) {
@@ -58,6 +54,13 @@ double number(const Json& object, const char* key) {
 }
 
 }  // namespace
+
+ChildProcess::Time disk_time(const fs::path& file) {
+  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(file, unknown);
+  return ChildProcess::Time(unknown ? 0 : size / slow_disk);
+}
 
 std::optional<FilmProperties> probe_film(const fs::path& file) {
   return ask(file, {"-count_packets"}, [](const Json& said) {

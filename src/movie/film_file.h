@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/child_process.h"
 #include "movie/manifest.h"
 
 namespace twrench {
@@ -17,6 +18,9 @@ struct FilmProperties {
   std::int64_t frames = 0;
   double duration = 0.0;  ///< s
 };
+
+/// How long a slow disk takes to read or to write the file; nothing where its size is not known.
+ChildProcess::Time disk_time(const std::filesystem::path& file);
 
 /// Asks ffprobe, which counts the frames without decoding them. Nothing where it is no film.
 /// Throws EncoderError when ffprobe cannot be started.

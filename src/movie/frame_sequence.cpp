@@ -36,7 +36,6 @@ FrameSequence::~FrameSequence() {
 void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_t> png) {
   {
     const auto hold = hold_termination();
-    const std::lock_guard lock(mutex_);
     if (!begun_) write_manifest();
     begun_ = true;
   }
@@ -45,14 +44,12 @@ void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_
   const std::string digest = sha256_hex(png);
   const auto hold = hold_termination();  // a signal finds the frame told of, or not there
   file.commit();
-  const std::lock_guard lock(mutex_);
   tell(record, digest);
   if (Clock::now() >= next_manifest_) write_manifest();
 }
 
 void FrameSequence::keep(const FrameRecord& record, const std::string& sha256) {
   const auto hold = hold_termination();
-  const std::lock_guard lock(mutex_);
   tell(record, sha256);
 }
 
@@ -79,7 +76,6 @@ std::size_t FrameSequence::count(std::span<const FrameRecord> records) const {
 
 void FrameSequence::finish() {
   const auto hold = hold_termination();
-  const std::lock_guard lock(mutex_);
   write_manifest();
 }
 

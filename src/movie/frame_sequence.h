@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +13,9 @@
 
 namespace twrench {
 
-/// Writes the frames of a film into a folder, and the manifest that tells what is there. Also when
-/// a signal ends the process: its mutex is only locked while hold_termination() is held, so that
-/// the TerminationAction of a run can call finish().
+/// Writes the frames of a film into a folder, and the manifest that tells what is there. Threads
+/// take turns at what it knows by hold_termination(): so the TerminationAction of a run can call
+/// finish().
 class FrameSequence {
  public:
   /// Makes the folder where it is missing, and locks it, which shards share. `manifest` is all but
@@ -58,7 +57,6 @@ class FrameSequence {
 
   const std::filesystem::path folder_;
   const FolderLock lock_;
-  std::recursive_mutex mutex_;  ///< of what follows; without memory finish() may end in finish()
   Manifest manifest_;
   std::vector<Frame> frames_;  ///< ascending by number
   Clock::time_point next_manifest_ = Clock::now();
