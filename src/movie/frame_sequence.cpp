@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/file.h"
-#include "base/pending_file.h"
 #include "base/sha256.h"
 
 namespace twrench {
@@ -22,7 +21,11 @@ const std::filesystem::path& made(const std::filesystem::path& folder) {
 FrameSequence::FrameSequence(std::filesystem::path folder, Manifest manifest)
     : folder_(std::move(folder)),
       lock_(made(folder_), manifest.shard.is_whole() ? LockKind::exclusive : LockKind::shared),
-      manifest_(std::move(manifest)) {}
+      manifest_(std::move(manifest)) {
+  if (manifest_.shard.is_whole()) return;
+  shard_claim_.emplace(folder_ / manifest_file_name(manifest_.shard), Links::replace);
+  shard_claim_->claim();
+}
 
 FrameSequence::~FrameSequence() {
   try {

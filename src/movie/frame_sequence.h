@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/folder_lock.h"
+#include "base/pending_file.h"
 #include "movie/manifest.h"
 
 namespace twrench {
@@ -18,8 +20,9 @@ namespace twrench {
 /// finish().
 class FrameSequence {
  public:
-  /// Makes the folder where it is missing, and locks it, which shards share. `manifest` is all but
-  /// its frames. Throws FileError, also where another run writes to the folder.
+  /// Makes the folder where it is missing, and locks it: for this run, or, as a shard of a film,
+  /// for runs of its other shards too. `manifest` is all but its frames. Throws FileError, also
+  /// where another run writes to the folder, or the same shard.
   FrameSequence(std::filesystem::path folder, Manifest manifest);
 
   /// Writes the manifest where finish() has not: what a run that fails leaves is told, too. A
@@ -57,6 +60,7 @@ class FrameSequence {
 
   const std::filesystem::path folder_;
   const FolderLock lock_;
+  std::optional<PendingFile> shard_claim_;  ///< none for a whole film; never becomes the manifest
   Manifest manifest_;
   std::vector<Frame> frames_;  ///< ascending by number
   Clock::time_point next_manifest_ = Clock::now();

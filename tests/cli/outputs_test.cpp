@@ -90,6 +90,20 @@ TEST(Outputs, AreOneRunsAtATime) {
   EXPECT_THAT(run.err, HasSubstr("another run is writing"));
 }
 
+TEST(Outputs, AShardIsOneRunsAtATime) {
+  const ScratchFolder folder;
+  const std::string shards = "\"$TWRENCH\" render --size 160x90 --progress none --frames-dir f ";
+  const Outcome run = run_shell(
+      folder, shards +
+                  "--shard 1/9 & pid=$!; until [ -e f/frame_000001.png ]; do sleep 0.01; done; "
+                  "kill -STOP $pid; " +
+                  shards + "--shard 1/9; echo same $?; " + shards +
+                  "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + shards +
+                  "--shard 1/9 --resume; echo after $?");
+  EXPECT_THAT(run.out, HasSubstr("same 5\nother 0\nafter 0\n")) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("manifest.0001-of-0009.json: another run is writing it"));
+}
+
 TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
   const ScratchFolder folder;
   fs::create_directory(folder / "folder.mp4");
