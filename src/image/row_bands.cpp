@@ -21,10 +21,28 @@ constexpr int band_height = 32;
 constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
 constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.6: empty
 
+/// Bytes at the start of a band that are stored, not compressed, and then given to igzip as its
+/// dictionary. Without a history igzip (2.30, 2.31) enters one hash that it computes from the
+/// address of its stream, not from the data: one picture in some thousands would be other bytes,
+/// from thread to thread and from run to run.
+constexpr std::size_t stored_size = 16;
+
 /// What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC 1951,
 /// 3.2.4), and an empty one ends the band.
 std::size_t most_compressed(std::size_t size) {
-  return size + 5 * (size / 65535 + 2) + ISAL_DEF_MAX_HDR_SIZE;
+  return size + 5 * (size / 65535 + 3) + ISAL_DEF_MAX_HDR_SIZE;
+}
+
+/// A block of bytes as they are, which are at most 65535 (RFC 1951, 3.2.4).
+std::size_t store(std::span<const std::uint8_t> bytes, std::uint8_t* block) {
+  const auto size = static_cast<unsigned>(bytes.size());
+  *block++ = 0;
+  for (const unsigned field : {size, ~size}) {
+    *block++ = static_cast<std::uint8_t>(field);
+    *block++ = static_cast<std::uint8_t>(field >> 8U);
+  }
+  std::ranges::copy(bytes, block);
+  return 5 + bytes.size();
 }
 
 /// Compresses bands of a picture, one after the other. A band's memory stays in the cache from the
@@ -59,17 +77,24 @@ class BandCompressor {
  private:
   /// A part of a stream; empty where igzip failed.
   std::span<const std::uint8_t> deflate(std::span<std::uint8_t> rows) {
-    isal_deflate_stateless_init(&stream_);
+    const auto first = rows.first(std::min(stored_size, rows.size()));
+    const auto rest = rows.subspan(first.size());
+    const std::size_t stored = store(first, compressed_.data());
+    if (rest.empty()) return {compressed_.data(), stored};
+    isal_deflate_init(&stream_);
     stream_.level = level;
     stream_.level_buf = level_memory_.data();
     stream_.level_buf_size = level_memory;
     stream_.flush = FULL_FLUSH;
-    stream_.next_in = rows.data();
-    stream_.avail_in = static_cast<std::uint32_t>(rows.size());
-    stream_.next_out = compressed_.data();
-    stream_.avail_out = static_cast<std::uint32_t>(most_compressed(rows.size()));
-    const bool done = isal_deflate_stateless(&stream_) == COMP_OK;
-    return {compressed_.data(), done ? stream_.total_out : 0};
+    stream_.next_in = rest.data();
+    stream_.avail_in = static_cast<std::uint32_t>(rest.size());
+    stream_.next_out = compressed_.data() + stored;
+    stream_.avail_out = static_cast<std::uint32_t>(compressed_.size() - stored);
+    const bool done = isal_deflate_set_dict(&stream_, first.data(),
+                                            static_cast<std::uint32_t>(first.size())) == COMP_OK &&
+                      isal_deflate(&stream_) == COMP_OK && stream_.avail_in == 0 &&
+                      stream_.avail_out > 0;
+    return {compressed_.data(), done ? stored + stream_.total_out : 0};
   }
 
   const Image& image_;

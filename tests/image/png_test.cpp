@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/mman.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -113,6 +115,51 @@ TEST(Png, BytesDependOnTheImageAloneWhicheverThreadsRun) {
   }
   std::for_each(threads.begin(), threads.end(), [](std::thread& thread) { thread.join(); });
   EXPECT_EQ(together, alone);
+}
+
+/// The image as PNG, encoded by a thread whose stack lies at that address; empty where that is
+/// taken.
+std::vector<std::uint8_t> encoded_at(std::uintptr_t address, const Image& image) {
+  constexpr std::size_t size = std::size_t{1} << 20U;
+  void* const stack = ::mmap(reinterpret_cast<void*>(address), size, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+  if (stack == MAP_FAILED) return {};
+  struct Job {
+    const Image& image;
+    std::vector<std::uint8_t> png;
+  } job{image, {}};
+  pthread_attr_t attributes;
+  ::pthread_attr_init(&attributes);
+  ::pthread_attr_setstack(&attributes, stack, size);
+  const auto run = [](void* argument) -> void* {
+    auto& its = *static_cast<Job*>(argument);
+    its.png = encode_png(its.image);
+    return nullptr;
+  };
+  pthread_t thread{};
+  EXPECT_EQ(::pthread_create(&thread, &attributes, run, &job), 0);
+  ::pthread_join(thread, nullptr);
+  ::pthread_attr_destroy(&attributes);
+  ::munmap(stack, size);
+  return job.png;
+}
+
+TEST(Png, BytesDependOnTheImageAloneWhereverItIsCompressed) {
+  Image image(64, 8, 3);  // whose rows are alike, so that what starts the first is found in all
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<std::uint8_t>(i % image.row_bytes() / 3 * 2);
+  }
+  const auto expected = encode_png(image);
+  std::mt19937 random(1);
+  int compared = 0;
+  for (int i = 0; i < 12'000; ++i) {
+    const std::uintptr_t address = 0x1000'0000'0000 + std::uintptr_t{random()} * 0x10'0000 / 64;
+    const auto png = encoded_at(address & ~std::uintptr_t{0xffff}, image);
+    if (png.empty()) continue;
+    ASSERT_EQ(png, expected) << "stack at " << address;
+    ++compared;
+  }
+  EXPECT_GT(compared, 6'000);
 }
 
 /// Frames of a film: what is the same in all, but for an area that is elsewhere in each.
