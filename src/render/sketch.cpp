@@ -329,9 +329,12 @@ void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double r
 }
 
 /// Draws a closed ring of vertices about the origin in to where the fins begin that are added along
-/// where it was.
+/// where it was. Not where some of it is behind the eye: there are no fins there.
 void Sketch::soften_rim(std::uint32_t first, std::uint32_t count) {
   const Vector4d inside = clip(Vector3d::Zero());
+  const auto rim = std::span(vertices_).subspan(first, count);
+  const auto is_behind = [](const Vertex& vertex) { return vertex.clip.w <= 0; };
+  if (inside.w() <= 0 || std::ranges::any_of(rim, is_behind)) return;
   for (std::uint32_t i = 0; i < count; ++i) {
     add_fin(first + i, first + (i + 1) % count, inside, indices_);
   }

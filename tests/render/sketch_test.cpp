@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/shape.h"
+
 namespace twrench {
 namespace {
 
@@ -125,6 +127,30 @@ TEST_F(SketchTest, ShowsTheNearSideOfAnEllipsoidOnly) {
   sketch.begin(camera(), pane);
   sketch.ellipsoid(Vector3d(1, 1e-5, 1e-5).asDiagonal(), red, 1);
   for (const auto& vertex : sketch.vertices()) EXPECT_TRUE(std::isfinite(vertex.paint.x));
+}
+
+TEST_F(SketchTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawnBefore) {
+  const Vector3d eye = sketch.eye();
+  const Eigen::Matrix3d frame = frame_with_z_along(eye);
+  // A disc about the origin, wider than the eye is far, whose plane passes the eye by.
+  const Eigen::Matrix3d disc = frame *
+                               Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix() *
+                               Vector3d(3 * eye.norm(), 0.01, 3 * eye.norm()).asDiagonal();
+  std::vector<Sketch::Point> line;
+  for (int i = 0; i < 9000; ++i) line.push_back({{0.01 * (i % 40), 0.02 * (i % 9), 0}, 1, red});
+  sketch.line(line);
+  sketch.begin(camera(), pane);
+  sketch.ellipsoid(disc, red, 1);
+  Sketch fresh;
+  fresh.begin(camera(), pane);
+  fresh.ellipsoid(disc, red, 1);
+  ASSERT_EQ(sketch.vertices().size(), fresh.vertices().size());
+  int behind = 0;
+  for (std::size_t i = 0; i < fresh.vertices().size(); ++i) {
+    behind += fresh.vertices()[i].clip.w <= 0 ? 1 : 0;
+    ASSERT_EQ(sketch.vertices()[i].clip, fresh.vertices()[i].clip) << i;
+  }
+  EXPECT_GT(behind, 0);
 }
 
 TEST_F(SketchTest, TellsTheAreaItCovers) {
