@@ -76,8 +76,7 @@ TEST(Words, AnEmptyTitleIsOne) {
 
 TEST(Words, AllIsJsonWhereJsonIsAskedFor) {
   const ScratchFolder folder;
-  const Outcome run =
-      run_twrench(folder, tiny + "--progress json --inertia 1,1,3 --timing --backend osmesa");
+  const Outcome run = run_twrench(folder, tiny + "--progress json --inertia 1,1,3 --timing");
   EXPECT_EQ(run.code, 0);
   const std::vector<std::string> lines = lines_of(run.err);
   ASSERT_GE(lines.size(), 4U) << run.err;
@@ -128,8 +127,8 @@ TEST(Words, TablesAreEscapedToo) {
 
 /// Runs it on a terminal, and returns what that got.
 std::string seen_on_terminal(const ScratchFolder& folder, const std::string& environment) {
-  return run_shell(folder, environment + " script -qec '\"$TWRENCH\" " + tiny +
-                               "--overwrite --backend osmesa' /dev/null")
+  return run_shell(folder,
+                   environment + " script -qec '\"$TWRENCH\" " + tiny + "--overwrite' /dev/null")
       .out;
 }
 
