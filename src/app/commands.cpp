@@ -26,7 +26,7 @@ constexpr const char* exit_codes =
 
 void add_commands(CLI::App& app, ExitCode& code) {
   app.formatter(std::make_shared<Help>());  // before the commands, which inherit it
-  app.set_version_flag("--version", version_line(), "Print the version and exit");
+  app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.footer(exit_codes);
   app.require_subcommand(1);

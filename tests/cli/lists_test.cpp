@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "cli/twrench.h"
 
@@ -9,6 +11,7 @@ namespace twrench {
 namespace {
 
 using nlohmann::json;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -31,7 +34,9 @@ TEST(Lists, ScenesOneALine) {
 
 TEST(Lists, VersionAndHelp) {
   const ScratchFolder folder;
-  EXPECT_THAT(run_twrench(folder, "--version").out, StartsWith("twrench "));
+  const std::string version = run_twrench(folder, "--version").out;
+  EXPECT_TRUE(std::regex_search(version, std::regex("^twrench [0-9]+\\.[0-9]+\\.[0-9]+\n")))
+      << version;  // scripts read the first line
   for (const char* command : {"", "render", "simulate", "plot", "inertia", "study", "encode",
                               "compare", "doctor", "methods", "scenes"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
@@ -40,6 +45,25 @@ TEST(Lists, VersionAndHelp) {
     EXPECT_THAT(run.out,
                 HasSubstr(*command == 0 ? "The trajectory as CSV or JSON" : "Example: twrench "))
         << command;
+  }
+}
+
+// Each licence that it names is one that its two files tell of.
+TEST(Lists, VersionNamesTheLicences) {
+  const ScratchFolder folder;
+  const std::string version = run_twrench(folder, "--version").out;
+  const std::filesystem::path project = std::filesystem::path(TWRENCH_TESTS_DIR).parent_path();
+  EXPECT_THAT(version,
+              HasSubstr("Copyright (c) 2026 the twrench authors. MIT License: see LICENSE."));
+  EXPECT_THAT(text_of(project / "LICENSE"),
+              StartsWith("MIT License\n\nCopyright (c) 2026 the twrench authors\n"));
+  EXPECT_THAT(version, HasSubstr("see THIRD-PARTY.md"));
+  const std::string notices = text_of(project / "THIRD-PARTY.md");
+  for (const auto& [font, licence, identifier] :
+       {std::array{"Roboto", "Apache License 2.0", "Apache-2.0"},
+        std::array{"Fira Code", "SIL Open Font License 1.1", "OFL-1.1"}}) {
+    EXPECT_THAT(version, HasSubstr(std::string(font) + " (" + licence + ")"));
+    EXPECT_THAT(notices, ContainsRegex(std::string("\n\\| ") + font + "[^\n]*" + identifier));
   }
 }
 

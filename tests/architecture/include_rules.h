@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace twrench {
+
+/// A room is a folder below src that holds sources itself, by its path: "render" and
+/// "render/space" are two rooms.
+struct Room {
+  std::set<std::string> rooms;      ///< whose headers its files may include, beside its own
+  std::set<std::string> libraries;  ///< likewise
+};
+
+/// What docs/architecture.md states.
+struct IncludeRules {
+  std::map<std::string, Room> rooms;
+  std::map<std::string, std::string>
+      libraries;  ///< by header ("zlib.h") or folder of them ("Eigen/")
+};
+
+/// An #include line below src.
+struct Include {
+  std::string place;   ///< "math/so3.cpp:3"
+  std::string room;    ///< that of the file it stands in
+  std::string header;  ///< as it is written
+  bool quoted;         ///< "...", else <...>
+};
+
+/// Reads the rules from the document's tables of rooms and of libraries.
+IncludeRules read_include_rules(const std::string& document);
+
+/// All #include lines below `src`, and the rooms that are there.
+std::vector<Include> read_includes(const std::filesystem::path& src);
+std::set<std::string> read_rooms(const std::filesystem::path& src);
+
+/// What breaks the rules, a sentence each: a room that has no row or a row without a room, an arrow
+/// to a room or a library that is not in the table, one in the table that no file needs, and a
+/// header that belongs to no room and no library. `rooms` are those that are there.
+std::vector<std::string> broken_rules(const IncludeRules& rules, const std::set<std::string>& rooms,
+                                      const std::vector<Include>& includes);
+
+/// The rooms that can be reached from themselves along the rules' arrows.
+std::vector<std::string> rooms_in_circles(const IncludeRules& rules);
+
+}  // namespace twrench

@@ -1,0 +1,115 @@
+// "Add an overlay" and "Add a theme" of CONTRIBUTING.md, for each that there is: a name that is
+// accepted is listed by --help and by the document, is kept by the manifest, and changes the
+// picture. The names are those that the program itself offers for one that it does not know.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+using testing::ContainsRegex;
+using testing::SizeIs;
+
+/// "one of: studio, paper, space" of the remedy.
+std::vector<std::string> names_offered_for(const std::string& option) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "render " + option + " no-such-name");
+  EXPECT_EQ(run.code, 2) << run.err;
+  const std::string before = "one of: ";
+  const std::size_t list = run.err.find(before);
+  if (list == std::string::npos) return {};
+  std::istringstream words(run.err.substr(list + before.size()));
+  std::vector<std::string> names;
+  for (std::string word; words >> word;) {
+    if (word.ends_with(',')) word.pop_back();
+    names.push_back(word);
+  }
+  return names;
+}
+
+/// As a word of its own.
+std::string word(const std::string& name) { return "[^a-z-]" + name + "[^a-z-]"; }
+
+/// Each name in what --help says of the option, and in the document of scene files.
+void expect_told(const std::string& option, const std::vector<std::string>& names) {
+  const ScratchFolder folder;
+  const std::string help = run_twrench(folder, "render --help").out;
+  const std::size_t begin = help.find("\n  " + option + " ");
+  ASSERT_NE(begin, std::string::npos) << option;
+  const std::string of_option = help.substr(begin, help.find("\n  --", begin + 1) - begin) + "\n";
+  const std::string document = text_of(TWRENCH_TESTS_DIR "/../docs/scene-files.md");
+  for (const std::string& name : names) {
+    EXPECT_THAT(of_option, ContainsRegex(word(name))) << option;
+    EXPECT_THAT(document, ContainsRegex(word(name))) << option;
+  }
+}
+
+struct Drawn {
+  std::string digest;  ///< of the one frame
+  json scene;          ///< as the manifest tells it
+};
+
+Drawn draw(const std::string& options) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(
+      folder, "render --size 480x270 --frames 40 --no-video --progress none " + options);
+  EXPECT_EQ(run.code, 0) << run.err;
+  if (run.code != 0) return {};
+  const json manifest = json::parse(text_of(folder / "out/dzhanibekov/manifest.json"));
+  return {manifest["frames"][0]["sha256"], manifest["scene"]};
+}
+
+TEST(OverlayRecipe, IsTrueOfEachOverlay) {
+  const std::vector<std::string> names = names_offered_for("--show");
+  ASSERT_GT(names.size(), 5U);
+  expect_told("--show", names);
+  const Drawn bare = draw("--bare");
+  const Drawn with_momentum = draw("--bare --show momentum");
+  EXPECT_NE(bare.digest, with_momentum.digest);
+  for (const std::string& name : names) {
+    if (name == "momentum") continue;
+    const Drawn drawn = draw("--bare --show momentum," + name);  // labels need something to name
+    EXPECT_NE(drawn.digest, with_momentum.digest) << name << " draws nothing";
+    const json shown = drawn.scene["overlay"]["show"];
+    EXPECT_EQ(std::set<std::string>(shown.begin(), shown.end()),
+              (std::set<std::string>{"momentum", name}));
+  }
+}
+
+TEST(ThemeRecipe, IsTrueOfEachTheme) {
+  const std::vector<std::string> names = names_offered_for("--theme");
+  ASSERT_GT(names.size(), 2U);
+  expect_told("--theme", names);
+  std::set<std::string> digests;
+  for (const std::string& name : names) {
+    const Drawn drawn = draw("--theme " + name);
+    digests.insert(drawn.digest);
+    EXPECT_EQ(drawn.scene["look"]["theme"], name);
+  }
+  EXPECT_THAT(digests, SizeIs(names.size())) << "two themes draw the same picture";
+}
+
+TEST(ViewRecipe, IsTrueOfEachView) {
+  const std::vector<std::string> names = names_offered_for("--view");
+  ASSERT_GT(names.size(), 3U);
+  expect_told("--view", names);
+  std::set<std::string> digests;
+  for (const std::string& name : names) {
+    const Drawn drawn = draw("--view " + name);
+    digests.insert(drawn.digest);
+    EXPECT_EQ(drawn.scene["overlay"]["view"], name);
+  }
+  EXPECT_THAT(digests, SizeIs(names.size())) << "two views draw the same picture";
+}
+
+}  // namespace
+}  // namespace twrench

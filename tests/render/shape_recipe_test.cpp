@@ -1,0 +1,148 @@
+// "Add a shape" of CONTRIBUTING.md, for every shape that there is. A shape without an example here
+// does not compile; one that a place of the recipe forgot does not compile there, or fails here.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <variant>
+
+#include "render/mesh.h"
+#include "render/neighbours.h"
+#include "render/reach.h"
+#include "render/trail_point.h"
+#include "scene/scene_json.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// One of each, with no two measures alike.
+template <typename T>
+T example();
+template <>
+Cylinder example() {
+  return {1.5, 4.0};
+}
+template <>
+Box example() {
+  return {{2.0, 3.0, 5.0}};
+}
+template <>
+Ellipsoid example() {
+  return {{1.0, 2.0, 3.5}};
+}
+
+template <typename Variant>
+struct AlternativesOf;
+template <typename... T>
+struct AlternativesOf<std::variant<T...>> {
+  using Types = testing::Types<T...>;
+};
+
+template <typename T>
+class ShapeRecipe : public testing::Test {
+ protected:
+  const Part part{example<T>(), 2.0, Vector3d(3, -1, 2), frame_with_z_along({1, 2, 2})};
+};
+TYPED_TEST_SUITE(ShapeRecipe, AlternativesOf<Shape>::Types);
+
+std::string toml_of(const nlohmann::ordered_json& part) {
+  std::string text = "[[part]]\n";
+  for (const auto& [key, value] : part.items()) text += key + " = " + value.dump() + "\n";
+  return text;
+}
+
+/// The part as a scene's JSON tells it.
+nlohmann::ordered_json json_of(const Part& part) {
+  Scene scene;
+  scene.body.parts = {part};
+  return scene_json(scene)["part"][0];
+}
+
+TYPED_TEST(ShapeRecipe, IsReadFromAFileAsItIsWritten) {
+  const auto json = json_of(this->part);
+  const Scene scene = parse_scene(toml_of(json), "recipe.toml");
+  ASSERT_EQ(scene.body.parts.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<TypeParam>(scene.body.parts[0].shape));
+  EXPECT_NEAR(volume(scene.body.parts[0].shape), volume(this->part.shape), 1e-12);
+  EXPECT_EQ(json_of(scene.body.parts[0])["shape"], json["shape"]);
+}
+
+TYPED_TEST(ShapeRecipe, IsDescribedInTheDocument) {
+  std::ifstream file(TWRENCH_TESTS_DIR "/../docs/scene-files.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string name = json_of(this->part)["shape"];
+  EXPECT_NE(text.str().find(name + ": "), std::string::npos) << name;
+}
+
+/// What the picture's mesh holds, by the divergence theorem: its volume, and from it the moments.
+struct Solid {
+  double volume = 0;
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();  ///< the integral of x x^T
+};
+
+Solid solid_of(const Mesh& mesh, const Vector3d& centre) {
+  Solid solid;
+  const auto corner = [&](std::size_t index) -> Vector3d {
+    const glm::vec3& p = mesh.vertices[mesh.indices[index]].position;
+    return Vector3d(p.x, p.y, p.z) - centre;
+  };
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Vector3d a = corner(i), b = corner(i + 1), c = corner(i + 2), sum = a + b + c;
+    const double tetrahedron = a.dot(b.cross(c)) / 6;
+    solid.volume += tetrahedron;
+    solid.squares +=
+        tetrahedron / 20 *
+        (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  return solid;
+}
+
+// The solid that is drawn is the one that turns: the bevels of edges, narrow here, are the
+// difference.
+TYPED_TEST(ShapeRecipe, IsDrawnAsTheSolidThatItsNumbersTellOf) {
+  const Solid solid = solid_of(part_mesh(this->part, 1e-4), this->part.position);
+  EXPECT_NEAR(solid.volume / volume(this->part.shape), 1, 0.01);
+  const Eigen::Matrix3d& R = this->part.body_from_part;
+  const Eigen::Matrix3d own = R.transpose() * solid.squares * R;
+  const Vector3d moments = Vector3d::Constant(own.trace()) - own.diagonal();
+  const Vector3d expected = central_moments(this->part.shape, volume(this->part.shape));
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moments[axis] / expected[axis], 1, 0.02) << axis;
+}
+
+TYPED_TEST(ShapeRecipe, LiesInItsBounds) {
+  double farthest = 0, farthest_of_all = 0;
+  for (const Vertex& vertex : part_mesh(this->part, 1e-4).vertices) {
+    const Vector3d point(vertex.position.x, vertex.position.y, vertex.position.z);
+    farthest = std::max(farthest, (point - this->part.position).norm());
+    farthest_of_all = std::max(farthest_of_all, point.norm());
+  }
+  const double bound = bounding_radius(this->part.shape);
+  EXPECT_LE(farthest, bound * (1 + 1e-6));
+  EXPECT_GE(farthest, bound * 0.96);
+  EXPECT_LE(farthest_of_all, reach({&this->part, 1}) * (1 + 1e-6));
+}
+
+// What shades other parts in its stead, and the end that draws a trail, lie about it.
+TYPED_TEST(ShapeRecipe, HasACapsuleAndAnEnd) {
+  const double bound = bounding_radius(this->part.shape);
+  const Capsule capsule = capsule_of(this->part);
+  EXPECT_GT(capsule.radius, 0);
+  for (const Vector3d& end : {capsule.from, capsule.to}) {
+    EXPECT_LE((end - this->part.position).norm(), bound);
+  }
+  Scene scene;
+  scene.body.parts = {this->part};
+  const double distance = trail_point(scene).norm();
+  EXPECT_GT(distance, 0.3 * bound);
+  EXPECT_LT(distance, 1.2 * bound);
+}
+
+}  // namespace
+}  // namespace twrench
