@@ -69,9 +69,10 @@ std::vector<Bytes> compressed_data(Bytes file) {
   }
 }
 
-/// What is wrong with the end of data that have all the pixels, as an error of libspng; that stops
-/// at the last pixel, and so misses data that go on, end early or have another Adler-32. What
-/// follows the end is left alone, as decoders do.
+/// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
+/// that have another Adler-32. This inflates them once more, to at most so many bytes, and returns
+/// what is wrong with them as an error of libspng. Bytes behind their end are ignored, as decoders
+/// do.
 int end_error(const std::vector<Bytes>& pieces, std::uint64_t most) {
   const auto state = std::make_unique<inflate_state>();
   const auto dropped = std::make_unique<std::array<std::uint8_t, 1 << 16>>();
@@ -133,7 +134,7 @@ class Decoder {
 
  private:
   void check(int code) const {
-    if (code == SPNG_EMEM) throw std::bad_alloc();
+    if (code == SPNG_EMEM || code == SPNG_EZLIB_INIT) throw std::bad_alloc();
     if (code != SPNG_OK) throw FileError(what_, explanation(code));
   }
 
