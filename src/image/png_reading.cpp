@@ -2,6 +2,7 @@
 #include <isa-l/igzip_lib.h>
 #include <spng.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -110,6 +111,7 @@ class Decoder {
 
   int width() const { return static_cast<int>(header_.width); }
   int height() const { return static_cast<int>(header_.height); }
+  int bit_depth() const { return header_.bit_depth; }
 
   /// Whether anything can be transparent: by a channel, or as a colour or palette entries that are.
   bool has_alpha() {
@@ -168,14 +170,35 @@ void drop_alpha(DeepImage& image) {
   image.channels = 3;
 }
 
-}  // namespace
-
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  Decoder decoder(bytes, name);
+Image decode_8_bits(Decoder& decoder) {
   const bool has_alpha = decoder.has_alpha();
   Image image(decoder.width(), decoder.height(), has_alpha ? 4 : 3);
   decoder.decode(image.pixels, has_alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8);
   return image;
+}
+
+DeepImage decode_16_bits(Decoder& decoder) {
+  const bool has_alpha = decoder.has_alpha();
+  DeepImage image(decoder.width(), decoder.height(), 4);
+  decoder.decode(image.pixels, SPNG_FMT_RGBA16);  // libspng has no RGB of 16 bits
+  if (!has_alpha) drop_alpha(image);
+  return image;
+}
+
+/// libspng widens as well, but more slowly: the reading as a whole takes half as long again.
+DeepImage widened(const Image& image) {
+  DeepImage wide(image.width, image.height, image.channels);
+  std::ranges::transform(image.pixels, wide.pixels.begin(), [](std::uint8_t sample) {
+    return static_cast<std::uint16_t>(sample * 0x101);
+  });
+  return wide;
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  Decoder decoder(bytes, name);
+  return decode_8_bits(decoder);
 }
 
 Image read_png(const std::filesystem::path& path) {
@@ -185,11 +208,7 @@ Image read_png(const std::filesystem::path& path) {
 DeepImage read_deep_png(const std::filesystem::path& path) {
   const auto bytes = read_file(path, longest);
   Decoder decoder(bytes, path.string());
-  const bool has_alpha = decoder.has_alpha();
-  DeepImage image(decoder.width(), decoder.height(), 4);
-  decoder.decode(image.pixels, SPNG_FMT_RGBA16);  // libspng has no RGB of 16 bits
-  if (!has_alpha) drop_alpha(image);
-  return image;
+  return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
 }
 
 }  // namespace twrench
