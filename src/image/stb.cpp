@@ -8,8 +8,8 @@
 
 namespace twrench::stb {
 
-// The one step of stb_image_write that is wanted. Its public functions take it only together with
-// their own compressor and checksum, one row of pixels or the whole picture at a time.
+// The one step of stb_image_write that is wanted, by the name that it has inside: the public
+// functions take it only together with their own compressor and checksums.
 void filter_row(std::span<const std::uint8_t> row, int channels, std::span<std::uint8_t> filtered) {
   constexpr int sub = 1, rows = 1, first = 0;
   const int size = static_cast<int>(row.size());
