@@ -77,6 +77,8 @@ twrench_pkgconfig(tomlplusplus "toml++"
   DEBIAN libtomlplusplus-dev FEDORA tomlplusplus-devel ARCH tomlplusplus)
 twrench_pkgconfig(libisal "ISA-L"
   DEBIAN libisal-dev FEDORA isa-l-devel ARCH isa-l)
+twrench_pkgconfig(spng "libspng"
+  DEBIAN libspng-dev FEDORA libspng-devel ARCH libspng)
 twrench_pkgconfig(cairo "Cairo"
   DEBIAN libcairo2-dev FEDORA cairo-devel ARCH cairo)
 

@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 #include <isa-l/crc.h>
 
-#include <algorithm>
-#include <limits>
 #include <string_view>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "image/png_bounds.h"
-#include "image/stb.h"
 
 namespace twrench {
 namespace {
@@ -51,53 +46,12 @@ Bytes encoded(const Image& image, const StillPart* still) {
   return file;
 }
 
-constexpr std::size_t longest = 1U << 30U;  // of a file that is read
-
-template <typename Sample>
-BasicImage<Sample> decoded(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const std::string what = "cannot read " + name;
-  if (bytes.size() > std::numeric_limits<int>::max()) {
-    throw FileError(what, "it is too long for a PNG image");
-  }
-  if (!can_be_whole_png(bytes)) {
-    throw FileError(what, "it is no PNG image, or cut short");
-  }
-  const PngHeader header = png_header(bytes);
-  if (header.width > max_image_side || header.height > max_image_side) {
-    throw FileError(what,
-                    fmt::format("it is too large: a side has more than {} pixels", max_image_side));
-  }
-  if (const std::string damage = find_png_damage(bytes); !damage.empty()) {
-    throw FileError(what, damage);
-  }
-  const int channels = header.has_alpha ? 4 : 3;
-  const auto pixels = stb::decode_png<Sample>(bytes, channels);
-  if (!pixels.data) {
-    throw FileError(what, fmt::format("it is no PNG image, or damaged ({})", pixels.failure));
-  }
-  BasicImage<Sample> image(pixels.width, pixels.height, channels);
-  std::copy_n(pixels.data.get(), image.pixels.size(), image.pixels.begin());
-  return image;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) { return encoded(image, nullptr); }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still) {
   return encoded(image, &still);
-}
-
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return decoded<std::uint8_t>(bytes, name);
-}
-
-Image read_png(const std::filesystem::path& path) {
-  return decoded<std::uint8_t>(read_file(path, longest), path.string());
-}
-
-DeepImage read_deep_png(const std::filesystem::path& path) {
-  return decoded<std::uint16_t>(read_file(path, longest), path.string());
 }
 
 }  // namespace twrench

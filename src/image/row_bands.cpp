@@ -50,7 +50,9 @@ std::size_t store(std::span<const std::uint8_t> bytes, std::uint8_t* block) {
 class BandCompressor {
  public:
   explicit BandCompressor(const Image& image)
-      : image_(image), compressed_(most_compressed(size_of(band_height))) {}
+      : image_(image),
+        filtered_(size_of(band_height)),
+        compressed_(most_compressed(size_of(band_height))) {}
 
   /// How many bytes so many rows are, filtered.
   std::size_t size_of(int rows) const {
@@ -63,15 +65,15 @@ class BandCompressor {
     std::uint32_t checksum;
   };
   Result operator()(int first_row, int rows) {
-    Result result{};
-    const std::size_t first = static_cast<std::size_t>(first_row) * image_.row_bytes();
-    stb::filter_rows(
-        &image_.pixels[first], image_.width, rows, image_.channels,
-        [&](std::span<std::uint8_t> filtered) {
-          result = {deflate(filtered), isal_adler32(1, filtered.data(), filtered.size())};
-        });
-    if (result.bytes.empty()) throw std::bad_alloc();
-    return result;
+    const std::span<std::uint8_t> filtered(filtered_.data(), size_of(rows));
+    for (int y = 0; y < rows; ++y) {
+      const std::size_t row = static_cast<std::size_t>(first_row + y) * image_.row_bytes();
+      stb::filter_row({&image_.pixels[row], image_.row_bytes()}, image_.channels,
+                      filtered.subspan(size_of(y), size_of(1)));
+    }
+    const std::span<const std::uint8_t> bytes = deflate(filtered);
+    if (bytes.empty()) throw std::bad_alloc();
+    return {bytes, isal_adler32(1, filtered.data(), filtered.size())};
   }
 
  private:
@@ -98,6 +100,7 @@ class BandCompressor {
   }
 
   const Image& image_;
+  std::vector<std::uint8_t> filtered_;
   std::vector<std::uint8_t> compressed_;
   std::vector<std::uint8_t> level_memory_ = std::vector<std::uint8_t>(level_memory);
   isal_zstream stream_{};  // its initialisation leaves some unset of what is read

@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+#include <isa-l/igzip_lib.h>
+#include <spng.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "image/png.h"
+
+namespace twrench {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::size_t longest = 1U << 30U;  // of a file that is read
+
+/// Of texts, colour profiles and the like, inflated. libspng keeps them while it decodes.
+constexpr std::size_t max_metadata_mebibytes = 64;
+
+std::string explanation(int code) {
+  switch (code) {
+    case SPNG_EINVAL:  // no bytes at all
+    case SPNG_ESIGNATURE:
+    case SPNG_EIHDR_SIZE:
+    case SPNG_ENOIHDR:
+      return "it is no PNG image";
+    case SPNG_IO_EOF:
+      return "it is no PNG image, or cut short";
+    case SPNG_EUSER_WIDTH:
+    case SPNG_EUSER_HEIGHT:
+      return fmt::format("it is too large: a side has more than {} pixels", max_image_side);
+    case SPNG_ECHUNK_CRC:
+      return "the checksum of a chunk is wrong";
+    case SPNG_ECHUNK_LIMITS:
+      return fmt::format("its metadata are too large: more than {} MiB, or 1000 chunks",
+                         max_metadata_mebibytes);
+    case SPNG_EIDAT_STREAM:
+      return "its compressed data are damaged";
+    case SPNG_EIDAT_TOO_SHORT:
+      return "its compressed data are cut short";
+    default:
+      return fmt::format("it is damaged ({})", spng_strerror(code));
+  }
+}
+
+/// Four bytes, the greatest first (PNG specification, 7.1).
+std::uint32_t number_at(Bytes file, std::size_t at) {
+  std::uint32_t value = 0;
+  for (const std::uint8_t byte : file.subspan(at, 4)) value = value << 8U | byte;
+  return value;
+}
+
+/// The pieces of compressed data in a file whose chunks are known to be whole.
+std::vector<Bytes> compressed_data(Bytes file) {
+  constexpr std::size_t signature = 8, around = 12;  // a chunk's length, type and checksum
+  std::vector<Bytes> pieces;
+  for (std::size_t at = signature;;) {
+    const std::size_t length = number_at(file, at);
+    const std::string_view type(reinterpret_cast<const char*>(&file[at + 4]), 4);
+    if (type == "IEND") return pieces;
+    if (type == "IDAT") pieces.push_back(file.subspan(at + 8, length));
+    at += length + around;
+  }
+}
+
+/// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
+/// that have another Adler-32. This inflates them once more, to at most so many bytes, and returns
+/// what is wrong with them as an error of libspng. Bytes behind their end are ignored, as decoders
+/// do.
+int end_error(const std::vector<Bytes>& pieces, std::uint64_t most) {
+  const auto state = std::make_unique<inflate_state>();
+  const auto dropped = std::make_unique<std::array<std::uint8_t, 1 << 16>>();
+  isal_inflate_init(state.get());
+  state->crc_flag = ISAL_ZLIB;
+  std::uint64_t size = 0;
+  for (const Bytes piece : pieces) {
+    state->next_in = const_cast<std::uint8_t*>(piece.data());  // it is only read
+    state->avail_in = static_cast<std::uint32_t>(piece.size());
+    do {
+      state->next_out = dropped->data();
+      state->avail_out = static_cast<std::uint32_t>(dropped->size());
+      if (isal_inflate(state.get()) != ISAL_DECOMP_OK) return SPNG_EIDAT_STREAM;
+      size += dropped->size() - state->avail_out;
+      if (size > most) return SPNG_EIDAT_STREAM;
+      if (state->block_state == ISAL_BLOCK_FINISH) return SPNG_OK;
+    } while (state->avail_in > 0 || state->avail_out == 0);
+  }
+  return SPNG_EIDAT_TOO_SHORT;
+}
+
+/// A PNG file that libspng decodes. Every member throws FileError, or std::bad_alloc.
+class Decoder {
+ public:
+  Decoder(Bytes file, const std::string& name) : file_(file), what_("cannot read " + name) {
+    if (!context_) throw std::bad_alloc();
+    constexpr std::size_t max_metadata = max_metadata_mebibytes << 20U;
+    check(spng_set_image_limits(context_.get(), max_image_side, max_image_side));
+    check(spng_set_chunk_limits(context_.get(), max_metadata, max_metadata));
+    check(spng_set_crc_action(context_.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR));
+    check(spng_set_png_buffer(context_.get(), file.data(), file.size()));
+    check(spng_get_ihdr(context_.get(), &header_));
+    check_size();
+  }
+
+  int width() const { return static_cast<int>(header_.width); }
+  int height() const { return static_cast<int>(header_.height); }
+  int bit_depth() const { return header_.bit_depth; }
+
+  /// Whether anything can be transparent: by a channel, or as a colour or palette entries that are.
+  bool has_alpha() {
+    spng_trns transparency{};
+    const int code = spng_get_trns(context_.get(), &transparency);
+    if (code != SPNG_ECHUNKAVAIL) check(code);
+    return code == SPNG_OK || header_.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+           header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  }
+
+  /// Fills the pixels, and reads the file to its end.
+  template <typename Sample>
+  void decode(std::vector<Sample>& pixels, spng_format format) {
+    check(spng_decode_image(context_.get(), pixels.data(), pixels.size() * sizeof(Sample), format,
+                            SPNG_DECODE_TRNS));
+    check(spng_decode_chunks(context_.get()));
+    // A pixel has at most 8 bytes, a row one for its filter; of the seven passes of an interlaced
+    // image, each with rows of its own, 16 bytes a row are more than enough for these.
+    const std::uint64_t most = (std::uint64_t{8} * header_.width + 16) * header_.height;
+    check(end_error(compressed_data(file_), most));
+  }
+
+ private:
+  void check(int code) const {
+    if (code == SPNG_EMEM || code == SPNG_EZLIB_INIT) throw std::bad_alloc();
+    if (code != SPNG_OK) throw FileError(what_, explanation(code));
+  }
+
+  /// Refuses a size that the file is too short for: the pixels' memory is taken before libspng
+  /// finds that out, and a few bytes could ask for gigabytes.
+  void check_size() const {
+    constexpr std::size_t most_from_a_byte =
+        1032;  // deflate: 258 bytes of 2 bits (RFC 1951, 3.2.5)
+    std::size_t size = 0;
+    check(spng_decoded_image_size(context_.get(), SPNG_FMT_RAW, &size));
+    if (size > most_from_a_byte * file_.size()) check(SPNG_IO_EOF);
+  }
+
+  struct Free {
+    void operator()(spng_ctx* context) const noexcept { spng_ctx_free(context); }
+  };
+
+  Bytes file_;
+  std::string what_;
+  std::unique_ptr<spng_ctx, Free> context_{spng_ctx_new(0)};
+  spng_ihdr header_{};
+};
+
+/// RGB of RGBA.
+void drop_alpha(DeepImage& image) {
+  const std::size_t count = image.pixels.size() / 4;
+  for (std::size_t pixel = 0; pixel < count; ++pixel) {
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[3 * pixel + c] = image.pixels[4 * pixel + c];
+  }
+  image.pixels.resize(3 * count);
+  image.channels = 3;
+}
+
+Image decode_8_bits(Decoder& decoder) {
+  const bool has_alpha = decoder.has_alpha();
+  Image image(decoder.width(), decoder.height(), has_alpha ? 4 : 3);
+  decoder.decode(image.pixels, has_alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8);
+  return image;
+}
+
+DeepImage decode_16_bits(Decoder& decoder) {
+  const bool has_alpha = decoder.has_alpha();
+  DeepImage image(decoder.width(), decoder.height(), 4);
+  decoder.decode(image.pixels, SPNG_FMT_RGBA16);  // libspng has no RGB of 16 bits
+  if (!has_alpha) drop_alpha(image);
+  return image;
+}
+
+/// libspng widens as well, but more slowly: the reading as a whole takes half as long again.
+DeepImage widened(const Image& image) {
+  DeepImage wide(image.width, image.height, image.channels);
+  std::ranges::transform(image.pixels, wide.pixels.begin(), [](std::uint8_t sample) {
+    return static_cast<std::uint16_t>(sample * 0x101);
+  });
+  return wide;
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  Decoder decoder(bytes, name);
+  return decode_8_bits(decoder);
+}
+
+Image read_png(const std::filesystem::path& path) {
+  return decode_png(read_file(path, longest), path.string());
+}
+
+DeepImage read_deep_png(const std::filesystem::path& path) {
+  const auto bytes = read_file(path, longest);
+  Decoder decoder(bytes, path.string());
+  return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
+}
+
+}  // namespace twrench
