@@ -8,13 +8,11 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "canvas/canvas.h"
+#include "canvas/font_bytes.h"
 #include "scratch_folder.h"
 
 namespace twrench {
 namespace {
-
-/// The file of "sans", from its package.
-std::vector<std::uint8_t> sans_file() { return read_file(TWRENCH_SANS_FILE, 1 << 24); }
 
 std::string refusal(std::vector<std::uint8_t> file) {
   try {
@@ -85,18 +83,6 @@ TEST(Font, RefusesAFontThatLacksATable) {
     if (std::string(&file[at], &file[at + 4]) == "cmap") file[at] = 'x';
   }
   EXPECT_EQ(refusal(file), "F: is a font without outlines or without a map from characters");
-}
-
-/// Where the table's bytes are in the file.
-std::span<std::uint8_t> table(std::vector<std::uint8_t>& file, const std::string& tag) {
-  const auto number = [&](std::size_t at) {
-    std::size_t value = 0;
-    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | file[i];
-    return value;
-  };
-  std::size_t at = 12;
-  while (std::string(&file[at], &file[at + 4]) != tag) at += 16;
-  return std::span(file).subspan(number(at + 8), number(at + 12));
 }
 
 TEST(Font, RefusesDamagedOutlines) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/file.h"
+#include "canvas/font_bytes.h"
 
 namespace twrench {
 namespace {
@@ -124,6 +124,19 @@ TEST_P(Typesetting, SetsAMarkOverItsLetter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fonts, Typesetting, testing::Values("sans", "mono"));
+
+// Those of the built-in fonts are as wide by themselves.
+TEST(Digits, TakeTheWidestOnesRoomWhereTheirOwnDiffers) {
+  std::vector<std::uint8_t> file = sans_file();
+  const unsigned one = Font(file, "F").glyph(U'1');
+  table(file, "hmtx")[4 * one] /= 2;  // the high byte of its advance
+  const Font font(std::move(file), "F");
+  ASSERT_LT(font.advance(one), 0.6 * font.digit_advance());
+  const Line line = typeset(font, "171");
+  EXPECT_NEAR(line.width, 3 * font.digit_advance(), 1e-12);
+  EXPECT_NEAR(line.glyphs[0].x, (font.digit_advance() - font.advance(one)) / 2, 1e-12);
+  EXPECT_NEAR(typeset(font, "T1.1").width, typeset(font, "T7.7").width, 1e-12) << "not kerned";
+}
 
 TEST(Kerning, DrawsPairsTogether) {
   const Typeface typeface = load_typeface("sans");
