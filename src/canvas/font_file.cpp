@@ -38,12 +38,18 @@ bool has_all_its_tables(FT_Face face, hb_font_t* shaper) {
   return readable == hb_face_get_table_tags(hb_font_get_face(shaper), 0, nullptr, nullptr);
 }
 
+/// In the file itself: FreeType makes one of the glyphs' names where there is none.
+bool has_character_map(FT_Face face) {
+  FT_ULong length = 0;
+  return FT_Load_Sfnt_Table(face, FT_MAKE_TAG('c', 'm', 'a', 'p'), 0, nullptr, &length) == 0;
+}
+
 void require_usable(const OpenedFace& opened, hb_font_t* shaper, const std::string& what) {
   const FT_Face face = opened.face;
   if (face == nullptr || !has_all_its_tables(face, shaper)) {
     throw UsageError(what, "is a damaged font: not all of its tables can be read");
   }
-  if (!FT_IS_SCALABLE(face) || face->charmap == nullptr) {
+  if (!FT_IS_SCALABLE(face) || !has_character_map(face)) {
     throw UsageError(what, "is a font without outlines or without a map from characters");
   }
 }
