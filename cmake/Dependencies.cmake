@@ -79,8 +79,14 @@ twrench_pkgconfig(libisal "ISA-L"
   DEBIAN libisal-dev FEDORA isa-l-devel ARCH isa-l)
 twrench_pkgconfig(spng "libspng"
   DEBIAN libspng-dev FEDORA libspng-devel ARCH libspng)
-twrench_pkgconfig(cairo "Cairo"
+twrench_pkgconfig(cairo-ft "Cairo with its FreeType fonts"
   DEBIAN libcairo2-dev FEDORA cairo-devel ARCH cairo)
+twrench_pkgconfig(freetype2 "FreeType"
+  DEBIAN libfreetype-dev FEDORA freetype-devel ARCH freetype2)
+twrench_pkgconfig(harfbuzz "HarfBuzz"
+  DEBIAN libharfbuzz-dev FEDORA harfbuzz-devel ARCH harfbuzz)
+twrench_pkgconfig(fribidi "FriBidi"
+  DEBIAN libfribidi-dev FEDORA fribidi-devel ARCH fribidi)
 
 # twrench_header(VARIABLE HEADER WHAT ...): the include folder of HEADER; the rest as twrench_require.
 macro(twrench_header variable header what)
@@ -115,6 +121,11 @@ if(BUILD_TESTING AND NOT TWRENCH_FUZZ)
   find_package(GTest QUIET)
   twrench_require("GoogleTest, for the tests" FOUND "${GTest_FOUND}"
     DEBIAN "libgtest-dev libgmock-dev" FEDORA gmock-devel ARCH gtest HINT "-DGTest_ROOT=FOLDER")
+  find_file(TWRENCH_MANY_SCRIPTS NAMES FreeSerif.ttf FreeSerif.otf PATHS /usr/share/fonts
+    PATH_SUFFIXES truetype/freefont gnu-free NO_DEFAULT_PATH)
+  twrench_require("the typeface FreeSerif, for the tests" FOUND "${TWRENCH_MANY_SCRIPTS}"
+    DEBIAN fonts-freefont-ttf FEDORA gnu-free-serif-fonts ARCH gnu-free-fonts
+    HINT "-DTWRENCH_MANY_SCRIPTS=FILE")
 endif()
 
 get_property(missing GLOBAL PROPERTY twrench_missing)

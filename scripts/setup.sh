@@ -41,11 +41,15 @@ render   | EGL                           | libegl1
 render   | Mesa's EGL                    | libegl-mesa0
 render   | OSMesa                        | libosmesa6                | EGL in software is used
 render   | Cairo                         | libcairo2-dev
+render   | FreeType                      | libfreetype-dev libfreetype6-dev
+render   | HarfBuzz                      | libharfbuzz-dev
+render   | FriBidi                       | libfribidi-dev
 render   | the typeface Roboto           | fonts-roboto-unhinted
 render   | the typeface Fira Code        | fonts-firacode
 render   | ffmpeg                        | ffmpeg
 test     | GoogleTest                    | libgtest-dev
 test     | GoogleMock                    | libgmock-dev
+test     | a typeface of many scripts    | fonts-freefont-ttf
 test     | gnuplot, for figures          | gnuplot-nox gnuplot
 test     | ImageMagick, to read our PNG  | imagemagick
 test     | libpng's tools, for the same  | libpng-tools
@@ -84,6 +88,10 @@ arm64    | OpenSSL for arm64             | libssl-dev:arm64
 arm64    | OpenGL's headers for arm64    | libgl-dev:arm64
 arm64    | EGL's headers for arm64       | libegl-dev:arm64
 arm64    | Cairo for arm64               | libcairo2-dev:arm64
+arm64    | FreeType for arm64            | libfreetype-dev:arm64 libfreetype6-dev:arm64
+arm64    | HarfBuzz for arm64            | libharfbuzz-dev:arm64
+arm64    | FriBidi for arm64             | libfribidi-dev:arm64
+arm64    | a typeface of many scripts    | fonts-freefont-ttf
 arm64    | ffmpeg, to read our PNG       | ffmpeg
 arm64    | GoogleTest for arm64          | libgtest-dev:arm64
 arm64    | GoogleMock for arm64          | libgmock-dev:arm64

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/locale/utf.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-
-#include "canvas/utf8.h"
 
 namespace twrench {
 namespace {
@@ -45,10 +44,14 @@ std::string escape_sequence(char32_t point) {
 }  // namespace
 
 std::string escape(std::string_view text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
   std::string shown;
   while (!text.empty()) {
-    const auto [point, length] = first_character(text);
-    if (point == U'\uFFFD' && length == 1) {
+    auto next = text.begin();
+    const char32_t point = Utf8::decode(next, text.end());
+    const bool well_formed = boost::locale::utf::is_valid_codepoint(point);
+    const auto length = well_formed ? static_cast<std::size_t>(next - text.begin()) : 1;
+    if (!well_formed) {
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
     } else if (is_unseen(point)) {
       shown += escape_sequence(point);

@@ -1,60 +1,57 @@
 #pragma once
 
+#include <cairo.h>
+
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-struct stbtt_fontinfo;
+struct hb_font_t;
 
 namespace twrench {
 
-/// A typeface: outlines and measures of its glyphs, read by stb_truetype. All lengths are in em, y
-/// down, x from the pen, which moves on by the glyph's advance.
+/// A font: HarfBuzz shapes text with it, and Cairo draws its glyphs from FreeType's outlines.
+/// Outlines are neither hinted nor replaced by bitmaps, so that they are the same on every machine.
+/// Copies share what they were made from.
 class Font {
  public:
-  struct Point {
-    double x, y;
-  };
-  /// A piece of an outline, which is closed: from where the last one ended, by a cubic where
-  /// `curve`, or, where `start`, a new contour's first point.
-  struct Segment {
-    enum Kind { start, line, curve } kind;
-    Point control1, control2;  ///< of a curve
-    Point end;
-  };
-
   /// From the bytes of a TrueType or OpenType file, or of a collection, of which it is the first.
   /// Throws UsageError about `what` for anything else, for a damaged file, and for a font that
-  /// lacks a character of this program's own words.
-  ///
-  /// Tables that lie beyond the file's end are refused; within its tables the file is trusted, as
-  /// stb_truetype does: a font made to do harm can do harm.
+  /// lacks a character of this program's own text.
   Font(std::vector<std::uint8_t> file, const std::string& what);
-  ~Font();
-  Font(Font&&) noexcept;
-  Font& operator=(Font&&) noexcept;
 
   /// The bytes that it was made from.
-  std::span<const std::uint8_t> file() const { return file_; }
+  std::span<const std::uint8_t> file() const { return *file_; }
 
-  /// 0 where it has none.
-  int glyph(char32_t point) const;
+  /// The glyph that stands for a character by itself; 0 where the font has none.
+  unsigned glyph(char32_t character) const;
 
-  double advance(int glyph) const;
-  double kerning(int left, int right) const;  ///< to add to the advance between them
-  std::vector<Segment> outline(int glyph) const;
+  /// Whether the glyph's outline can be read. Not to be called while another thread draws with the
+  /// font.
+  bool can_draw(unsigned glyph) const;
 
-  /// The advance of the widest of the ten digits.
+  /// In em: by how much the pen moves on.
+  double advance(unsigned glyph) const;
+
+  /// In em: the advance of the widest of the ten digits.
   double digit_advance() const { return digit_advance_; }
-  /// The height of an H.
+
+  /// In em: the height of an H.
   double cap_height() const { return cap_height_; }
 
+  /// HarfBuzz's font, whose lengths are in units of the file, of which an em has units_per_em().
+  hb_font_t* shaper() const { return shaper_.get(); }
+  unsigned units_per_em() const;
+
+  /// Cairo's font face.
+  cairo_font_face_t* face() const { return face_.get(); }
+
  private:
-  std::vector<std::uint8_t> file_;
-  std::unique_ptr<stbtt_fontinfo> info_;
-  double em_ = 0;  ///< per unit of the file
+  std::shared_ptr<const std::vector<std::uint8_t>> file_;
+  std::shared_ptr<hb_font_t> shaper_;
+  std::shared_ptr<cairo_font_face_t> face_;
   double digit_advance_ = 0;
   double cap_height_ = 0;
 };

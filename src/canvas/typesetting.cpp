@@ -1,98 +1,131 @@
 #include "canvas/typesetting.h"
 
-#include <optional>
-#include <span>
+#include <hb.h>
 
-#include "canvas/utf8.h"
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <optional>
+
+#include "canvas/text_runs.h"
 
 namespace twrench {
 namespace {
 
-struct Character {
-  char32_t point;
-  double y = 0;  ///< em below the baseline
-  double scale = 1;
+using Buffer = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
+
+/// How large, and how far below the baseline, in em.
+struct Setting {
+  double scale, y;
 };
 
-/// What a raised or lowered character is made of.
-Character plain(char32_t point) {
-  constexpr double scale = 0.66, raised = -0.34, lowered = 0.16;
-  constexpr std::u32string_view superscripts = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", subscripts = U"₀₁₂₃₄₅₆₇₈₉₊₋";
-  constexpr std::u32string_view plains = U"0123456789+−";
-  if (const auto i = superscripts.find(point); i != std::u32string_view::npos) {
-    return {plains[i], raised, scale};
-  }
-  if (const auto i = subscripts.find(point); i != std::u32string_view::npos) {
-    return {plains[i], lowered, scale};
-  }
-  return {point};
+Setting setting_of(CharacterStyle style) {
+  constexpr double small = 0.66;
+  if (style == CharacterStyle::raised) return {small, -0.34};
+  if (style == CharacterStyle::lowered) return {small, 0.16};
+  return {1, 0};
 }
 
-/// Blanks that need no glyph: as wide as a digit, and what parts thousands.
-std::optional<double> blank(const Font& font, char32_t point) {
-  if (point == U'\u2007') return font.digit_advance();
-  if (point == U'\u2009') return 0.2;
+void shape(hb_buffer_t* buffer, const Font& font, const StyledText& text, const TextRun& run) {
+  hb_buffer_clear_contents(buffer);
+  hb_buffer_add_codepoints(buffer, text.characters.data(), static_cast<int>(text.characters.size()),
+                           static_cast<unsigned>(run.begin), static_cast<int>(run.end - run.begin));
+  hb_buffer_set_direction(buffer, run.direction);
+  hb_buffer_set_script(buffer, run.script);
+  hb_shape(font.shaper(), buffer, nullptr, 0);
+  if (!hb_buffer_allocation_successful(buffer)) throw std::bad_alloc();
+}
+
+/// In em, what a character takes whatever its glyph does.
+std::optional<double> fixed_room(const Font& font, hb_codepoint_t character) {
+  const bool is_digit = character >= U'0' && character <= U'9';
+  if (is_digit || character == U'\u2007') return font.digit_advance();
+  if (character == U'\u2009') return 0.2;  // a whole letter in some fonts
   return std::nullopt;
 }
 
-bool is_digit(char32_t point) { return point >= U'0' && point <= U'9'; }
-
-Line typeset(const Font& font, std::span<const char32_t> points) {
-  Line line{&font, {}, 0};
-  Character before{U'\0'};
-  for (const char32_t point : points) {
-    const Character now = plain(point);
-    if (const auto width = blank(font, point)) {
-      line.width += *width;
-      before = {U'\0'};
-      continue;
+/// Adds what the buffer holds, shaped, at the line's right end.
+void append(Line& line, hb_buffer_t* buffer, const StyledText& text, const TextRun& run) {
+  const auto [scale, y] = setting_of(run.style);
+  const double em = scale / line.font->units_per_em();
+  unsigned count = 0;
+  const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
+  const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer, nullptr);
+  for (unsigned i = 0; i < count; ++i) {
+    const hb_glyph_position_t& position = positions[i];
+    const std::size_t character = infos[i].cluster;
+    double room = em * position.x_advance, before = 0;
+    const auto fixed = fixed_room(*line.font, text.characters[character]);
+    if (fixed && position.x_advance != 0) {  // not of a mark on it
+      room = scale * *fixed;
+      before = (room - scale * line.font->advance(infos[i].codepoint)) / 2;
     }
-    const int glyph = font.glyph(now.point);
-    const bool kerned = before.point != U'\0' && now.scale == before.scale &&
-                        !(is_digit(now.point) && is_digit(before.point));
-    if (kerned) line.width += now.scale * font.kerning(line.glyphs.back().glyph, glyph);
-    const double advance = font.advance(glyph);
-    const double room = is_digit(now.point) ? font.digit_advance() : advance;
-    line.glyphs.push_back({glyph, line.width + now.scale * (room - advance) / 2, now.y, now.scale});
-    line.width += now.scale * room;
-    before = now;
+    line.glyphs.push_back({infos[i].codepoint, line.width + before + em * position.x_offset,
+                           y - em * position.y_offset, scale, character});
+    line.width += room;
+  }
+}
+
+Line typeset(const Font& font, const StyledText& text) {
+  Line line{&font, {}, 0};
+  const Buffer buffer(hb_buffer_create(), &hb_buffer_destroy);
+  for (const TextRun& run : visual_runs(text)) {
+    shape(buffer.get(), font, text, run);
+    append(line, buffer.get(), text, run);
   }
   return line;
 }
 
+/// Where the text may be cut: before the characters with which its glyphs begin.
+std::vector<std::size_t> places_to_cut(const Line& line) {
+  std::vector<std::size_t> places;
+  for (const Line::Placed& glyph : line.glyphs) places.push_back(glyph.character);
+  std::ranges::sort(places);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
 }  // namespace
 
-Line typeset(const Font& font, std::string_view utf8) { return typeset(font, decode_utf8(utf8)); }
+Line typeset(const Font& font, std::string_view utf8) { return typeset(font, styled(utf8)); }
 
 Line typeset_within(const Font& font, std::string_view utf8, double width) {
-  const std::vector<char32_t> points = decode_utf8(utf8);
-  Line line = typeset(font, points);
-  if (line.width <= width || points.empty()) return line;
-  const auto shortened = [&](std::size_t kept) {
-    while (kept > 0 && points[kept - 1] == U' ') --kept;
-    std::vector<char32_t> some(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept));
-    some.push_back(U'…');
-    return typeset(font, some);
+  const StyledText text = styled(utf8);
+  Line line = typeset(font, text);
+  if (line.width <= width || line.glyphs.empty()) return line;
+  const std::vector<std::size_t> places = places_to_cut(line);
+  const auto cut_at = [&](std::size_t place) {
+    std::size_t kept = places[place];
+    while (kept > 0 && text.characters[kept - 1] == U' ') --kept;
+    return typeset(font, shortened(text, kept));
   };
-  // The most characters that fit. Halved, for a title may have a million.
-  std::size_t fit = 0, most = points.size() - 1;
+  // The most that fits. Halved, for a title may have a million characters.
+  std::size_t fit = 0, most = places.size() - 1;
   while (fit < most) {
-    const std::size_t kept = most - (most - fit) / 2;
-    if (shortened(kept).width <= width) {
-      fit = kept;
+    const std::size_t place = most - (most - fit) / 2;
+    if (cut_at(place).width <= width) {
+      fit = place;
     } else {
-      most = kept - 1;
+      most = place - 1;
     }
   }
-  line = shortened(fit);
+  line = cut_at(fit);
   return line.width <= width ? line : Line{&font, {}, 0};
 }
 
 std::optional<char32_t> missing_character(const Font& font, std::string_view utf8) {
-  for (const char32_t point : decode_utf8(utf8)) {
-    if (!blank(font, point) && font.glyph(plain(point).point) == 0) return point;
+  const StyledText text = styled(utf8);
+  std::optional<std::size_t> first;
+  for (const Line::Placed& placed : typeset(font, text).glyphs) {
+    if (placed.glyph != 0 && font.can_draw(placed.glyph)) continue;
+    first = std::min(first.value_or(placed.character), placed.character);
   }
-  return std::nullopt;
+  if (!first) return std::nullopt;
+  // A letter and its marks are one there: it may be a mark that is missing.
+  const auto lacks = [&](hb_codepoint_t character) { return font.glyph(character) == 0; };
+  const auto begin = text.characters.begin() + static_cast<std::ptrdiff_t>(*first);
+  const auto missing = std::find_if(begin, text.characters.end(), lacks);
+  return static_cast<char32_t>(missing == text.characters.end() ? *begin : *missing);
 }
 
 }  // namespace twrench

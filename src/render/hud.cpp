@@ -59,7 +59,8 @@ void require_characters(const Font& font, const std::string& title) {
     throw UsageError("title",
                      fmt::format("has the character U+{:04X}, which the font lacks",
                                  static_cast<std::uint32_t>(*missing)),
-                     "--font FILE takes a font that has it; --hide hud leaves the title out");
+                     "--font FILE takes a font that has it; --title TEXT gives another title, and "
+                     "--hide hud none");
   }
 }
 
@@ -76,10 +77,10 @@ Hud::Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layou
   const WordStyle style{typeface, colors, layout.text, layout.compact};
   const Figures figures(scene, takes, layout.compact);
   if (layout.title) {
-    require_characters(typeface.strong, scene.title);
+    const std::string& title = scene.title.empty() ? scene.name : scene.title;
+    require_characters(typeface.strong, title);
     WordBlock& block = blocks_.emplace_back(style, *layout.title);
     if (takes.size() > 1) block.add_corner(figures.time());
-    const std::string& title = scene.title.empty() ? scene.name : scene.title;
     block.add_line(title, typeface.strong, title_size, colors.text);
     if (takes.size() == 1 && !layout.compact) {
       block.add_line(hud_text::method(takes[0]), typeface.regular, caption_size, colors.dim);

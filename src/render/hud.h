@@ -14,7 +14,7 @@ Color take_color(const OverlayColors& colors, std::size_t take);
 class Hud : public Element {
  public:
   /// All but `scene` and `takes` outlive it. Throws UsageError where the typeface lacks a character
-  /// of the title.
+  /// of the title or, without one, of the scene's name.
   Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
       const Typeface& typeface, const OverlayColors& colors);
 

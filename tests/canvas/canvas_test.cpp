@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <future>
+
 namespace twrench {
 namespace {
 
@@ -58,6 +60,40 @@ TEST(Canvas, WritesOnTheBaselineAlignedAsAsked) {
   EXPECT_NEAR(columns(Canvas::Align::left), 50 + width / 2, 1);
   EXPECT_NEAR(columns(Canvas::Align::centre), 50, 1);
   EXPECT_NEAR(columns(Canvas::Align::right), 50 - width / 2, 1);
+}
+
+Image picture_of(const Line& line, double x, double y) {
+  Image image(60, 40, 4);
+  Canvas(image, 0, 0).text(line, 20, {x, y}, {ink});
+  return image;
+}
+
+TEST(Canvas, DoesNotMoveLettersToWholePixels) {
+  const Typeface typeface = load_typeface("sans");
+  const Line line = typeset(typeface.regular, "H");
+  for (const auto& [x, y] : {std::pair(10.125, 30.0), {10, 30.125}}) {
+    EXPECT_NE(picture_of(line, x, y).pixels, picture_of(line, 10, 30).pixels) << x << " " << y;
+  }
+}
+
+TEST(Canvas, DrawsNothingForASpace) {
+  const Typeface typeface = load_typeface("sans");
+  EXPECT_THAT(picture_of(typeset(typeface.regular, " \u2007\u2009\u200D"), 10, 30).pixels, Each(0));
+}
+
+TEST(Canvas, DrawsTheSameFromSeveralThreads) {
+  const Typeface typeface = load_typeface("sans");
+  const auto draw = [&] {
+    std::vector<Image> images;
+    for (int i = 0; i < 20; ++i) {
+      const Line line = typeset(typeface.regular, "−1.2×10⁻³ " + std::to_string(i));
+      images.push_back(picture_of(line, 0.1 * i, 30));
+    }
+    return images;
+  };
+  auto beside = std::async(std::launch::async, draw);
+  const std::vector<Image> here = draw(), there = beside.get();
+  for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i].pixels, there[i].pixels) << i;
 }
 
 TEST(Canvas, LaysTheHaloAroundTheLetters) {

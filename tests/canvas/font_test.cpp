@@ -2,15 +2,17 @@
 
 #include <gmock/gmock.h>
 
+#include <optional>
+#include <random>
+
 #include "base/error.h"
 #include "base/file.h"
+#include "canvas/canvas.h"
+#include "canvas/font_bytes.h"
 #include "scratch_folder.h"
 
 namespace twrench {
 namespace {
-
-/// The file of "sans", from its package.
-std::vector<std::uint8_t> sans_file() { return read_file(TWRENCH_SANS_FILE, 1 << 24); }
 
 std::string refusal(std::vector<std::uint8_t> file) {
   try {
@@ -37,29 +39,23 @@ TEST(Font, MeasuresInEm) {
   EXPECT_GT(font.advance(font.glyph(U'W')), font.advance(font.glyph(U'i')));
 }
 
-TEST(Font, KernsByGpos) {
+TEST(Font, HasGlyphsForTheCharactersOfItsMap) {
   const Font font(sans_file(), "F");
-  EXPECT_LT(font.kerning(font.glyph(U'T'), font.glyph(U'o')), -0.02);
-  EXPECT_EQ(font.kerning(font.glyph(U'H'), font.glyph(U'H')), 0);
+  EXPECT_NE(font.glyph(U'W'), 0U);
+  EXPECT_EQ(font.glyph(U'\uE123'), 0U);
+  EXPECT_TRUE(font.can_draw(font.glyph(U'W')));
+  EXPECT_FALSE(font.can_draw(65'000)) << "beyond the last";
 }
 
-TEST(Font, OutlinesStandOnTheBaseline) {
-  const Font font(sans_file(), "F");
-  double top = 0, bottom = -1;
-  for (const Font::Segment& segment : font.outline(font.glyph(U'H'))) {
-    top = std::min(top, segment.end.y);
-    bottom = std::max(bottom, segment.end.y);
+TEST(Font, OutlivesThatFromWhichItWasCopiedOrMoved) {
+  std::optional<Font> first(Font(sans_file(), "F"));
+  const double advance = first->advance(first->glyph(U'W'));
+  const Font copy(*first), second(std::move(*first));
+  first.reset();
+  for (const Font& font : {copy, second}) {
+    EXPECT_EQ(font.advance(font.glyph(U'W')), advance);
+    EXPECT_TRUE(font.can_draw(font.glyph(U'W')));
   }
-  EXPECT_NEAR(bottom, 0, 1e-9);
-  EXPECT_NEAR(top, -font.cap_height(), 1e-6) << "y is down";
-  EXPECT_TRUE(font.outline(font.glyph(U' ')).empty());
-}
-
-TEST(Font, StaysWholeWhereItIsMoved) {
-  Font first(sans_file(), "F");
-  const double advance = first.advance(first.glyph(U'W'));
-  const Font second(std::move(first));
-  EXPECT_EQ(second.advance(second.glyph(U'W')), advance);
 }
 
 TEST(Font, RefusesWhatIsNoFont) {
@@ -70,10 +66,14 @@ TEST(Font, RefusesWhatIsNoFont) {
 
 TEST(Font, RefusesAFileCutAnywhere) {
   const std::vector<std::uint8_t> whole = sans_file();
-  for (const std::size_t size : {4UL, 11UL, 12UL, 100UL, whole.size() / 2, whole.size() - 9}) {
-    const std::vector<std::uint8_t> cut(whole.begin(),
-                                        whole.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_EQ(refusal(cut), "F: is a damaged font: it ends before its tables do") << size;
+  const auto cut_at = [&](std::size_t size) {
+    return refusal({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+  };
+  for (const std::size_t size : {4UL, 11UL, 12UL, 100UL}) {
+    EXPECT_EQ(cut_at(size), "F: is not a TrueType or OpenType font") << size;
+  }
+  for (const std::size_t size : {1000UL, whole.size() / 2, whole.size() - 9}) {
+    EXPECT_EQ(cut_at(size), "F: is a damaged font: not all of its tables can be read") << size;
   }
 }
 
@@ -83,6 +83,59 @@ TEST(Font, RefusesAFontThatLacksATable) {
     if (std::string(&file[at], &file[at + 4]) == "cmap") file[at] = 'x';
   }
   EXPECT_EQ(refusal(file), "F: is a font without outlines or without a map from characters");
+}
+
+TEST(Font, RefusesDamagedOutlines) {
+  std::vector<std::uint8_t> file = sans_file();
+  std::ranges::fill(table(file, "glyf"), std::uint8_t{0x7F});
+  EXPECT_EQ(refusal(file), "F: is a damaged font: its character U+00D7 cannot be read");
+}
+
+/// Draws with the font, if it is one. Returns whether it is.
+bool draw_with(std::vector<std::uint8_t> file) {
+  try {
+    const Font font(std::move(file), "F");
+    Image image(200, 40, 4);
+    Canvas(image, 0, 0).text(typeset(font, "The Dzhanibekov e\u0301 10⁻³ سلام"), 20, {0, 30}, {});
+    return true;
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("F: "));
+    return false;
+  }
+}
+
+TEST(Font, IsRefusedOrDrawsWhereBytesAreDamaged) {
+  const std::vector<std::uint8_t> whole = sans_file();
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t limit) { return random() % limit; };
+  int usable = 0;
+  constexpr int count = 300;
+  for (int i = 0; i < count; ++i) {
+    std::vector<std::uint8_t> file = whole;
+    // The directory of tables, and the first table of each kind, are at the beginning.
+    const std::size_t range = i % 2 == 0 ? file.size() : 4096;
+    for (std::size_t flips = 1 + below(8); flips > 0; --flips) {
+      file[below(range)] = static_cast<std::uint8_t>(below(256));
+    }
+    for (const char* tag : {"GPOS", "GSUB", "cmap", "loca", "head"}) {
+      if (below(4) == 0) {
+        const std::span<std::uint8_t> bytes = table(file = whole, tag);
+        bytes[below(std::min<std::size_t>(bytes.size(), 512))] ^=
+            static_cast<std::uint8_t>(1 + below(255));
+      }
+    }
+    usable += draw_with(std::move(file)) ? 1 : 0;
+  }
+  EXPECT_GT(usable, count / 10) << "damage that matters little";
+  EXPECT_LT(usable, count) << "damage that is noticed";
+}
+
+TEST(Font, IsRefusedOrDrawsWhereItIsCut) {
+  const std::vector<std::uint8_t> whole = sans_file();
+  for (std::size_t size = 0; size < whole.size(); size += size < 400 ? 7 : 4999) {
+    EXPECT_FALSE(draw_with({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}))
+        << size;
+  }
 }
 
 TEST(LoadTypeface, KnowsItsNames) {

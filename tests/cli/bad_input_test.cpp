@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --font sams", 2, "font: unknown name 'sams'"},
         Mistake{"render --font missing.ttf", 2, "missing.ttf"},
         Mistake{"render --font ./file", 2, "font ./file: is not a TrueType or OpenType font"},
+        Mistake{"render --title \u0646\u0635", 2,
+                "title: has the character U+0646, which the font lacks"},
         Mistake{"render --view quad --compare rk4,exact", 2, "compare: the view 'quad'"},
         Mistake{"render folder.toml", 5, "folder.toml"},
         Mistake{"render --size 16384x16384 --samples 64", 2, "samples"},
@@ -153,6 +155,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"study --methods exact --plot a.svg", 2, "nothing to draw"},
         Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
         Mistake{"encode missing -o a.mp4", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
+
+TEST(BadInput, ADamagedFontIsOneClearLine) {
+  const ScratchFolder folder;
+  const std::string font = text_of(TWRENCH_SANS_FILE);
+  write_file_atomically(folder / "cut.ttf", font.substr(0, font.size() / 2));
+  const Outcome run = run_twrench(folder, "render --font cut.ttf");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.err,
+            "twrench: error: font cut.ttf: is a damaged font: not all of its tables can be read\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "something was written";
+}
 
 TEST(BadInput, FfmpegIsMissedBeforeTheFirstFrame) {
   const ScratchFolder folder;
