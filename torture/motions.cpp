@@ -17,8 +17,8 @@
 #include <random>
 #include <string>
 
-#include "base/error.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/taylor.h"
 #include "motion/trajectory.h"
@@ -289,7 +289,7 @@ class Trial {
         fault(fmt::format("{} with step {:.17g} and tolerance {:.17g} is not finite", method.name,
                           control.step, control.tolerance));
       }
-    } catch (const UsageError&) {
+    } catch (const MotionError&) {
     }
   }
 

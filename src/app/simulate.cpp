@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "base/error.h"
 #include "motion/diagnostics.h"
 #include "motion/trajectory.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "math/so3.h"
+#include "motion/error.h"
 
 namespace twrench {
 
@@ -130,10 +130,10 @@ std::vector<double> ExactMotion::flip_times(double t_end) const {
   if (const auto flips = this->flips()) {
     constexpr double most = 1e7;
     if (const double count = t_end / flips->interval; count > most) {
-      throw UsageError("flips",
-                       fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
-                                   count, t_end, most),
-                       "give a shorter --duration");
+      throw MotionError("flips",
+                        fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
+                                    count, t_end, most),
+                        MotionError::Reason::too_many_flips);
     }
     double t = flips->first;
     for (int n = 1; t <= t_end; ++n) {

@@ -46,7 +46,7 @@ class ExactMotion {
   std::optional<Flips> flips() const;
 
   /// The instants, s, of all flips with 0 < t <= t_end, ascending; t_end is finite. Throws
-  /// UsageError where there are more than 10^7.
+  /// MotionError where there are more than 10^7.
   std::vector<double> flip_times(double t_end) const;
 
  private:

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
 
-#include "base/error.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/stepper.h"
 #include "motion/taylor.h"
@@ -29,16 +30,21 @@ constexpr double largest_factor = 5.0;
 // singular at a whole turn.
 constexpr double longest_part = 0.9;
 
-UsageError out_of_steps(const Method& method, const StepControl& control, double t) {
-  return {fmt::format("method {}", method.name),
-          fmt::format("more than {} steps at t = {} s", control.max_steps, t),
-          "take a larger --tolerance or a shorter --duration"};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+MotionError failure(const Method& method, MotionError::Reason reason, const std::string& why) {
+  return {fmt::format("method {}", method.name), why, reason};
 }
 
-UsageError underflow(const Method& method, const StepControl& control, double t) {
-  return {fmt::format("method {}", method.name),
-          fmt::format("the step underflows at t = {} s with tolerance {}", t, control.tolerance),
-          "take a larger --tolerance, or a slower motion"};
+MotionError out_of_steps(const Method& method, const StepControl& control, double t) {
+  return failure(method, MotionError::Reason::out_of_steps,
+                 fmt::format("more than {} steps at t = {} s", control.max_steps, t));
+}
+
+MotionError underflow(const Method& method, const StepControl& control, double t) {
+  return failure(
+      method, MotionError::Reason::step_underflow,
+      fmt::format("the step underflows at t = {} s with tolerance {}", t, control.tolerance));
 }
 
 /// Walks along the method's own steps t_0 = 0, t_1, ... in the direction of `sign`.
@@ -83,17 +89,15 @@ class Walk {
   /// The end of a step of that very length from t_k.
   Matrix3d fixed_step(double length) {
     if (std::abs(length) > a_turn_) {
-      throw UsageError(fmt::format("method {}", method_.name),
-                       fmt::format("a step of {} s is longer than a turn of the body ({:.3g} s)",
-                                   length, a_turn_),
-                       "take a shorter --step");
+      throw failure(method_, MotionError::Reason::step_too_long,
+                    fmt::format("a step of {} s is longer than a turn of the body ({:.3g} s)",
+                                length, a_turn_));
     }
     const Step step = take_step(body_, method_, X_, length);
     evaluations_ += step.evaluations;
     if (std::isfinite(step.error)) return step.X;
-    throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("a step of {} s turns the body too far for it", length),
-                     "take a shorter --step");
+    throw failure(method_, MotionError::Reason::step_too_long,
+                  fmt::format("a step of {} s turns the body too far for it", length));
   }
 
   double capped(double length) const {
@@ -130,9 +134,8 @@ class Walk {
     constexpr double bound = 1e50;
     if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
       return;
-    throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("the motion has diverged at t = {} s", sample.t),
-                     "take a shorter --step, or a method that stays on SO(3)");
+    throw failure(method_, MotionError::Reason::diverged,
+                  fmt::format("the motion has diverged at t = {} s", sample.t));
   }
 
   const FreeBody& body_;
@@ -219,15 +222,16 @@ void visit_exact_steps(const FreeBody& body, double step, double t_end,
 void require_possible(const Method& method, const StepControl& control, double t_end) {
   if (method.adaptive()) {
     if (control.tolerance >= least_tolerance) return;
-    throw UsageError("tolerance", fmt::format("is {}, but double precision keeps no less than {}",
-                                              control.tolerance, least_tolerance));
+    throw OutOfRange("tolerance",
+                     fmt::format("is {}, but double precision keeps no less than {}",
+                                 control.tolerance, least_tolerance),
+                     {control.tolerance, least_tolerance, infinite});
   }
   const double steps = std::abs(t_end) / control.step;
   if (!(steps > static_cast<double>(control.max_steps))) return;
-  throw UsageError(fmt::format("method {}", method.name),
-                   fmt::format("{:.3g} steps of {} s to t = {} s are more than {}", steps,
-                               control.step, t_end, control.max_steps),
-                   "take a longer --step or a shorter --duration");
+  throw failure(method, MotionError::Reason::too_many_steps,
+                fmt::format("{:.3g} steps of {} s to t = {} s are more than {}", steps,
+                            control.step, t_end, control.max_steps));
 }
 
 /// Walks of that kind to all times ahead and to all times back.

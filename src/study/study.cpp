@@ -6,8 +6,8 @@
 #include <ctime>
 #include <limits>
 
-#include "base/error.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/stepper.h"
 #include "study/flip_search.h"
 #include "study/ladder.h"
@@ -86,7 +86,7 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
     run.steps = result.steps;
     run.evaluations = result.evaluations;
     look_on_the_way(body, method, control, exact, run);
-  } catch (const UsageError& error) {
+  } catch (const MotionError& error) {
     run.failure = error.what();
   }
   return run;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
 #include "image/png.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 #include "movie/frame_sequence.h"
 #include "run_command.h"
@@ -62,15 +62,15 @@ std::vector<int> encode_and_count(const std::filesystem::path& folder,
   return heard;
 }
 
-FileError failure(const ScratchFolder& scratch) {
+FramesError failure(const ScratchFolder& scratch) {
   try {
     encode_and_count(scratch / "frames", scratch / "film.mp4");
-  } catch (const FileError& error) {
+  } catch (const FramesError& error) {
     EXPECT_FALSE(std::filesystem::exists(scratch / "film.mp4"));
     return error;
   }
   ADD_FAILURE() << "no error";
-  return {"", ""};
+  return {"", "", FramesError::Reason::no_manifest};
 }
 
 TEST(EncodeFrames, MakesTheFilmOfTheFramesInOrder) {
@@ -91,9 +91,10 @@ TEST(EncodeFrames, NamesTheFramesThatWereNeverDrawnOrAreGone) {
   const ScratchFolder scratch;
   draw(scratch, "0-19", "0-4,8-12");
   std::filesystem::remove(scratch / "frames/frame_000010.png");
-  const FileError error = failure(scratch);
+  const FramesError error = failure(scratch);
   EXPECT_THAT(error.what(), HasSubstr("frames are missing: 5-7,10,13-19"));
-  EXPECT_THAT(error.remedy(), HasSubstr("--resume"));
+  EXPECT_EQ(error.reason(), FramesError::Reason::missing);
+  EXPECT_THAT(error.frames(), ElementsAre(5, 6, 7, 10, 13, 14, 15, 16, 17, 18, 19));
 }
 
 TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
@@ -116,7 +117,10 @@ TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
   const ScratchFolder scratch;
   draw(scratch, "0-3", "0-3");
   write_file_atomically(scratch / "frames/frame_000002.png", encode_png(gray(32, 16, 99)));
-  EXPECT_THAT(failure(scratch).what(), HasSubstr("frame_000002.png: it is not the file"));
+  const FramesError error = failure(scratch);
+  EXPECT_THAT(error.what(), HasSubstr("frame_000002.png: it is not the file"));
+  EXPECT_EQ(error.reason(), FramesError::Reason::altered);
+  EXPECT_THAT(error.frames(), ElementsAre(2));
   EXPECT_THAT(scratch.names(), ElementsAre("frames"));
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "canvas/error.h"
 #include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
@@ -214,7 +214,8 @@ TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
   try {
     hud_of(film);
     FAIL();
-  } catch (const UsageError& error) {
+  } catch (const MissingGlyph& error) {
+    EXPECT_EQ(error.character(), U'\uE123');
     EXPECT_THAT(error.what(), testing::HasSubstr("title: has the character U+E123"));
   }
 }
