@@ -31,7 +31,7 @@ Candidate candidate(const Method& method) {
 std::vector<Candidate> own_candidates() {
   std::vector<Candidate> list;
   for (const Method& method : methods()) {
-    if (method.order > 2) list.push_back(candidate(method));
+    if (method.order.value_or(0) > 2) list.push_back(candidate(method));
   }
   return list;
 }
