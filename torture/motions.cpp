@@ -17,8 +17,8 @@
 #include <random>
 #include <string>
 
-#include "base/error.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/taylor.h"
 #include "motion/trajectory.h"
@@ -142,8 +142,8 @@ double complementary_parameter(const Vector3d& I, const Vector3d& mu) {
 }
 
 Condition condition_of(const Case& c, const FreeBody& body, const ExactMotion& exact) {
-  const Vector3d I = body.principal.moments / body.principal.moments[0];
-  const Vector3d w = body.principal.axes.transpose() * c.omega / c.omega.stableNorm();
+  const Vector3d I = body.principal().moments / body.principal().moments[0];
+  const Vector3d w = body.principal().axes.transpose() * c.omega / c.omega.stableNorm();
   // |omega| <= G/I_1 at all times, and <= sqrt(2T/I_1).
   const Vector3d m = w.cwiseProduct(I);
   double rate = c.omega.stableNorm() * std::min(m.norm(), std::sqrt(w.dot(m)));
@@ -191,7 +191,7 @@ class Trial {
   }
 
   void run() {
-    const FreeBody body = free_body(case_.moments.asDiagonal(), case_.omega);
+    const FreeBody body(case_.moments.asDiagonal(), case_.omega);
     const ExactMotion exact(body);
     const Sample sample = exact.at(case_.t);
     const Condition condition = condition_of(case_, body, exact);
@@ -207,11 +207,11 @@ class Trial {
     const Vector3d& I = case_.moments;
     const Matrix3d& X = sample.X;
     expect_within("|X^T X - Id|", (X.transpose() * X - Matrix3d::Identity()).norm(), 4e-15);
-    const double G = body.momentum.stableNorm();
+    const double G = body.momentum().stableNorm();
     if (G == 0) return expect_within("omega at rest", sample.omega.stableNorm(), 0);
     const Vector3d m = I.cwiseProduct(sample.omega) / G;
-    expect_within("|X I omega - L|/|L|", (X * m - body.momentum / G).norm(), 4e-15);
-    const Vector3d m0 = body.momentum / G, scaled = I.minCoeff() * I.cwiseInverse();
+    expect_within("|X I omega - L|/|L|", (X * m - body.momentum() / G).norm(), 4e-15);
+    const Vector3d m0 = body.momentum() / G, scaled = I.minCoeff() * I.cwiseInverse();
     const double energy = m.cwiseAbs2().dot(scaled), energy0 = m0.cwiseAbs2().dot(scaled);
     expect_within("energy's drift", std::abs(energy / energy0 - 1), 8e-15);
   }
@@ -224,7 +224,7 @@ class Trial {
     for (const double t : exact.flip_times(std::abs(case_.t))) {
       if (!(t > before)) fault(fmt::format("a flip at {:.17g} after {:.17g}", t, before));
       before = t;
-      const double rate = body.principal.axes.col(1).dot(exact.at(t).omega);
+      const double rate = body.principal().axes.col(1).dot(exact.at(t).omega);
       // All of omega, turned by what an angle is known to.
       const double bound = 1e-14 * condition.angle / std::abs(case_.t) * condition.angle;
       expect_within("omega at a flip", std::abs(rate), bound);
@@ -259,7 +259,8 @@ class Trial {
   /// separatrix the energy, known to a few eps, decides when the next flip comes: that error is
   /// 1/mc times larger.
   void expect_taylor(const FreeBody& body, const Sample& sample, const Condition& condition) {
-    const double units = std::abs(body.momentum.stableNorm() / body.principal.moments[0] * case_.t);
+    const double units =
+        std::abs(body.momentum().stableNorm() / body.principal().moments[0] * case_.t);
     const double bound = (1e-12 * condition.angle + 5e-15 * units) / std::max(condition.mc, 1e-300);
     // A needle that turns end over end takes it too many steps.
     if (bound > 0.1 || units > 4e4) return;
@@ -281,7 +282,7 @@ class Trial {
     const std::array<double, 1> times{std::clamp(case_.t, -1e9, 1e9)};
     try {
       const Sample sample = trajectory(body, method, control, times).samples[0];
-      const Diagnostics d = diagnose(body, energy(body.inertia, body.omega), sample);
+      const Diagnostics d = diagnose(body, energy(body.inertia(), body.omega()), sample);
       const bool finite = sample.X.allFinite() && sample.omega.allFinite() &&
                           std::isfinite(d.energy) && std::isfinite(d.energy_drift) &&
                           std::isfinite(d.orthogonality_error) && std::isfinite(d.momentum_error);
@@ -289,7 +290,7 @@ class Trial {
         fault(fmt::format("{} with step {:.17g} and tolerance {:.17g} is not finite", method.name,
                           control.step, control.tolerance));
       }
-    } catch (const UsageError&) {
+    } catch (const MotionError&) {
     }
   }
 

@@ -24,10 +24,10 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "gl/backend.h"
 #include "image/png.h"
 #include "math/so3.h"
+#include "motion/error.h"
 #include "motion/method.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -296,14 +296,14 @@ Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>
   try {
     draw(scene, dice);
     return Outcome::drawn;
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     what = error.what();
-    if (error.code() == ExitCode::usage) {
+    const bool is_refusal = dynamic_cast<const UsageError*>(&error) != nullptr ||
+                            dynamic_cast<const MotionError*>(&error) != nullptr;
+    if (is_refusal) {
       ++refusals[what.substr(0, what.find(':'))];
       return Outcome::refused;
     }
-  } catch (const std::exception& error) {
-    what = error.what();
   }
   fmt::print("\nscenes: fault: seed {} case {}: {}\n{}\n", seed, number, what,
              scene_json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -60,8 +60,8 @@ struct VelocityForm {
   using State = std::array<double, size>;
 
   explicit VelocityForm(const FreeBody& body)
-      : start{body.omega[0], body.omega[1], body.omega[2], 1} {
-    const Eigen::Vector3d I = body.inertia.diagonal();
+      : start{body.omega()[0], body.omega()[1], body.omega()[2], 1} {
+    const Eigen::Vector3d I = body.inertia().diagonal();
     euler = {(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]};
   }
 
@@ -84,9 +84,9 @@ struct MomentumForm {
   using State = std::array<double, size>;
 
   explicit MomentumForm(const FreeBody& body) : start{1, 0, 0, 0} {
-    const Eigen::Vector3d I = body.inertia.diagonal();
+    const Eigen::Vector3d I = body.inertia().diagonal();
     for (std::size_t i = 0; i < 3; ++i) {
-      L[i] = body.momentum[static_cast<int>(i)];
+      L[i] = body.momentum()[static_cast<int>(i)];
       inverse[i] = 1 / I[static_cast<int>(i)];
     }
   }

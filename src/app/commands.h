@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/error.h"
+#include "app/exit_code.h"
 
 namespace twrench {
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/commands.h"
 #include "app/message.h"
 #include "app/output.h"
+#include "app/report.h"
 #include "base/child_process.h"
 #include "base/disk_space.h"
 #include "base/file.h"
@@ -17,6 +19,7 @@
 #include "figure/gnuplot.h"
 #include "gl/backend.h"
 #include "movie/encoder.h"
+#include "movie/error.h"
 
 namespace twrench {
 namespace {
@@ -39,7 +42,7 @@ Finding examine(std::string name, std::string used_for, const std::function<std:
     finding.found = look();
   } catch (const Error& error) {
     finding.why = error.what();
-    finding.remedy = error.remedy();
+    finding.remedy = remedy_for(error);
   }
   return finding;
 }
@@ -49,10 +52,10 @@ std::vector<Finding> examine_backends() {
   std::vector<Finding> findings;
   findings.reserve(reports.size());
   for (const gl::BackendReport& report : reports) {
-    const std::size_t line = report.why_not.find('\n');
-    findings.push_back({"OpenGL by " + report.name, "drawing", report.renderer,
-                        report.why_not.substr(0, line),
-                        line == std::string::npos ? "" : report.why_not.substr(line + 1)});
+    findings.push_back(examine("OpenGL by " + report.name, "drawing", [&] {
+      if (report.failure) std::rethrow_exception(report.failure);
+      return report.renderer;
+    }));
   }
   const auto usable = std::ranges::find_if(findings, &Finding::is_there);
   if (usable == findings.end()) return findings;

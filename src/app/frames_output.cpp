@@ -15,7 +15,7 @@ namespace {
 void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
                        const Shard& shard, Reuse reuse) {
   if (objection.empty() || reuse == Reuse::overwrite) return;
-  throw UsageError(
+  throw OverwriteError(
       folder.string(), objection,
       shard.is_whole()
           ? "--overwrite draws over them, --frames-dir goes elsewhere"

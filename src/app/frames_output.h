@@ -22,7 +22,7 @@ class FramesOutput {
  public:
   /// Looks, and touches nothing. `film` is the manifest to be written, all but its frames, with the
   /// whole range that was asked for; `frames` are those that this run draws.
-  /// Throws UsageError where the run would write over frames that it does not know to be of the
+  /// Throws OverwriteError where the run would write over frames that it does not know to be of the
   /// same film.
   FramesOutput(std::filesystem::path folder, Manifest film, std::vector<int> frames, Reuse reuse);
 

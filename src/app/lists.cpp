@@ -14,7 +14,7 @@ void add_methods(CLI::App& app) {
   command->callback([] {
     std::string text;
     for (const Method& m : methods()) {
-      const std::string order = m.order == 0 ? "exact  " : fmt::format("order {}", m.order);
+      const std::string order = m.exact() ? "exact  " : fmt::format("order {}", m.order.value());
       text += fmt::format("{:<19}{}  {}; {}\n", m.name, order, m.summary, m.source);
     }
     write_output("-", text);

@@ -37,7 +37,7 @@ std::vector<double> plot_times(const Scene& scene) {
 }
 
 AttitudeCurve curve_of(const Scene& scene) {
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Method& method = find_method(scene.motion.method);
   AttitudeCurve curve;
   curve.title = scene.title.empty() ? scene.name : scene.title;

@@ -9,8 +9,8 @@
 #include <new>
 #include <string_view>
 
+#include "app/exit_code.h"
 #include "app/report.h"
-#include "base/error.h"
 #include "base/termination.h"
 
 namespace twrench {
@@ -75,7 +75,8 @@ void prepare_process() {
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   // Where the parent ignores it, nobody is told how a child ended.
   static_cast<void>(std::signal(SIGCHLD, SIG_DFL));
-  end_on_termination_signals(&report_termination);
+  end_on_termination_signals(
+      [](const auto& message) { return static_cast<int>(report_termination(message)); });
 }
 
 void end_at_once() noexcept {

@@ -269,6 +269,9 @@ void check(const Options& options) {
         "when all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
   }
   if (!options.no_video) options.film.require_free_output(options.progress);
+  if (options.backend.backend == gl::Backend::osmesa && options.backend.egl_device) {
+    throw UsageError("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
+  }
 }
 
 void render(const Options& options) {

@@ -48,7 +48,8 @@ class SceneOptions {
   /// error of moments that no real body has.
   Scene scene() const { return scenes().front(); }
 
-  /// Throws UsageError where `output` is a scene file that was named, or a font of such a scene.
+  /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a
+  /// scene.
   void require_not_input(const std::filesystem::path& output) const;
 
   /// All of them, each as scene() is.

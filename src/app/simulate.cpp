@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "base/error.h"
 #include "motion/diagnostics.h"
 #include "motion/trajectory.h"
 
@@ -113,8 +114,8 @@ void simulate(const Options& options) {
   options.scene.require_not_input(options.output);
   const Scene scene = options.scene.scene();
   const Method& method = find_method(scene.motion.method);
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const double start = energy(body.inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const double start = energy(body.inertia(), scene.motion.omega);
   const Format format = options.format == "csv" ? csv() : json(scene);
   Output output(options.output);
   output.write(format.before);

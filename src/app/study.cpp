@@ -116,8 +116,6 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
-bool is_exact(const Method* method) { return method->order == 0; }
-
 std::string report(const Options& options, const Study& study, const Scene& scene) {
   if (options.format == "csv") return study_csv(study);
   return options.format == "json" ? study_json(study, scene.name)
@@ -131,10 +129,10 @@ ExitCode run_study(const Options& options) {
   const std::vector<Bound> bounds = bounds_of(options);
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
-  if (!options.plot.empty() && std::ranges::all_of(plan.methods, is_exact)) {
+  if (!options.plot.empty() && std::ranges::all_of(plan.methods, &Method::exact)) {
     throw UsageError("--plot", "there is nothing to draw of exact alone: it has no steps");
   }
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
   Output output(options.output);  // it and the figure, or neither
   output.write(report(options, result, scene));

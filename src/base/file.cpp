@@ -101,8 +101,8 @@ void make_folder(const std::filesystem::path& folder) {
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   if (!std::filesystem::equivalent(output, input, missing)) return;
-  throw UsageError(output.string(), "it is an input of this command, and would be lost",
-                   "choose another name for the output");
+  throw OverwriteError(output.string(), "it is an input of this command, and would be lost",
+                       "choose another name for the output");
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

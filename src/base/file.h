@@ -22,8 +22,8 @@ FileError file_error(const std::string& what, int error_number, Access access = 
 /// Makes the folder, and those it lies in, where they are missing. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws UsageError where `output` is the file `input`, by whatever name. That either is not there
-/// is no error.
+/// Throws OverwriteError where `output` is the file `input`, by whatever name. That either is not
+/// there is no error.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// Makes `path` hold exactly these bytes, by way of a PendingFile. Throws FileError.

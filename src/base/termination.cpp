@@ -10,8 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include "base/error.h"
-
 namespace twrench {
 namespace {
 
@@ -50,16 +48,15 @@ sigset_t heeded_signals() {
 
 TerminationMessage message_of(int arrived) {
   for (const auto& [signal, name] : ending_signals) {
-    if (signal == arrived) return {std::string("interrupted by ") + name, {}};
+    if (signal == arrived) return {arrived, std::string("interrupted by ") + name, {}};
   }
-  return {"interrupted", {}};
+  return {arrived, "interrupted", {}};
 }
 
-[[noreturn]] void end(int signal, const std::function<void(const TerminationMessage&)>& report) {
+[[noreturn]] void end(int signal, const std::function<int(const TerminationMessage&)>& report) {
   TerminationMessage message = message_of(signal);
   take_termination_actions(message);
-  report(message);
-  ::_exit(static_cast<int>(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated));
+  ::_exit(report(message));
 }
 
 }  // namespace
@@ -91,7 +88,7 @@ void take_termination_actions(TerminationMessage& message) {
   }
 }
 
-void end_on_termination_signals(std::function<void(const TerminationMessage&)> report) {
+void end_on_termination_signals(std::function<int(const TerminationMessage&)> report) {
   const sigset_t signals = heeded_signals();
   sigset_t before;
   pthread_sigmask(SIG_BLOCK, &signals, &before);

@@ -8,6 +8,7 @@ namespace twrench {
 
 /// What is said when a signal ends the program.
 struct TerminationMessage {
+  int signal = 0;
   std::string error;   ///< "interrupted by SIGINT", and what an action knows better
   std::string remedy;  ///< may be empty
 };
@@ -40,8 +41,8 @@ void take_termination_actions(TerminationMessage& message);
 
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU, but for those that the parent has told us to
 /// ignore, end the process at once, whatever it waits for: the actions are taken, `report` is
-/// called, and the process exits with 130 after SIGINT and 143 after the others. To be called once,
-/// before any thread is started: threads inherit what signals are blocked.
-void end_on_termination_signals(std::function<void(const TerminationMessage&)> report);
+/// called, and the process exits with the status that it returns. To be called once, before any
+/// thread is started: threads inherit what signals are blocked.
+void end_on_termination_signals(std::function<int(const TerminationMessage&)> report);
 
 }  // namespace twrench

@@ -8,6 +8,11 @@
 
 namespace twrench {
 
+/// gnuplot is missing, lacks the format, or failed.
+struct FigureError : Error {
+  using Error::Error;
+};
+
 /// A figure as gnuplot draws it: its size, in pixels of 1/96 inch, and the commands below those
 /// that choose the format.
 struct Figure {

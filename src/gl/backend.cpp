@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl/functions.h"
 
 namespace twrench::gl {
@@ -49,10 +49,10 @@ OpenedContext fall_back(bool egl_alone) {
   }
   try {
     return {make_egl_software_context(), fmt::format(note, "EGL") + osmesa_reason};
-  } catch (const Error& error) {
-    throw GlError("no usable OpenGL", error.what() + osmesa_reason,
-                  egl_alone ? error.remedy()
-                            : "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
+  } catch (const GlError& error) {
+    const std::string what = "no usable OpenGL", why = error.what() + osmesa_reason;
+    if (egl_alone) throw GlError(what, why, error.remedy(), error.reason());
+    throw GlError(what, why, "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
   }
 }
 
@@ -60,9 +60,8 @@ BackendReport report(std::string name, const Maker& make) {
   try {
     const auto context = make();
     return {std::move(name), renderer_string(Functions(*context)), {}};
-  } catch (const Error& error) {
-    const std::string remedy = error.remedy().empty() ? "" : "\n" + error.remedy();
-    return {std::move(name), {}, error.what() + remedy};
+  } catch (const Error&) {
+    return {std::move(name), {}, std::current_exception()};
   }
 }
 
@@ -71,7 +70,7 @@ BackendReport report(std::string name, const Maker& make) {
 OpenedContext open_context(const BackendChoice& choice) {
   if (choice.backend == Backend::osmesa) {
     if (choice.egl_device) {
-      throw UsageError("an EGL device", "OSMesa has none", "use --backend egl, or leave it out");
+      throw UsageError("an EGL device", "OSMesa has none");
     }
     return {make_osmesa_context(), {}};
   }
@@ -87,8 +86,8 @@ std::vector<BackendReport> backends() {
       reports.push_back(
           report("egl " + device.name, [&] { return make_egl_context(device.name); }));
     }
-  } catch (const GlError& error) {
-    reports.push_back({"egl", {}, fmt::format("{}\n{}", error.what(), error.remedy())});
+  } catch (const GlError&) {
+    reports.push_back({"egl", {}, std::current_exception()});
   }
   return reports;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,9 +35,9 @@ OpenedContext open_context(const BackendChoice& choice);
 
 /// A way to OpenGL, and whether it can be used here.
 struct BackendReport {
-  std::string name;      ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
-  std::string renderer;  ///< what GL calls itself; empty when it cannot be used
-  std::string why_not;   ///< the reason then, and the remedy on a second line where there is one
+  std::string name;            ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
+  std::string renderer;        ///< what GL calls itself; empty when it cannot be used
+  std::exception_ptr failure;  ///< the Error then
 };
 
 /// Tries every back end and device there is, one after the other. Throws nothing of its own.

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "base/error.h"
 #include "gl/context.h"
+#include "gl/error.h"
 #include "gl/library.h"
 
 namespace twrench::gl {
@@ -20,7 +20,7 @@ constexpr const char* remedy = "install EGL: apt-get install libegl1 libegl-mesa
 constexpr const char* surfaceless = "surfaceless";
 
 [[noreturn]] void fail(const std::string& what, const std::string& why) {
-  throw GlError("EGL " + what, why, "choose another --egl-device, or --backend");
+  throw GlError("EGL " + what, why, {}, GlError::Reason::egl_device_refused);
 }
 
 /// Whether a list of extensions, with spaces between, has `name`. The list may be null.

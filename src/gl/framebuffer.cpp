@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {
@@ -29,8 +29,9 @@ void check_limits(const Functions& gl, int width, int height, int samples) {
   }
   const GLint max_samples = limit(gl, GL_MAX_SAMPLES);
   if (samples > max_samples) {
-    throw UsageError(fmt::format("samples {}", samples),
+    throw OutOfRange(fmt::format("samples {}", samples),
                      fmt::format("this OpenGL takes at most {} a pixel", max_samples),
+                     {double(samples), 0, double(max_samples)},
                      fmt::format("choose {} samples or fewer", max_samples));
   }
 }

@@ -3,6 +3,8 @@
 #include <span>
 #include <string>
 
+#include "gl/error.h"
+
 namespace twrench::gl {
 
 /// A shared library, opened at run time and never closed: a GL driver leaves threads and
@@ -10,8 +12,9 @@ namespace twrench::gl {
 class Library {
  public:
   /// The first of `names` that the loader finds. Throws GlError, saying what was looked for and
-  /// giving `remedy`, when there is none.
-  Library(std::span<const char* const> names, const std::string& remedy);
+  /// giving `remedy` and `reason`, when there is none.
+  Library(std::span<const char* const> names, const std::string& remedy,
+          GlError::Reason reason = GlError::Reason::failed);
 
   /// The address of a symbol, or null.
   void* symbol(const char* name) const;

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "base/error.h"
 #include "gl/context.h"
+#include "gl/error.h"
 #include "gl/library.h"
 
 namespace twrench::gl {
@@ -29,18 +29,22 @@ constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 constexpr const char* remedy =
     "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
-    "draws with --backend egl";
+    "draws through EGL";
+
+[[noreturn]] void fail(const std::string& why) {
+  throw GlError("OSMesa", why, remedy, GlError::Reason::no_osmesa);
+}
 
 template <typename F>
 F* entry(const Library& library, const char* name) {
   void* const address = library.symbol(name);
-  if (address == nullptr) throw GlError("OSMesa", std::string("it has no ") + name, remedy);
+  if (address == nullptr) fail(std::string("it has no ") + name);
   return reinterpret_cast<F*>(address);
 }
 
 class OsmesaContext final : public Context {
  public:
-  OsmesaContext() : library_(library_names, remedy) {
+  OsmesaContext() : library_(library_names, remedy, GlError::Reason::no_osmesa) {
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_PROFILE,
@@ -51,9 +55,7 @@ class OsmesaContext final : public Context {
                                     3,
                                     0};
     handle_ = create_(attributes.data(), nullptr);
-    if (handle_ == nullptr) {
-      throw GlError("OSMesa", "it cannot make an OpenGL 3.3 core profile context", remedy);
-    }
+    if (handle_ == nullptr) fail("it cannot make an OpenGL 3.3 core profile context");
     if (make_current_(handle_, pixels_.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
       destroy_(handle_);
       throw GlError("OSMesa", "its context could not be made current");

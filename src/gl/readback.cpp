@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
+#include "base/require.h"
 #include "math/so3.h"
+#include "motion/error.h"
 
 namespace twrench {
 
@@ -47,16 +48,16 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 
 }  // namespace
 
-ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
+ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
   // A unit of mass by which the greatest moment is 1 or so: squares of them neither overflow nor
   // underflow. A power of two, so that nothing is rounded.
-  const double unit = std::exp2(-std::ilogb(body.principal.moments[2]));
-  const PrincipalAxes principal{unit * body.principal.moments, body.principal.axes};
-  const Vector3d momentum = unit * body.momentum, m = principal.axes.transpose() * momentum;
+  const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
+  const PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
+  const Vector3d momentum = unit * body.momentum(), m = principal.axes.transpose() * momentum;
   const double G = m.stableNorm();
   if (G == 0) return;
   const double D2 =
-      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
+      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega(), G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
@@ -126,14 +127,15 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {
+  require_finite("t_end", t_end);
   std::vector<double> times;
   if (const auto flips = this->flips()) {
     constexpr double most = 1e7;
     if (const double count = t_end / flips->interval; count > most) {
-      throw UsageError("flips",
-                       fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
-                                   count, t_end, most),
-                       "give a shorter --duration");
+      throw MotionError("flips",
+                        fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
+                                    count, t_end, most),
+                        MotionError::Reason::too_many_flips);
     }
     double t = flips->first;
     for (int n = 1; t <= t_end; ++n) {

@@ -45,8 +45,8 @@ class ExactMotion {
   /// Nothing for steady motion, nor for a symmetric body, which has no intermediate axis.
   std::optional<Flips> flips() const;
 
-  /// The instants, s, of all flips with 0 < t <= t_end, ascending; t_end is finite. Throws
-  /// UsageError where there are more than 10^7.
+  /// The instants, s, of all flips with 0 < t <= t_end, ascending. Throws OutOfRange
+  /// unless t_end is finite, and MotionError where there are more than 10^7.
   std::vector<double> flip_times(double t_end) const;
 
  private:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "body/mass_properties.h"
 
@@ -9,19 +8,32 @@ namespace twrench {
 
 /// A rigid body that turns freely: eq. (19)-(20) with its constants. Body axes are any axes fixed
 /// in the body; the inertia need not be diagonal in them.
-struct FreeBody {
-  Eigen::Matrix3d inertia;   ///< I, body axes, g cm^2
-  Eigen::Matrix3d inverse;   ///< I^-1
-  Eigen::Vector3d momentum;  ///< L, space axes, g cm^2/s; constant
-  Eigen::Vector3d omega;     ///< at t = 0, where X = Id, body axes, rad/s; as it was given, where
-                             ///< L is I omega rounded: close to the separatrix that tells
-  PrincipalAxes principal;   ///< of the inertia
-};
+class FreeBody {
+ public:
+  /// The body with X(0) = Id, `inertia` (body axes, g cm^2) and the angular velocity `omega` (body
+  /// axes, rad/s). Throws UsageError about "inertia" unless that is finite, symmetric to round-off
+  /// and positive definite, and about "omega" unless that is finite; OutOfRange where the bound is
+  /// that of one number, the least moment or a component of omega.
+  FreeBody(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
 
-/// The body with X(0) = Id and angular velocity omega (body axes, rad/s): L = I omega, eq. (12).
-inline FreeBody free_body(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
-  return {inertia, inertia.inverse(), inertia * omega, omega, principal_axes(inertia)};
-}
+  const Eigen::Matrix3d& inertia() const { return inertia_; }  ///< I, body axes, g cm^2
+  const Eigen::Matrix3d& inverse() const { return inverse_; }  ///< I^-1
+  const Eigen::Vector3d& momentum() const {
+    return momentum_;
+  }  ///< L = I omega, eq. (12), in space
+     ///< axes, g cm^2/s; constant
+  /// At t = 0, body axes, rad/s; as it was given, where L is I omega rounded: close to the
+  /// separatrix that tells.
+  const Eigen::Vector3d& omega() const { return omega_; }
+  const PrincipalAxes& principal() const { return principal_; }  ///< of the inertia
+
+ private:
+  Eigen::Matrix3d inertia_;
+  Eigen::Vector3d omega_;
+  PrincipalAxes principal_;
+  Eigen::Matrix3d inverse_;
+  Eigen::Vector3d momentum_;
+};
 
 /// The motion at one instant.
 struct Sample {

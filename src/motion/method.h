@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@ using Row = std::array<double, 6>;
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
   int stages;
+  int order;             ///< in a linear space, of what is carried on; p in the step control
   std::array<Row, 6> a;  ///< row k holds a_k1 .. a_k(k-1)
   Row weights;           ///< of the value that is carried on
   Row embedded{};        ///< of the value held against it for the error estimate
@@ -69,14 +71,15 @@ using Scheme = std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, Stran
 struct Method {
   std::string_view name;
   Scheme scheme;
-  int order;                 ///< observed on SO(3), which may be less than the tableau's own;
-                             ///< 0 for the closed form, whose error knows no step
-  int tableau_order;         ///< in a linear space; p in the step control
+  std::optional<int> order;  ///< observed on SO(3), which may be less than the tableau's own; none
+                             ///< for the closed form, whose error knows no step
   bool conserves_energy;     ///< to round-off, whatever the step (`taylor`: to a tolerance of 1e-8)
   bool reversible;           ///< a step of -h undoes a step of h, to round-off
   std::string_view source;   ///< where the specification or the literature prints it
   std::string_view summary;  ///< one line for people
 
+  /// It is the solution itself, without steps.
+  bool exact() const;
   /// It chooses its own steps.
   bool adaptive() const;
   /// It leaves SO(3).

@@ -1,9 +1,13 @@
 #include "motion/taylor.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "base/error.h"
 
 namespace twrench {
 namespace {
@@ -31,16 +35,25 @@ Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
   return R;
 }
 
+/// Horner's rule takes the powers in pairs.
+std::size_t checked_order(const Taylor& method) {
+  constexpr int greatest = largest_taylor_order;
+  const int order = method.order;
+  if (order >= 2 && order <= greatest && order % 2 == 0) return static_cast<std::size_t>(order);
+  throw OutOfRange("order", fmt::format("is {}, but must be even, and 2 to {}", order, greatest),
+                   {double(order), 2, double(greatest)});
+}
+
 }  // namespace
 
 TaylorSeries::TaylorSeries(const FreeBody& body, const Taylor& method)
-    : order_(static_cast<std::size_t>(method.order)), axes_(body.principal.axes) {
-  const Vector3d& I = body.principal.moments;
-  const double G = body.momentum.stableNorm();
+    : order_(checked_order(method)), axes_(body.principal().axes) {
+  const Vector3d& I = body.principal().moments;
+  const double G = body.momentum().stableNorm();
   unit_ = G > 0 ? I[0] / G : 1.0;
   velocity_ = I[0] * I.cwiseInverse();
   excess_ = (I.array() - I[1]) / I.array();
-  const Vector3d mu = (unit_ / I[0]) * I.cwiseProduct(axes_.transpose() * body.omega);
+  const Vector3d mu = (unit_ / I[0]) * I.cwiseProduct(axes_.transpose() * body.omega());
   energy_ = excess_.dot(mu.cwiseAbs2());
 }
 

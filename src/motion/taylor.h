@@ -24,6 +24,7 @@ class TaylorSeries {
     Eigen::Vector3d mu;  ///< m/|m|; zero for a body at rest
   };
 
+  /// Throws OutOfRange unless the order is even and 2 to largest_taylor_order.
   TaylorSeries(const FreeBody& body, const Taylor& method);
 
   State state_of(const Eigen::Matrix3d& X, const Eigen::Vector3d& momentum) const;

@@ -5,22 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "motion/free_body.h"
-#include "motion/method.h"
+#include "motion/propagator.h"
 
 namespace twrench {
-
-/// The least tolerance that makes sense: the estimate E of a step is a difference of two rotations,
-/// each known to a few 1e-16.
-inline constexpr double least_tolerance = 1e-15;
-
-/// How long the steps are.
-struct StepControl {
-  double step = 0.01;  ///< s: the step of a fixed-step method, the first of an adaptive one, if
-                       ///< that is shorter than 0.9 of a turn of the body
-  double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
-  std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
-};
 
 /// A motion, and what it cost.
 struct Trajectory {
@@ -35,9 +22,9 @@ struct Trajectory {
 /// t_(k+1) is one shortened step from t_k, which the steps after it do not see: so a sample at t is
 /// the same number whichever other times were asked for.
 ///
-/// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion diverges, a step is longer than a turn of the body or otherwise too long for
-/// the method, or max_steps is passed.
+/// Throws OutOfRange for a time that is not finite and as make_propagator does; MotionError when an
+/// adaptive step underflows, the motion diverges, a step is longer than a turn of the body or
+/// otherwise too long for the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
 
@@ -47,17 +34,9 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
                    std::size_t count, const std::function<double(std::size_t)>& time,
                    const std::function<void(const Sample&)>& visit);
 
-/// A step that a method takes by itself.
-struct OwnStep {
-  double t;                       ///< s, where it begins
-  double length;                  ///< s
-  Eigen::Matrix3d before, after;  ///< X at both ends
-  double error;                   ///< E of an adaptive method; else 0
-};
-
 /// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that
 /// ends at t_end (s, > 0) or beyond. The closed form, which has none, goes in steps of
-/// `control.step`. Throws UsageError as trajectory.
+/// `control.step`. Throws as trajectory.
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const OwnStep&)>& visit);
 

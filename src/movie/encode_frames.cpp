@@ -7,13 +7,13 @@
 #include <future>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
 #include "base/processors.h"
 #include "base/sha256.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
 #include "movie/encoder.h"
+#include "movie/error.h"
 #include "movie/film_file.h"
 #include "movie/frame_range.h"
 #include "movie/manifest_folder.h"
@@ -40,9 +40,8 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
 [[noreturn]] void throw_missing(const std::filesystem::path& folder,
                                 const std::vector<int>& missing) {
   const std::string range = brief_frame_range(missing);
-  throw FileError("cannot encode " + folder.string(), "frames are missing: " + range,
-                  "render them, by the same command with --resume or with --frames; or leave them "
-                  "out: --allow-missing");
+  throw FramesError("cannot encode " + folder.string(), "frames are missing: " + range,
+                    FramesError::Reason::missing, missing);
 }
 
 /// The frame as it was drawn, or a FileError.
@@ -52,8 +51,9 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
   const std::filesystem::path path = folder / record.file;
   const auto png = read_regular_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
-    throw FileError("cannot use " + path.string(), "it is not the file that the manifest tells of",
-                    fmt::format("render it again: --resume --frames {}", record.frame));
+    throw FramesError("cannot use " + path.string(),
+                      "it is not the file that the manifest tells of", FramesError::Reason::altered,
+                      {record.frame});
   }
   Image image = decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {

@@ -21,10 +21,10 @@ struct FilmOutput {
 /// Makes the film of the frames in a folder, of which its manifests tell: the one of a run, those
 /// of shards, or both, all of the same film. Each file is held against its digest before it is
 /// used. `progress` hears how many of how many frames are done. Returns the frames left out.
-/// Throws FileError as read_manifests, when frames of the range are missing (named as a RANGE) and
-/// that is not allowed, or all are, or when a file is not the one that was drawn; UsageError where
-/// the output is one of the folder's own files, or another film that must not be overwritten; and
-/// as VideoEncoder does.
+/// Throws FramesError as read_manifests, when frames of the range are missing and that is not
+/// allowed, or all are, or when a file is not the one that was drawn; OverwriteError where the
+/// output is one of the folder's own files, or another film that must not be overwritten; and as
+/// VideoEncoder does.
 std::vector<int> encode_frames(const std::filesystem::path& folder, const FilmOutput& output,
                                Missing missing,
                                const std::function<void(int done, int total)>& progress);

@@ -8,8 +8,8 @@
 #include <span>
 #include <system_error>
 
-#include "base/error.h"
 #include "base/sha256.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 
 namespace twrench {
@@ -84,9 +84,8 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   if (!stands) return;
   const auto comment = ask(file, {}, &comment_of);
   if (comment == identity) return;
-  throw UsageError(file.string(),
-                   comment ? "it is there, and is another film" : "it is there, and is no film",
-                   "--overwrite replaces it, --output names another");
+  throw OverwriteError(
+      file.string(), comment ? "it is there, and is another film" : "it is there, and is no film");
 }
 
 }  // namespace twrench

@@ -31,7 +31,7 @@ std::optional<FilmProperties> probe_film(const std::filesystem::path& file);
 /// made anew by another version is the same film.
 std::string film_identity(const Manifest& film, const std::vector<int>& frames);
 
-/// Throws UsageError where the file stands already, and is not empty, nor the film of that
+/// Throws OverwriteError where the file stands already, and is not empty, nor the film of that
 /// identity: then it may only be replaced by one who says so.
 void require_replaceable(const std::filesystem::path& file, const std::string& identity);
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <system_error>
 
-#include "base/error.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 
 namespace twrench {
@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FileError disagreement(const fs::path& a, const fs::path& b, const std::string& on) {
+FramesError disagreement(const fs::path& a, const fs::path& b, const std::string& on) {
   return {fmt::format("cannot use {} with {}", b.string(), a.filename().string()), on,
-          "render again with --overwrite what is not wanted, or remove its manifest"};
+          FramesError::Reason::contradictory};
 }
 
 /// What is different between the films, for an error.
@@ -93,10 +93,10 @@ std::vector<fs::path> manifests_in(const fs::path& folder) {
 Manifest read_manifests(const fs::path& folder) {
   const std::vector<fs::path> paths = manifests_in(folder);
   if (paths.empty()) {
-    throw FileError("cannot use " + folder.string(),
-                    fs::exists(folder) ? "it has no manifest.json, nor those of shards"
-                                       : "there is no such folder",
-                    "name the folder that twrench render wrote its frames to");
+    throw FramesError("cannot use " + folder.string(),
+                      fs::exists(folder) ? "it has no manifest.json, nor those of shards"
+                                         : "there is no such folder",
+                      FramesError::Reason::no_manifest);
   }
   if (paths.size() == 1) return read_manifest(paths.front());
   Union all(paths.front());

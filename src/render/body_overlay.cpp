@@ -45,16 +45,17 @@ BodyOverlay::BodyOverlay(const Scene& scene, const Take& take, double radius)
       radius_(radius),
       trail_length_(trail_length(scene)),
       trail_point_(trail_point(scene)),
-      up_(take.body.momentum.stableNormalized()) {
+      up_(take.body.momentum().stableNormalized()) {
   const FreeBody& body = take.body;
-  if (body.momentum.isZero(0.0)) {
+  if (body.momentum().isZero(0.0)) {
     shows_momentum_ = shows_omega_ = shows_plane_ = false;
     return;
   }
-  const auto level = level_through(body.principal.moments, body.principal.axes.transpose() * up_);
+  const auto level =
+      level_through(body.principal().moments, body.principal().axes.transpose() * up_);
   const double outer = level ? herpolhode_annulus(*level).outer : 0;
-  const double height = body.omega.dot(up_);  // rad/s
-  const double longest = std::max(height * std::hypot(1, outer), body.omega.norm());
+  const double height = body.omega().dot(up_);  // rad/s
+  const double longest = std::max(height * std::hypot(1, outer), body.omega().norm());
   scale_ = radius * std::min(plane_distance / height, longest_omega / longest);
   plane_height_ = scale_ * height;
   omega_radius_ = outer * plane_height_;

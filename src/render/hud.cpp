@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "canvas/error.h"
 #include "render/hud_text.h"
 
 namespace twrench {
@@ -56,11 +56,10 @@ class Figures {
 
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
-    throw UsageError("title",
-                     fmt::format("has the character U+{:04X}, which the font lacks",
-                                 static_cast<std::uint32_t>(*missing)),
-                     "--font FILE takes a font that has it; --title TEXT gives another title, and "
-                     "--hide hud none");
+    throw MissingGlyph("title",
+                       fmt::format("has the character U+{:04X}, which the font lacks",
+                                   static_cast<std::uint32_t>(*missing)),
+                       *missing);
   }
 }
 

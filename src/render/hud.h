@@ -13,8 +13,8 @@ Color take_color(const OverlayColors& colors, std::size_t take);
 /// What the film says in words: title, method, time, drift, flips.
 class Hud : public Element {
  public:
-  /// All but `scene` and `takes` outlive it. Throws UsageError where the typeface lacks a character
-  /// of the title or, without one, of the scene's name.
+  /// All but `scene` and `takes` outlive it. Throws MissingGlyph where the typeface lacks a
+  /// character of the title or, without one, of the scene's name.
   Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
       const Typeface& typeface, const OverlayColors& colors);
 

@@ -71,9 +71,9 @@ Camera MomentumView::camera(double film_time) const {
 }
 
 Vector3d MomentumView::place_of(const Sample& sample) const {
-  const double G = body_.momentum.stableNorm();
+  const double G = body_.momentum().stableNorm();
   if (G == 0) return Vector3d::Zero();
-  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia * sample.omega / G));
+  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
 }
 
 template <typename Place>
@@ -92,7 +92,7 @@ void MomentumView::add_level(const EnergyLevel& level, double width, const Ink& 
 }
 
 void MomentumView::add_separatrix() {
-  const auto circles = separatrix(body_.principal.moments);
+  const auto circles = separatrix(body_.principal().moments);
   if (!circles) return;
   for (const Vector3d& side : *circles) {
     add_curve(
@@ -110,7 +110,7 @@ void MomentumView::add_sphere() {
                      {frame_.colors[static_cast<std::size_t>(i)]});
   }
   pad_.sheer.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75);
-  for (const EnergyLevel& level : level_family(body_.principal.moments, levels)) {
+  for (const EnergyLevel& level : level_family(body_.principal().moments, levels)) {
     add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
   }
   if (frame_.level) add_level(*frame_.level, 1, {colors_.momentum, 0.55});

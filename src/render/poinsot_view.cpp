@@ -29,10 +29,10 @@ Matrix3d with_up(const Vector3d& momentum) {
 
 /// Radii of x . I x = 1 as multiples of the plane's distance or, at rest, of the greatest.
 Vector3d radii_of(const FreeBody& body) {
-  const Vector3d radii = body.principal.moments.cwiseSqrt().cwiseInverse();
-  if (body.momentum.isZero(0.0)) return radii / radii.maxCoeff();
-  const double G = body.momentum.stableNorm();
-  return radii * (G / std::sqrt(body.omega.dot(body.momentum)));
+  const Vector3d radii = body.principal().moments.cwiseSqrt().cwiseInverse();
+  if (body.momentum().isZero(0.0)) return radii / radii.maxCoeff();
+  const double G = body.momentum().stableNorm();
+  return radii * (G / std::sqrt(body.omega().dot(body.momentum())));
 }
 
 /// rad: a curve through points farther apart would show corners, and miss turns.
@@ -51,8 +51,8 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
       take_(take),
       body_(takes[take].body),
       frame_(body_, colors_),
-      view_from_space_(with_up(body_.momentum)),
-      unit_(at_rest() ? 1 : body_.omega.dot(body_.momentum.stableNormalized())),
+      view_from_space_(with_up(body_.momentum())),
+      unit_(at_rest() ? 1 : body_.omega().dot(body_.momentum().stableNormalized())),
       radii_(radii_of(body_)),
       pane_(pane),
       pad_(gl, framebuffer, pane.area) {
@@ -60,7 +60,7 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
   plane_radius_ = std::max(1.25 * annulus_.outer, least_plane);
   const std::vector<Sample>& whole = takes[take].whole;
   const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
-  if (at_rest() || apart * body_.omega.norm() > widest_turn) return;
+  if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
   for (const Sample& sample : whole) herpolhode_.push_back(contact(sample));
 }
 
@@ -81,7 +81,7 @@ Camera PoinsotView::camera(double film_time) const {
 }
 
 Matrix3d PoinsotView::ellipsoid(const Matrix3d& X) const {
-  return view_from_space_ * X * body_.principal.axes * radii_.asDiagonal();
+  return view_from_space_ * X * body_.principal().axes * radii_.asDiagonal();
 }
 
 Vector3d PoinsotView::contact(const Sample& sample) const {

@@ -17,7 +17,8 @@ std::string Limit::describe() const {
 
 double check(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value)) return value;
-  throw UsageError(what, fmt::format("is {}, but must be {}", value, limit.describe()));
+  throw OutOfRange(what, fmt::format("is {}, but must be {}", value, limit.describe()),
+                   {value, limit.low, limit.high});
 }
 
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value) {
@@ -28,8 +29,10 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega) {
   const double rate = check(coordinate, what, omega).stableNorm();
   if (rate == 0 || rate >= slowest_rotation) return omega;
-  throw UsageError(what, fmt::format("is {:.6g} rad/s in all, but must be zero or at least {:.6g}",
-                                     rate, slowest_rotation));
+  throw OutOfRange(what,
+                   fmt::format("is {:.6g} rad/s in all, but must be zero or at least {:.6g}", rate,
+                               slowest_rotation),
+                   {rate, slowest_rotation, coordinate.high});
 }
 
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
@@ -43,8 +46,9 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
 
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
-  throw UsageError(what,
-                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()));
+  throw OutOfRange(what,
+                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()),
+                   {value, limit.low, limit.high});
 }
 
 }  // namespace twrench::limits

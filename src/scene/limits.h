@@ -56,7 +56,7 @@ inline constexpr std::size_t most_compared = 4;
 inline constexpr int most_parts = 1000;
 inline constexpr double most_frames = 10'000'000;
 
-/// Returns `value`, or throws UsageError "WHAT: is VALUE, but must be ...".
+/// Returns `value`, or throws OutOfRange "WHAT: is VALUE, but must be ...".
 double check(const Limit& limit, const std::string& what, double value);
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value);
 /// An angular velocity, rad/s: each component is a coordinate, and the whole is zero or not slower

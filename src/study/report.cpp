@@ -61,9 +61,9 @@ std::string runs_text(const Study& study) {
   for (const MethodStudy& m : study.methods) {
     const std::string order =
         m.order ? fmt::format("order {:.2f} seen", *m.order) : "no order seen";
-    text += m.method->order == 0 ? "exact: what the others are held against\n"
-                                 : fmt::format("{}: {}\n", m.method->name, order);
-    for (const StudyRun& run : m.runs) text += run_line(study, run, m.method->order > 0);
+    text += m.method->exact() ? "exact: what the others are held against\n"
+                              : fmt::format("{}: {}\n", m.method->name, order);
+    for (const StudyRun& run : m.runs) text += run_line(study, run, !m.method->exact());
   }
   return text;
 }
@@ -209,7 +209,7 @@ std::string study_json(const Study& study, const std::string& scene) {
     Json runs = Json::array();
     for (const StudyRun& run : m.runs) runs.push_back(run_json(run));
     all.push_back({{"method", m.method->name},
-                   {"order", m.method->order},
+                   {"order", m.method->order.value_or(0)},
                    {"order_seen", or_null(m.order)},
                    {"estimate_exponent", or_null(m.estimate_exponent)},
                    {"runs", runs}});

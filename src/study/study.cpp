@@ -6,8 +6,9 @@
 #include <ctime>
 #include <limits>
 
-#include "base/error.h"
+#include "base/require.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/stepper.h"
 #include "study/flip_search.h"
 #include "study/ladder.h"
@@ -43,7 +44,7 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
 /// Walks along the method's steps for what is seen on the way.
 void look_on_the_way(const FreeBody& body, const Method& method, const StepControl& control,
                      const Study& exact, StudyRun& run) {
-  const double initial_energy = energy(body.inertia, body.omega);
+  const double initial_energy = energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
   std::int64_t steps = 0;
@@ -86,7 +87,7 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
     run.steps = result.steps;
     run.evaluations = result.evaluations;
     look_on_the_way(body, method, control, exact, run);
-  } catch (const UsageError& error) {
+  } catch (const MotionError& error) {
     run.failure = error.what();
   }
   return run;
@@ -120,7 +121,7 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
   std::vector<StepControl> controls;
   if (method.adaptive()) {
     for (const double t : plan.tolerances) controls.push_back({plan.first_step, t, plan.max_steps});
-  } else if (method.order == 0) {
+  } else if (method.exact()) {
     controls.push_back({.step = std::ranges::min(plan.steps)});
   } else {
     for (const double h : plan.steps) {
@@ -134,9 +135,11 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
 
 Study study(const FreeBody& body, const StudyPlan& plan) {
   constexpr int steepest = 8;  // a slope beyond it has no room above round-off
+  require_positive("duration", plan.duration);
+  if (plan.steps.empty()) throw UsageError("steps", "there must be one at least");
   const ExactMotion motion(body);
   Study result{plan.duration,
-               early_time(plan.duration, body.omega.norm()),
+               early_time(plan.duration, body.omega().norm()),
                motion.flips(),
                motion.flip_times(plan.duration),
                {}};
@@ -145,7 +148,7 @@ Study study(const FreeBody& body, const StudyPlan& plan) {
     for (const StepControl& control : controls_for(*method, plan)) {
       of_method.runs.push_back(run_one(body, *method, control, result, motion));
     }
-    if (method->order > 0 && method->order <= steepest) {
+    if (method->order.value_or(steepest + 1) <= steepest) {
       of_method.order = order_of(of_method.runs);
     }
     of_method.estimate_exponent = estimate_exponent_of(of_method.runs);

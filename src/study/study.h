@@ -57,7 +57,9 @@ struct Study {
   std::vector<MethodStudy> methods;
 };
 
-/// Runs them all. A method that refuses a step or a tolerance is a run with a failure.
+/// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
+/// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
+/// UsageError where there are no steps.
 Study study(const FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench

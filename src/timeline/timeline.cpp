@@ -27,7 +27,7 @@ std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
 
 std::vector<double> seen_flips(const Take& take, double duration) {
   if (!take.flips) return {};
-  if (std::holds_alternative<ClosedForm>(take.method->scheme)) {
+  if (take.method->exact()) {
     return ExactMotion(take.body).flip_times(duration);
   }
   FlipSearch search(take.body, *take.method);
@@ -39,12 +39,12 @@ std::vector<double> seen_flips(const Take& take, double duration) {
 Take take_of(const Scene& scene, const std::string& method) {
   Take take{&find_method(method),
             scene.motion.control,
-            free_body(mass_properties(scene.body).inertia, scene.motion.omega),
+            FreeBody(mass_properties(scene.body).inertia, scene.motion.omega),
             0.0,
             {},
             {},
             {}};
-  take.initial_energy = energy(take.body.inertia, take.body.omega);
+  take.initial_energy = energy(take.body.inertia(), take.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
     times.push_back(scene.motion.duration * i / whole_intervals);

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "image/png.h"
 #include "scratch_folder.h"
 
@@ -141,12 +141,12 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
     const auto frames_folder = folder_ / std::to_string(ahead);
     FrameSequence sequence(frames_folder, manifest_of(count));
     const auto draw = [](const FrameRecord& frame) {
-      if (frame.frame == 7) throw GlError("drawing", "lost");
+      if (frame.frame == 7) throw gl::GlError("drawing", "lost");
       return picture_of(frame);
     };
     EXPECT_THROW(
         run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, progress_, times_),
-        GlError);
+        gl::GlError);
     sequence.finish();
     // What was on its way is whole and told of.
     EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 7u);

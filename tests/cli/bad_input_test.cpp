@@ -134,6 +134,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"simulate --format xml", 2, "--format"},
         Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "more than"},
         Mistake{"simulate --method rk4 --step 400 --times 1000", 2, "longer than a turn"},
+        Mistake{"simulate --method rk4 --step 400 --times 1000", 2, "take a shorter --step"},
+        Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "take a longer --step"},
+        Mistake{
+            "simulate --method euler --inertia 1,2,3 --omega 0.1,100,0.1 --step 0.06 --times 99", 2,
+            "a shorter --step, or a method that stays on SO(3)"},
+        Mistake{"study --inertia 1,2,3 --omega 1e12,1e11,1 --duration 1e9", 2,
+                "give a shorter --duration"},
+        Mistake{"render --backend osmesa --egl-device 0", 2, "--egl-device: OSMesa has none"},
         Mistake{"simulate --method rkmk4 --step 6 --omega 1,1,1 --times 9", 2, "--step"},
         Mistake{"simulate --method implicit-trapezoid --step 4 --times 9", 2, "too far"},
         Mistake{"simulate --tolerance 1e-16", 2, "(double precision keeps no less)"},
@@ -154,7 +162,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"study --plot a.gif", 2, "must end in .svg, .pdf or .png"},
         Mistake{"study --methods exact --plot a.svg", 2, "nothing to draw"},
         Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
-        Mistake{"encode missing -o a.mp4", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
+        Mistake{"encode missing -o a.mp4", 5, "missing"},
+        Mistake{"encode missing -o a.mp4", 5, "the folder that twrench render wrote"},
+        Mistake{"compare key.toml", 2, "B"}));
 
 TEST(BadInput, ADamagedFontIsOneClearLine) {
   const ScratchFolder folder;

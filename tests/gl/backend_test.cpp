@@ -25,7 +25,7 @@ TEST(Backend, ReportsARendererOrAReasonForEach) {
   EXPECT_EQ(reports[0].name, "osmesa");
   EXPECT_EQ(reports[1].name.substr(0, 3), "egl");
   for (const BackendReport& report : reports) {
-    EXPECT_NE(report.renderer.empty(), report.why_not.empty()) << report.name;
+    EXPECT_NE(report.renderer.empty(), report.failure == nullptr) << report.name;
   }
 }
 

@@ -66,7 +66,9 @@ TEST_F(FramebufferTest, RefusesMoreSamplesThanThereAre) {
   try {
     const Framebuffer framebuffer(gl, 16, 16, 1024, ReadMode::at_once);
     FAIL() << "no exception";
-  } catch (const UsageError& error) {
+  } catch (const OutOfRange& error) {
+    EXPECT_EQ(error.value(), 1024);
+    EXPECT_GE(error.greatest(), 1);
     EXPECT_THAT(error.what(), HasSubstr("samples 1024: this OpenGL takes at most"));
     EXPECT_THAT(error.remedy(), HasSubstr("samples or fewer"));
   }

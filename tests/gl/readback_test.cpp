@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl/framebuffer.h"
 #include "gl_fixture.h"
 

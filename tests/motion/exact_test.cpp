@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 using Kind = ExactMotion::Kind;
 
 ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
-  return ExactMotion(free_body(moments.asDiagonal(), omega));
+  return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
 /// What an angle is known to after a turn by |omega| t, in units of one rounding of it.
@@ -177,15 +177,15 @@ TEST(ExactMotion, ConservesWhatIsConserved) {
   RandomBodies random;
   for (int n = 0; n < 500; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const FreeBody body(moments.asDiagonal(), omega);
     const Sample s = ExactMotion(body).at(random.between(-1e6, 1e6));
-    const Vector3d m = body.inertia * s.omega;
-    const double G = body.momentum.norm();
+    const Vector3d m = body.inertia() * s.omega;
+    const double G = body.momentum().norm();
     EXPECT_LT((s.X.transpose() * s.X - Matrix3d::Identity()).norm(), tight);
     EXPECT_NEAR(s.X.determinant(), 1, tight);
     EXPECT_NEAR(m.norm(), G, tight * G);
-    EXPECT_LT((s.X * m - body.momentum).norm(), tight * G);
-    const double energy = omega.dot(body.momentum);
+    EXPECT_LT((s.X * m - body.momentum()).norm(), tight * G);
+    const double energy = omega.dot(body.momentum());
     EXPECT_NEAR(s.omega.dot(m), energy, 3 * tight * energy);
   }
 }
@@ -234,7 +234,7 @@ TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
     const Matrix3d inertia = R * moments.asDiagonal() * R.transpose();
     const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
     const Sample sample = exact(moments, omega).at(t);
-    const Sample rotated = ExactMotion(free_body(symmetric, R * omega)).at(t);
+    const Sample rotated = ExactMotion(FreeBody(symmetric, R * omega)).at(t);
     EXPECT_LT((rotated.X - R * sample.X * R.transpose()).norm(), 1e-12);
     EXPECT_LT((rotated.omega - R * sample.omega).norm(), 1e-12 * omega.norm());
   }

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
@@ -18,13 +18,14 @@ using Eigen::Vector3d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
-  return ExactMotion(free_body(moments.asDiagonal(), omega));
+  return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
 // A list of them would take all memory.
 TEST(Flips, MoreThanCanBeListedAreRefused) {
   const ExactMotion fast = exact({1, 2, 3}, {1e12, 1e11, 1});
-  EXPECT_THROW(fast.flip_times(1e9), UsageError);
+  EXPECT_THROW(fast.flip_times(1e9), MotionError);
+  EXPECT_THROW(fast.flip_times(infinity), OutOfRange);
   EXPECT_EQ(fast.flip_times(10 * fast.flips()->interval).size(), 10U);
 }
 

@@ -52,7 +52,7 @@ TEST(Method, TableausAreExplicit) {
 TEST(Method, QuadratureConditionsHoldToTheTableausOrder) {
   for (const Method& method : runge_kutta_methods()) {
     const Row c = nodes(tableau_of(method));
-    for (int power = 0; power < method.tableau_order; ++power) {
+    for (int power = 0; power < tableau_of(method).order; ++power) {
       EXPECT_NEAR(quadrature(tableau_of(method).weights, c, power), 1.0 / (power + 1), 1e-15)
           << method.name << " c^" << power;
     }

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const FreeBody sphere = free_body(Matrix3d::Identity(), Vector3d::UnitX());
+const FreeBody sphere(Matrix3d::Identity(), Vector3d::UnitX());
 
 double error_at_end(const Method& method, int steps) {
   const double t = 10.0;

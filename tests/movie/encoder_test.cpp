@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
+#include "movie/error.h"
 #include "run_command.h"
 #include "scratch_folder.h"
 #include "stub_ffmpeg.h"
@@ -285,7 +285,7 @@ TEST(Encoder, TakesRatesThatAreNotWhole) {
     EXPECT_THAT(encoder_arguments({64, 48, fps}), ::testing::Contains(fraction)) << fps;
   }
   for (const double fps : {0.0, -1.0, 1e9, std::nan("")}) {
-    EXPECT_THROW(encoder_arguments({64, 48, fps}), UsageError);
+    EXPECT_THROW(encoder_arguments({64, 48, fps}), OutOfRange);
   }
 }
 
@@ -293,13 +293,14 @@ TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
   const ScratchFolder scratch;
   for (const auto& [width, height] : {std::pair{641, 480}, {640, 481}, {0, 0}}) {
     const VideoFormat odd{width, height, 30};
-    EXPECT_THROW(require_encoder(odd), UsageError);
-    EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), UsageError);
+    EXPECT_THROW(require_encoder(odd), FilmSizeError);
+    EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), FilmSizeError);
   }
   try {
     require_encoder({641, 481, 30});
-  } catch (const UsageError& error) {
-    EXPECT_THAT(error.remedy(), HasSubstr("--size 642x482"));
+  } catch (const FilmSizeError& error) {
+    EXPECT_EQ(error.width(), 642);
+    EXPECT_EQ(error.height(), 482);
   }
 }
 

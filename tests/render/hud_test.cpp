@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "canvas/error.h"
 #include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
@@ -212,7 +212,7 @@ TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
 std::string refusal_of(const Scene& scene) {
   try {
     hud_of(OverlayScene(scene));
-  } catch (const UsageError& error) {
+  } catch (const MissingGlyph& error) {
     return error.what();
   }
   return "none";

@@ -66,7 +66,7 @@ TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
   const Timeline timeline(scene, {0, 100, 300, 500, 900});
   const double radius = reach(visible_parts(scene.body));
   const BodyOverlay overlay(scene, timeline.takes()[0], radius);
-  const Vector3d up = timeline.takes()[0].body.momentum.normalized();
+  const Vector3d up = timeline.takes()[0].body.momentum().normalized();
   EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
   EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
   for (std::size_t i = 0; i < timeline.size(); ++i) {
