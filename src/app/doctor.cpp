@@ -58,7 +58,7 @@ std::vector<Finding> examine_backends() {
   if (usable == findings.end()) return findings;
   for (Finding& finding : findings) {
     if (!finding.is_there())
-      finding.used_for += fmt::format("; not needed: {} does it", usable->name);
+      finding.used_for += fmt::format("; not needed: {} is available", usable->name);
   }
   return findings;
 }
@@ -69,7 +69,7 @@ std::string ffmpeg_version() {
   ffmpeg.wait();
   const std::string& said = ffmpeg.error_output();
   const std::string line = said.substr(0, said.find('\n'));
-  return line.empty() ? "it does not say its version" : line;
+  return line.empty() ? "unknown version" : line;
 }
 
 std::string figure_formats() {
@@ -109,31 +109,31 @@ Diagnosis diagnose() {
   constexpr VideoFormat usual{1920, 1080, 60, Container::mp4, false};
   Diagnosis diagnosis;
   diagnosis.backends = examine_backends();
-  diagnosis.encoder.push_back(examine("ffmpeg", "films", &ffmpeg_version));
+  diagnosis.encoder.push_back(examine("ffmpeg", "videos", &ffmpeg_version));
   const auto encoder = [&](const char* name, const char* use, Container container, bool alpha) {
     VideoFormat format = usual;
     format.container = container;
     format.transparent = alpha;
     return examine(fmt::format("ffmpeg's {}", name), use, [format] {
       require_encoder(format);
-      return "it made a tiny film";
+      return "encoded a test video";
     });
   };
-  diagnosis.encoder.push_back(encoder("libx264", "films: H.264 in MP4", Container::mp4, false));
+  diagnosis.encoder.push_back(encoder("libx264", "H.264 video in MP4", Container::mp4, false));
   diagnosis.disk.push_back(examine("disk",
-                                   "frames and films, here in out/; others by -o and "
-                                   "--frames-dir",
+                                   "frames and videos in out/; -o and --frames-dir choose "
+                                   "other folders",
                                    [] { return try_to_write_in("out"); }));
   diagnosis.others.push_back(
-      encoder("libvpx-vp9", "films in WebM, with alpha too", Container::webm, true));
-  diagnosis.others.push_back(encoder("prores_ks", "films with alpha in MOV", Container::mov, true));
-  diagnosis.others.push_back(examine("fonts", "words in the picture", [] {
+      encoder("libvpx-vp9", "video in WebM, optionally with alpha", Container::webm, true));
+  diagnosis.others.push_back(encoder("prores_ks", "video with alpha in MOV", Container::mov, true));
+  diagnosis.others.push_back(examine("fonts", "text in the picture", [] {
     for (const char* name : {"sans", "mono"}) load_typeface(name);
     return "sans and mono, built in";
   }));
   diagnosis.others.push_back(
-      examine("gnuplot", "figures: plot, study --plot; films do without", &figure_formats));
-  diagnosis.others.push_back(examine("processors", "drawing and compressing at once",
+      examine("gnuplot", "plot and study --plot; videos do not need it", &figure_formats));
+  diagnosis.others.push_back(examine("processors", "drawing and compressing in parallel",
                                      [] { return fmt::format("{}", processor_count()); }));
   return diagnosis;
 }
@@ -152,9 +152,8 @@ std::string as_text(const Diagnosis& diagnosis) {
     if (!finding.remedy.empty())
       text += format_message("{:<{}}  {}\n", "", width + 9, finding.remedy);
   }
-  return text + (diagnosis.code() == ExitCode::done
-                     ? "The main job, twrench render, can run.\n"
-                     : "The main job, twrench render, cannot run.\n");
+  return text + (diagnosis.code() == ExitCode::done ? "twrench render can run.\n"
+                                                    : "twrench render cannot run.\n");
 }
 
 std::string as_json(const Diagnosis& diagnosis) {
@@ -176,10 +175,10 @@ std::string as_json(const Diagnosis& diagnosis) {
 
 void add_doctor(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
-      "doctor", "What of this machine can be used, and a remedy for what is missing");
+      "doctor", "Check what this machine provides and how to install what is missing");
   command->footer(
-      "Example: twrench doctor\nExit code 0 when twrench render can run; 3 without OpenGL, 4 "
-      "without ffmpeg,\n5 where nothing can be written.");
+      "Example: twrench doctor\nExit codes: 0 twrench render can run, 3 no OpenGL, 4 no "
+      "ffmpeg, 5 the output\nfolder is not writable.");
   const auto format = std::make_shared<std::string>("text");
   command->add_option("--format", *format, "text or json")
       ->check(one_of("--format", {"text", "json"}))

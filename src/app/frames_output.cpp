@@ -18,9 +18,9 @@ void refuse_to_destroy(const std::filesystem::path& folder, const std::string& o
   throw UsageError(
       folder.string(), objection,
       shard.is_whole()
-          ? "--overwrite draws over them, --frames-dir goes elsewhere"
-          : "all shards of a film need the same program, scene, and kind of machine; --frames-dir "
-            "goes elsewhere, --overwrite draws over them");
+          ? "use --overwrite to replace them, or --frames-dir to choose another folder"
+          : "all shards of a video need the same program version, scene and kind of machine; use "
+            "--frames-dir to choose another folder, or --overwrite to replace them");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 }
 
 twrench::ExitCode run(int argc, char** argv) {
-  CLI::App app("From a rigid body's equations of motion to a film of it", "twrench");
+  CLI::App app("Turn a rigid body's equations of motion into a film", "twrench");
   twrench::ExitCode code = twrench::ExitCode::done;
   try {
     twrench::add_commands(app, code);

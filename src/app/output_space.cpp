@@ -51,9 +51,9 @@ void require_space(const PlannedOutput& output, const std::function<Image()>& dr
   const Need estimate{1.25 * png * new_frames, 0.1 * png * film_frames};
   if (const auto shortage = find_shortage(output, estimate)) {
     throw FileError("cannot write " + shortage->path.string(),
-                    fmt::format("{} are free there, and the run is estimated to need {}",
+                    fmt::format("{} are free, but the run needs an estimated {}",
                                 format_bytes(shortage->free), format_bytes(shortage->needed)),
-                    "free some space, choose another disk, a smaller --size or fewer --frames");
+                    "free some space, or choose another disk, a smaller --size or fewer --frames");
   }
 }
 

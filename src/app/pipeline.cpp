@@ -40,7 +40,7 @@ class Pipeline {
     } catch (const std::system_error& error) {
       close();  // those that were started end, and are joined
       throw FileError("cannot start a thread", error.code().message(),
-                      "choose fewer --jobs, or raise the limit on processes (ulimit -u)");
+                      "use fewer --jobs, or raise the limit on processes (ulimit -u)");
     }
   }
 

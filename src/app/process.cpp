@@ -39,8 +39,8 @@ void note_lack_of_memory() {
 
 void write_lack_of_memory() {
   write_error(
-      "memory: there is not enough of it\n"
-      "  end other programs, or raise the limit on memory (ulimit -v)\n");
+      "memory: out of memory\n"
+      "  close other programs, or raise the limit on memory (ulimit -v)\n");
 }
 
 /// What could not be thrown to main(), if anything was.
@@ -56,7 +56,7 @@ void write_reason() {
     write_error(error.what());
     write_error("\n");
   } catch (...) {
-    write_error("internal: an exception of no known type\n");
+    write_error("internal: an exception of unknown type\n");
   }
 }
 

@@ -82,7 +82,7 @@ void Progress::tell_failure_of(const std::function<void()>& work, const std::str
 void Progress::add_option(CLI::App& command, std::string& style) {
   command
       .add_option("--progress", style,
-                  "auto, bar, plain, json, openjd or none; auto is a bar on a terminal")
+                  "progress: auto, bar, plain, json, openjd or none; auto = bar on a terminal")
       ->check(one_of("--progress", {"auto", "bar", "plain", "json", "openjd", "none"}))
       ->type_name("STYLE")
       ->capture_default_str();
@@ -148,7 +148,7 @@ void Progress::summarize(const Summary& summary) {
   std::string text =
       fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", summary.frames, summary.seconds, rate);
   if (summary.frames_folder) text += "; frames in " + summary.frames_folder->string();
-  if (summary.film) text += "; film " + summary.film->string();
+  if (summary.film) text += "; video in " + summary.film->string();
   say("{}\n", text);
 }
 

@@ -74,11 +74,11 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
       .add_option_function<std::string>(
           "--backend",
           [&choice, names](const std::string& name) { choice.backend = names.at(name); },
-          "how OpenGL is reached: auto, osmesa or egl")
+          "OpenGL backend: auto, osmesa or egl")
       ->check(one_of("--backend", {"auto", "osmesa", "egl"}))
       ->type_name("NAME")
       ->default_str("auto");
-  command.add_option("--egl-device", choice.egl_device, "EGL's device by its number, or software")
+  command.add_option("--egl-device", choice.egl_device, "EGL device: its number, or software")
       ->type_name("N");
 }
 
@@ -86,9 +86,10 @@ Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   add_picture_options(scene);
   film.add_to(command, "out/SCENE.mp4");
-  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
+  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames (default: out/SCENE/)")
       ->type_name("DIR");
-  command.add_option("--frames", range, "draw only these: a-b, a-b:step, commas between")
+  command
+      .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");
   command
       .add_option_function<std::string>(
@@ -97,21 +98,22 @@ Options::Options(CLI::App& command) : scene(command) {
             shard = parse_shard(text);
             is_shard = no_video = true;
           },
-          "draw part i of n of the frames, into a folder that all n share; no video: see encode")
+          "draw part i of n of the frames into a folder shared by all n; no video (see encode)")
       ->type_name("i/n");
-  command.add_flag("--no-video", no_video, "PNG frames only");
-  command.add_flag("--no-frames", no_frames, "video only");
+  command.add_flag("--no-video", no_video, "write PNG frames only");
+  command.add_flag("--no-frames", no_frames, "write the video only");
   add_backend_options(command, backend);
-  command.add_option("--jobs", jobs, "threads that compress frames; default: half the processors")
+  command.add_option("--jobs", jobs, "threads that compress frames (default: half the processors)")
       ->type_name("N");
   Progress::add_option(command, progress);
-  auto* const keeps =
-      command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
-  command.add_flag("--overwrite", overwrite, "draw anew, over the frames and the film of another")
+  auto* const keeps = command.add_flag(
+      "--resume", resume, "keep existing frames that are intact and belong to this video");
+  command
+      .add_flag("--overwrite", overwrite, "replace frames and videos of other scenes or settings")
       ->excludes(keeps);
   command
       .add_flag("--timing{text}", timing,
-                "say at the end how long each stage was busy; --timing=json for programs")
+                "report how long each stage was busy; --timing=json for programs")
       ->check(one_of("--timing", {"text", "json"}));
 }
 
@@ -203,13 +205,13 @@ void end_whole(FrameSequence* sequence, std::span<const FrameRecord> frames,
                TerminationMessage& message) {
   message.error = "render: " + message.error;
   if (sequence == nullptr) {
-    message.error += "; the film was not complete";
+    message.error += "; the video was not complete";
     return;
   }
   sequence->finish();
-  message.error += fmt::format(" after {} of {} frames, which are whole", sequence->count(frames),
-                               frames.size());
-  message.remedy = "the same command with --resume goes on";
+  message.error += fmt::format(" after {} of {} frames, which are complete",
+                               sequence->count(frames), frames.size());
+  message.remedy = "repeat the command with --resume to continue";
 }
 
 std::string film_name(const Options& options, const Scene& scene) {
@@ -261,12 +263,12 @@ Reuse reuse_of(const Options& options) {
 /// Throws where options contradict each other.
 void check(const Options& options) {
   if (options.no_video && options.no_frames) {
-    throw UsageError("render", "--no-video and --no-frames leave nothing to write");
+    throw UsageError("render", "--no-video and --no-frames together leave nothing to write");
   }
   if (options.no_video && !options.film.output.empty()) {
     throw UsageError(
-        "render", "with --no-video, and --shard, there is no film for --output",
-        "when all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
+        "render", "with --no-video or --shard, no video is written to --output",
+        "once all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
   }
   if (!options.no_video) options.film.require_free_output(options.progress);
 }
@@ -339,11 +341,11 @@ void render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "render", "The main job: simulate, draw every frame, write PNG frames and the video");
+  CLI::App* command =
+      app.add_subcommand("render", "Simulate, draw every frame, and write PNG frames and a video");
   command->footer(std::string(about_defaults) +
                   "Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4\n"
-                  "Exit code 3 without OpenGL, 4 without ffmpeg, 130 or 143 when interrupted.");
+                  "Exit codes: 3 no OpenGL, 4 no ffmpeg, 130 or 143 interrupted.");
   const auto options = std::make_shared<Options>(*command);
   command->callback(
       [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });

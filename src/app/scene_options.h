@@ -13,7 +13,7 @@ namespace twrench {
 
 /// For the footer of a command with options of the scene.
 inline constexpr const char* about_defaults =
-    "What an option does not say, the scene says; the defaults are for what neither does.\n";
+    "Options override the scene; the defaults apply to what neither sets.\n";
 
 /// The SCENE argument, or several, and the options that override its values. Lives as long as the
 /// command.

@@ -110,8 +110,7 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
     }
     if (over == 0) continue;
     code = ExitCode::answer_is_no;
-    say("twrench: study: a bound was exceeded: {} {} by {} of the runs\n", bound.name, bound.most,
-        over);
+    say("twrench: study: {} {} was exceeded in {} of the runs\n", bound.name, bound.most, over);
   }
   return code;
 }
@@ -132,7 +131,7 @@ ExitCode run_study(const Options& options) {
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
   if (!options.plot.empty() && std::ranges::all_of(plan.methods, is_exact)) {
-    throw UsageError("--plot", "there is nothing to draw of exact alone: it has no steps");
+    throw UsageError("--plot", "the exact method alone has no steps to plot");
   }
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
@@ -145,34 +144,37 @@ ExitCode run_study(const Options& options) {
 
 void add_options(CLI::App& command, Options& options) {
   options.scene.add_motion_options();
-  command.add_option("--methods", options.methods, "only these; default: all, or that of --method")
+  command
+      .add_option("--methods", options.methods,
+                  "methods to compare (default: all, or the value of --method)")
       ->type_name("A,B,...");
-  command.add_option("--steps", options.steps, "steps to try, s; default: a ladder by halves")
+  command.add_option("--steps", options.steps, "step sizes, s (default: successive halvings)")
       ->type_name("H1,H2,...");
   command
       .add_option("--tolerances", options.tolerances,
-                  "tolerances to try of the adaptive methods; default: 1e-4 to 1e-12")
+                  "tolerances of the adaptive methods (default: 1e-4 to 1e-12)")
       ->type_name("T1,T2,...");
   command
       .add_option("--max-error", options.max_error,
-                  "exit 1 when the error of X at the end of a run is over this")
+                  "exit 1 if the error of X at the end of any run exceeds this")
       ->type_name("E");
   command
       .add_option("--max-energy-drift", options.max_energy_drift,
-                  "exit 1 when the relative energy drift of a run is ever over this")
+                  "exit 1 if the relative energy drift of any run exceeds this")
       ->type_name("E");
   command
       .add_option("--max-flip-error", options.max_flip_error,
-                  "exit 1 when a flip of a run is missed, or off by more than this, s")
+                  "exit 1 if any run misses a flip, or its time by more than this, s")
       ->type_name("S");
-  command.add_option("--format", options.format, "text, csv or json")
+  command.add_option("--format", options.format, "output format: text, csv or json")
       ->check(one_of("--format", {"text", "csv", "json"}))
       ->type_name("FORMAT")
       ->capture_default_str();
-  command.add_option("-o,--output", options.output, "file, or - for standard output")
+  command.add_option("-o,--output", options.output, "output file, or - for standard output")
       ->capture_default_str();
   command
-      .add_option("--plot", options.plot, "order, work and energy drift as a figure: svg, pdf, png")
+      .add_option("--plot", options.plot,
+                  "plot order, work-precision and energy drift: .svg, .pdf or .png")
       ->type_name("FILE");
 }
 
@@ -180,10 +182,10 @@ void add_options(CLI::App& command, Options& options) {
 
 void add_study(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
-      "study", "Methods held against the exact motion: order, error, drifts, flip times, cost");
+      "study", "Compare methods with the exact solution: order, error, drift, flip times, cost");
   command->footer(std::string(about_defaults) +
                   "Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20\n"
-                  "Exit code 1 when a bound, --max-..., is exceeded.");
+                  "Exit code 1 if a --max-... bound is exceeded.");
   const auto options = std::make_shared<Options>(*command);
   add_options(*command, *options);
   command->callback([options, &code] { code = run_study(*options); });

@@ -273,16 +273,16 @@ std::string why_not_started(const std::system_error& error) {
     case ENOENT:
       return "it was not found in PATH";
     case EACCES:
-      return "the one in PATH may not be executed";
+      return "the file in PATH is not executable";
     case ENOEXEC:
-      return "the one in PATH is no program for this machine";
+      return "the file in PATH is not a program for this machine";
     case EMFILE:
     case ENFILE:
       return "too many files are open";
     case EAGAIN:
-      return "no more processes may be started";
+      return "the limit on processes has been reached";
     case ENOMEM:
-      return "there is not enough memory";
+      return "not enough memory";
     default:
       return error.code().message();
   }
@@ -293,16 +293,16 @@ std::string remedy_for_start(const std::system_error& error, const std::string& 
     case ENOENT:
       return installation;
     case EACCES:
-      return "make it executable (chmod +x), or take it out of PATH";
+      return "make it executable (chmod +x), or remove it from PATH";
     case ENOEXEC:
-      return "install the one for this machine";
+      return "install the version for this machine";
     case EMFILE:
     case ENFILE:
       return "raise the limit on open files (ulimit -n)";
     case EAGAIN:
       return "raise the limit on processes (ulimit -u)";
     case ENOMEM:
-      return "end other programs";
+      return "close other programs";
     default:
       return {};
   }
@@ -317,7 +317,7 @@ std::string last_words(std::string_view output) {
   for (std::size_t at = 0; (at = tail.find('\n', at)) != std::string::npos;) {
     tail.replace(at, 1, "; ");
   }
-  return tail.empty() ? "it said nothing" : tail;
+  return tail.empty() ? "it printed no message" : tail;
 }
 
 std::string shell_command(std::span<const std::string> command) {

@@ -100,7 +100,7 @@ void check_target(const fs::path& target, const fs::path& destination, const str
     throw FileError(cannot_write(target), "it is a folder", "choose another name");
   }
   if (is_device(status) && links == Links::replace) {
-    throw FileError(cannot_write(target), "it is there and is not a regular file",
+    throw FileError(cannot_write(target), "it exists and is not a regular file",
                     "choose another name");
   }
   if (!S_ISLNK(status.st_mode) &&
@@ -175,8 +175,8 @@ void PendingFile::claim() {
     if (!is_of_target) continue;
     const Descriptor other(::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (other && !lock_file(other, LOCK_SH)) {
-      throw FileError(cannot_write(target_), "another run is writing it at this moment",
-                      "wait for its end, or choose another name");
+      throw FileError(cannot_write(target_), "another run is writing it",
+                      "wait for it to finish, or choose another name");
     }
   }
 }

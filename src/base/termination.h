@@ -8,7 +8,7 @@ namespace twrench {
 
 /// What is said when a signal ends the program.
 struct TerminationMessage {
-  std::string error;   ///< "interrupted by SIGINT", and what an action knows better
+  std::string error;   ///< "interrupted by SIGINT", to which an action may add details
   std::string remedy;  ///< may be empty
 };
 

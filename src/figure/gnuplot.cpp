@@ -32,7 +32,7 @@ const Format& format_of(const std::string& path) {
   for (const Format& format : formats) {
     if (ending == format.ending) return format;
   }
-  throw UsageError(fmt::format("figure {}", path), "its name must end in .svg, .pdf or .png");
+  throw UsageError(fmt::format("plot {}", path), "its name must end in .svg, .pdf or .png");
 }
 
 /// With what a user's ~/.gnuplot and the environment change left out: a figure is the same
@@ -86,8 +86,9 @@ void require_gnuplot(const std::string& path) {
   const Format& format = format_of(path);
   ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
   if (gnuplot.wait() == 0) return;
-  throw FigureError(fmt::format("gnuplot cannot make {}", path), last_words(gnuplot.error_output()),
-                    "install one that can: apt-get install gnuplot-nox");
+  throw FigureError(fmt::format("gnuplot cannot write {}", path),
+                    last_words(gnuplot.error_output()),
+                    "install a build that can: apt-get install gnuplot-nox");
 }
 
 void draw_figure(const std::string& path, const Figure& figure) {
@@ -105,7 +106,8 @@ void draw_figure(const std::string& path, const Figure& figure) {
                                   last_words(gnuplot.error_output())));
   }
   if (!file.is_direct() && !is_complete(file.path(), format)) {
-    throw FileError("cannot write " + path, "gnuplot did not complete it", "is the disk full?");
+    throw FileError("cannot write " + path, "gnuplot left it incomplete",
+                    "check whether the disk is full");
   }
   file.commit();
 }

@@ -38,13 +38,13 @@ std::unique_ptr<Context> make_egl_software_context() {
 
 OpenedContext fall_back(bool egl_alone) {
   constexpr const char* note =
-      "no graphics device answers through EGL; drawing in software with {}";
+      "no graphics device is available through EGL; drawing in software with {}";
   std::string osmesa_reason;
   if (!egl_alone) {
     try {
       return {make_osmesa_context(), fmt::format(note, "OSMesa")};
     } catch (const GlError& error) {
-      osmesa_reason = fmt::format(", as OSMesa cannot be used ({})", error.what());
+      osmesa_reason = fmt::format("; OSMesa is not usable ({})", error.what());
     }
   }
   try {

@@ -110,7 +110,7 @@ std::vector<Device> devices(const Egl& egl) {
     result.push_back({{surfaceless, false}, EGL_NO_DEVICE_EXT});
   }
   if (result.empty()) {
-    throw GlError("EGL", "it lists no devices and has no surfaceless platform", remedy);
+    throw GlError("EGL", "it lists no devices and lacks the surfaceless platform", remedy);
   }
   return result;
 }
@@ -126,7 +126,7 @@ Device find_device(const Egl& egl, const std::string& name) {
     names += fmt::format("{}{}{}", names.empty() ? "" : ", ", device.name,
                          device.software ? " (software)" : "");
   }
-  throw UsageError("EGL device " + name, "EGL has none of that name", "its devices: " + names);
+  throw UsageError("EGL device " + name, "EGL has no device of that name", "its devices: " + names);
 }
 
 class EglContext final : public Context {
@@ -165,10 +165,10 @@ class EglContext final : public Context {
                    ? get(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
                    : get(EGL_PLATFORM_DEVICE_EXT, device_.handle, nullptr);
     if (display_ == EGL_NO_DISPLAY || egl_.Initialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      fail_on_device("it does not answer");
+      fail_on_device("it cannot be initialised");
     }
     if (!has(egl_.QueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-      fail_on_device("it cannot draw without a surface");
+      fail_on_device("it does not support drawing without a surface");
     }
   }
 
@@ -187,7 +187,7 @@ class EglContext final : public Context {
     if (egl_.BindAPI(EGL_OPENGL_API) == EGL_FALSE ||
         egl_.ChooseConfig(display_, config_attributes.data(), &config, 1, &count) == EGL_FALSE ||
         count == 0) {
-      fail_on_device("it has no OpenGL, though maybe OpenGL ES");
+      fail_on_device("it has no desktop OpenGL (it may have OpenGL ES)");
     }
     handle_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, context_attributes.data());
     if (handle_ == EGL_NO_CONTEXT) fail_on_device("it has no OpenGL 3.3 core profile");

@@ -23,15 +23,17 @@ void check_limits(const Functions& gl, int width, int height, int samples) {
   const GLint max_width = std::min(side, viewport[0]);
   const GLint max_height = std::min(side, viewport[1]);
   if (width > max_width || height > max_height) {
-    throw UsageError(fmt::format("size {}x{}", width, height),
-                     fmt::format("this OpenGL draws at most {}x{}", max_width, max_height),
-                     fmt::format("choose a size of at most {}x{}", max_width, max_height));
+    throw UsageError(
+        fmt::format("size {}x{}", width, height),
+        fmt::format("this OpenGL implementation draws at most {}x{}", max_width, max_height),
+        fmt::format("choose a size of at most {}x{}", max_width, max_height));
   }
   const GLint max_samples = limit(gl, GL_MAX_SAMPLES);
   if (samples > max_samples) {
-    throw UsageError(fmt::format("samples {}", samples),
-                     fmt::format("this OpenGL takes at most {} a pixel", max_samples),
-                     fmt::format("choose {} samples or fewer", max_samples));
+    throw UsageError(
+        fmt::format("samples {}", samples),
+        fmt::format("this OpenGL implementation supports at most {} per pixel", max_samples),
+        fmt::format("choose {} samples or fewer", max_samples));
   }
 }
 
@@ -45,9 +47,10 @@ void check_complete(const Functions& gl, int width, int height, int samples) {
   const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
   const GLenum error = gl.GetError();
   if (status == GL_FRAMEBUFFER_COMPLETE && error == GL_NO_ERROR) return;
-  throw GlError(fmt::format("framebuffer of {}x{} with {} samples", width, height, samples),
-                fmt::format("OpenGL could not make it (status {:#x}, error {:#x})", status, error),
-                "choose a smaller size or fewer samples");
+  throw GlError(
+      fmt::format("framebuffer of {}x{} with {} samples", width, height, samples),
+      fmt::format("OpenGL could not create it (status {:#x}, error {:#x})", status, error),
+      "choose a smaller size or fewer samples");
 }
 
 /// One triangle over all there is, at the far plane.

@@ -28,8 +28,8 @@ constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 constexpr const char* remedy =
-    "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
-    "draws with --backend egl";
+    "install OSMesa: apt-get install libosmesa6; Mesa 25.1 and newer no longer include it; "
+    "use --backend egl there";
 
 template <typename F>
 F* entry(const Library& library, const char* name) {
@@ -52,7 +52,7 @@ class OsmesaContext final : public Context {
                                     0};
     handle_ = create_(attributes.data(), nullptr);
     if (handle_ == nullptr) {
-      throw GlError("OSMesa", "it cannot make an OpenGL 3.3 core profile context", remedy);
+      throw GlError("OSMesa", "it cannot create an OpenGL 3.3 core profile context", remedy);
     }
     if (make_current_(handle_, pixels_.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
       destroy_(handle_);

@@ -47,7 +47,7 @@ PixelBuffers::Sized PixelBuffers::get(GLsizeiptr size) {
     if (const GLenum error = gl_->GetError(); error != GL_NO_ERROR) {
       gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
       throw GlError(fmt::format("pixel buffer of {} bytes", size),
-                    fmt::format("OpenGL could not make it (error {:#x})", error),
+                    fmt::format("OpenGL could not create it (error {:#x})", error),
                     "choose a smaller size");
     }
     sized.size = size;
@@ -78,7 +78,7 @@ Image Readback::take() {
   if (pixels != nullptr) copy_upside_down(static_cast<const std::uint8_t*>(pixels), image);
   const bool whole = pixels != nullptr && gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER) == GL_TRUE;
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  if (!whole) throw GlError("reading back", "OpenGL has lost the pixels");
+  if (!whole) throw GlError("reading back", "OpenGL lost the pixels");
   buffers_->give_back(std::move(*buffer_));
   buffer_.reset();
   return image;

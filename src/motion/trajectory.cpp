@@ -92,7 +92,7 @@ class Walk {
     evaluations_ += step.evaluations;
     if (std::isfinite(step.error)) return step.X;
     throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("a step of {} s turns the body too far for it", length),
+                     fmt::format("a step of {} s rotates the body too far for this method", length),
                      "take a shorter --step");
   }
 
@@ -131,7 +131,7 @@ class Walk {
     if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
       return;
     throw UsageError(fmt::format("method {}", method_.name),
-                     fmt::format("the motion has diverged at t = {} s", sample.t),
+                     fmt::format("the motion diverged at t = {} s", sample.t),
                      "take a shorter --step, or a method that stays on SO(3)");
   }
 

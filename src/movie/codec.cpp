@@ -59,8 +59,8 @@ Container container_named(std::string_view name) {
   for (const auto& [known, container] : containers) {
     if (lower == known) return container;
   }
-  throw UsageError(fmt::format("container '{}'", name), "no film can be written to such a one",
-                   "mp4, mov, mkv or webm");
+  throw UsageError(fmt::format("container '{}'", name), "it is not a supported video container",
+                   "choose mp4, mov, mkv or webm");
 }
 
 Container container_of(const std::filesystem::path& file) {
@@ -68,8 +68,8 @@ Container container_of(const std::filesystem::path& file) {
   try {
     return container_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
   } catch (const UsageError&) {
-    throw UsageError("film " + file.string(), "its name does not end with that of a container",
-                     "end it with .mp4, .mov, .mkv or .webm");
+    throw UsageError("video " + file.string(), "its name does not end in that of a container",
+                     "use .mp4, .mov, .mkv or .webm");
   }
 }
 

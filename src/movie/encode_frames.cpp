@@ -41,8 +41,8 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
                                 const std::vector<int>& missing) {
   const std::string range = brief_frame_range(missing);
   throw FileError("cannot encode " + folder.string(), "frames are missing: " + range,
-                  "render them, by the same command with --resume or with --frames; or leave them "
-                  "out: --allow-missing");
+                  "render them by repeating the command with --resume or --frames, or omit "
+                  "them: --allow-missing");
 }
 
 /// The frame as it was drawn, or a FileError.
@@ -52,13 +52,13 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
   const std::filesystem::path path = folder / record.file;
   const auto png = read_regular_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
-    throw FileError("cannot use " + path.string(), "it is not the file that the manifest tells of",
+    throw FileError("cannot use " + path.string(), "it is not the file that the manifest describes",
                     fmt::format("render it again: --resume --frames {}", record.frame));
   }
   Image image = decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {
     throw FileError("cannot use " + path.string(),
-                    fmt::format("it has {}x{} pixels, the manifest says {}x{}", image.width,
+                    fmt::format("it has {}x{} pixels, but the manifest says {}x{}", image.width,
                                 image.height, manifest.width, manifest.height));
   }
   return image;

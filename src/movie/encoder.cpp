@@ -27,7 +27,8 @@ namespace {
 std::string rational(double fps) {
   constexpr double largest = 1e6;
   if (!(fps >= 1e-3 && fps <= 1e3)) {
-    throw UsageError(fmt::format("fps {}", fps), "a film has 0.001 to 1000 frames per second");
+    throw UsageError(fmt::format("fps {}", fps),
+                     "a video must have 0.001 to 1000 frames per second");
   }
   double p = 1, q = 0, p_before = 0, q_before = 1, rest = fps;
   while (true) {
@@ -57,7 +58,7 @@ ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time p
 /// Why ffmpeg failed, in its words.
 std::string failure(const ChildProcess& ffmpeg, int status) {
   const std::string said = last_words(ffmpeg.error_output());
-  if (ffmpeg.hung()) return "ffmpeg hung, and was stopped: " + said;
+  if (ffmpeg.hung()) return "ffmpeg stopped responding and was killed: " + said;
   return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
 
@@ -113,9 +114,9 @@ constexpr const char* conversion =
 std::vector<std::string> encoder_arguments(const VideoFormat& format) {
   const auto& [width, height, fps, container, transparent, streamed] = format;
   if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0) {
-    throw UsageError(fmt::format("a film of {}x{}", width, height),
-                     "films need an even width and height",
-                     fmt::format("use --size {}x{}, or --no-video for the frames alone",
+    throw UsageError(fmt::format("a video of {}x{}", width, height),
+                     "the width and height of a video must be even",
+                     fmt::format("use --size {}x{}, or --no-video for frames only",
                                  std::max(2, width + width % 2), std::max(2, height + height % 2)));
   }
   // Planar frames are tagged at the input too: since 7.1 ffmpeg's encoders tag a film as its frames
@@ -142,8 +143,8 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
-        "ffmpeg cannot make the film", failure(ffmpeg, status),
-        "choose a smaller --size, or install one that has libx264, libvpx and prores_ks: apt-get "
+        "ffmpeg cannot encode the video", failure(ffmpeg, status),
+        "choose a smaller --size, or install a build with libx264, libvpx and prores_ks: apt-get "
         "install ffmpeg");
   }
   ffprobe.wait();
@@ -167,7 +168,7 @@ void VideoEncoder::convert(const Image& frame) {
 
 void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
   if (frame.width != format_.width || frame.height != format_.height) {
-    throw std::invalid_argument("a frame of another size than the film's");
+    throw std::invalid_argument("the frame does not have the video's size");
   }
   if (format_.has_alpha()) {
     with_alpha_ = frame.pixels;
@@ -220,19 +221,19 @@ void VideoEncoder::require_whole() const {
   if (is_whole) return;
   throw EncoderError(
       "cannot encode " + name_,
-      film ? fmt::format("ffmpeg made a film of {} frames, {:.3f} s and {}x{}, but was given {}, "
+      film ? fmt::format("ffmpeg wrote a video of {} frames, {:.3f} s and {}x{}, but was given {}, "
                          "{:.3f} s and {}x{}",
                          film->frames, film->duration, film->width, film->height, frames_, duration,
                          format_.width, format_.height)
-           : "ffmpeg said that it was done, but what it wrote is no film",
-      "its command was: " + shell_command(command_));
+           : "ffmpeg reported success, but its output is not a video",
+      "the command was: " + shell_command(command_));
 }
 
 void VideoEncoder::fail() {
   const int status = ffmpeg_.wait();
   const std::string what = "cannot encode " + name_;
   if (const int error = file_failure(ffmpeg_.error_output(), status)) throw file_error(what, error);
-  throw EncoderError(what, failure(ffmpeg_, status), "its command was: " + shell_command(command_));
+  throw EncoderError(what, failure(ffmpeg_, status), "the command was: " + shell_command(command_));
 }
 
 }  // namespace twrench

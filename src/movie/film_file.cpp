@@ -84,9 +84,10 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   if (!stands) return;
   const auto comment = ask(file, {}, &comment_of);
   if (comment == identity) return;
-  throw UsageError(file.string(),
-                   comment ? "it is there, and is another film" : "it is there, and is no film",
-                   "--overwrite replaces it, --output names another");
+  throw UsageError(
+      file.string(),
+      comment ? "it exists and is a video of something else" : "it exists and is not a video",
+      "use --overwrite to replace it, or --output to choose another name");
 }
 
 }  // namespace twrench

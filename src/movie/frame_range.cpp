@@ -66,17 +66,17 @@ std::vector<Run> parse_runs(std::string_view range, int frame_count) {
     const auto run = parse_run(part);
     if (!run) {
       throw UsageError(what, fmt::format("'{}' is not a frame or a range of frames", part),
-                       "write a, a-b or a-b:step with a <= b and step >= 1, commas between: "
+                       "write a, a-b or a-b:step with a <= b and step >= 1, separated by commas: "
                        "0-99,200-300:10");
     }
     if (run->last >= frame_count) {
       throw UsageError(what, fmt::format("there is no frame {}", run->last),
-                       fmt::format("the film's frames are 0-{}", frame_count - 1));
+                       fmt::format("the video's frames are 0-{}", frame_count - 1));
     }
     named += (run->last - run->first) / run->step + 1;
     if (named > most_named) {
-      throw UsageError(what,
-                       fmt::format("it names more than {} frames, many of them again", most_named));
+      throw UsageError(
+          what, fmt::format("it lists more than {} frames, many of them repeatedly", most_named));
     }
     runs.push_back(*run);
   }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 FileError disagreement(const fs::path& a, const fs::path& b, const std::string& on) {
   return {fmt::format("cannot use {} with {}", b.string(), a.filename().string()), on,
-          "render again with --overwrite what is not wanted, or remove its manifest"};
+          "render the unwanted frames again with --overwrite, or remove their manifest"};
 }
 
 /// What is different between the films, for an error.
@@ -51,7 +51,7 @@ class Union {
       const auto [there, is_new] = frames_.emplace(record.frame, Found{record, paths_.size()});
       if (is_new || there->second.record.sha256 == record.sha256) continue;
       throw disagreement(paths_[there->second.path], path,
-                         fmt::format("they tell of two different frames {}", record.frame));
+                         fmt::format("they describe two different frames {}", record.frame));
     }
     paths_.push_back(path);
   }
@@ -94,9 +94,9 @@ Manifest read_manifests(const fs::path& folder) {
   const std::vector<fs::path> paths = manifests_in(folder);
   if (paths.empty()) {
     throw FileError("cannot use " + folder.string(),
-                    fs::exists(folder) ? "it has no manifest.json, nor those of shards"
+                    fs::exists(folder) ? "it contains neither manifest.json nor shard manifests"
                                        : "there is no such folder",
-                    "name the folder that twrench render wrote its frames to");
+                    "give the folder to which twrench render wrote its frames");
   }
   if (paths.size() == 1) return read_manifest(paths.front());
   Union all(paths.front());

@@ -93,7 +93,7 @@ std::string file_name(const Place& place) {
   std::string name = place.text();
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
       name.find('\0') != std::string::npos) {
-    place.fail("a file's name without a path");
+    place.fail("a file name without a path");
   }
   return name;
 }
@@ -139,7 +139,8 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
   bool in_frames = false;
   const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > deepest) {
-      throw FileError("cannot use " + name, fmt::format("it nests deeper than {}", deepest));
+      throw FileError("cannot use " + name,
+                      fmt::format("it is nested more than {} levels deep", deepest));
     }
     if (event == Json::parse_event_t::key && depth == 1) in_frames = value == "frames";
     const bool is_frame = in_frames && depth == 2 && event == Json::parse_event_t::object_end;
@@ -152,9 +153,9 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
     return Json::parse(text, take);
   } catch (const Json::parse_error& error) {
     throw FileError("cannot use " + name,
-                    fmt::format("line {} is no JSON", line_of(text, error.byte)));
+                    fmt::format("line {} is not valid JSON", line_of(text, error.byte)));
   } catch (const Json::exception&) {  // a number that no double holds
-    throw FileError("cannot use " + name, "it has a number that is too large");
+    throw FileError("cannot use " + name, "it contains a number that is too large");
   }
 }
 
@@ -169,7 +170,8 @@ void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
   for (const FrameRecord& record : frames) {
     asked = std::find(asked, range.end(), record.frame);
     if (asked == range.end()) {
-      place.fail(fmt::format("in the range and ascending, which frame {} is not", record.frame));
+      place.fail(
+          fmt::format("in the range and in ascending order, which frame {} is not", record.frame));
     }
     ++asked;
   }
@@ -247,7 +249,7 @@ void check_lines(std::ifstream& file, const std::string& name) {
       length = c == '\n' ? 0 : length + 1;
       if (length <= longest) continue;
       throw FileError("cannot use " + name,
-                      fmt::format("it has a line of more than {} bytes", longest));
+                      fmt::format("it contains a line of more than {} bytes", longest));
     }
   }
 }

@@ -57,9 +57,9 @@ class Figures {
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
     throw UsageError("title",
-                     fmt::format("has the character U+{:04X}, which the font lacks",
+                     fmt::format("contains the character U+{:04X}, which the font lacks",
                                  static_cast<std::uint32_t>(*missing)),
-                     "--font FILE takes a font that has it; --hide hud leaves the title out");
+                     "use --font FILE with a font that has it, or --hide hud to omit the title");
   }
 }
 

@@ -308,8 +308,8 @@ bool is_strip(const Area& components) { return components.width > 4 * components
 Layout layout_of(const Scene& scene) {
   if (scene.overlay.compare.size() > 1 && scene.overlay.view != View::wrench) {
     throw UsageError("compare",
-                     "the view '" + name_of(scene.overlay.view) + "' shows one motion only",
-                     "methods are compared in the view 'wrench'");
+                     "the view '" + name_of(scene.overlay.view) + "' shows only one motion",
+                     "use the view 'wrench' to compare methods");
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {

@@ -28,20 +28,19 @@ inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and directions
 inline constexpr Limit step{1e-15, 1e6};         // s
 inline constexpr Limit tolerance{least_tolerance, 1,
-                                 "double precision keeps no less"};  // of the estimate E
-inline constexpr Limit duration{1e-15, 1e9};                         // s
-inline constexpr Limit fps{1e-9, 1000};                              // 1/s
-inline constexpr Limit speed{1e-15, 1e6};                            // s of motion per s of film
-inline constexpr Limit pixels{16, 16384};                            // whole
-inline constexpr Limit samples{1, 64};                               // whole
+                                 "the limit of double precision"};  // of the estimate E
+inline constexpr Limit duration{1e-15, 1e9};                        // s
+inline constexpr Limit fps{1e-9, 1000};                             // 1/s
+inline constexpr Limit speed{1e-15, 1e6};                           // s of motion per s of film
+inline constexpr Limit pixels{16, 16384};                           // whole
+inline constexpr Limit samples{1, 64};                              // whole
 inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
 inline constexpr Limit angle_of_view{0.05, 2.5};  // rad
 
 inline constexpr Limit motion_blur{1, 256};  // poses, whole
 inline constexpr Limit angle{-1e3, 1e3};     // rad, and rad/s of film
-inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966,
-                                 "that is straight below"};  // rad
+inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "straight below"};  // rad
 inline constexpr Limit distance{0.2, 20};
 inline constexpr Limit trail_length{1e-15, 1e6};  // s of motion
 

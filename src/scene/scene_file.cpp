@@ -42,7 +42,7 @@ Eigen::Matrix3d read_orientation(TomlTable& part) {
   part.vector("axis", limits::coordinate, axis);
   part.vector("rotation", limits::coordinate, rotation);
   if (part.has("axis") && part.has("rotation")) {
-    throw UsageError(part.place("rotation"), "must not be given together with axis");
+    throw UsageError(part.place("rotation"), "cannot be combined with axis");
   }
   if (axis.isZero(0.0)) throw UsageError(part.place("axis"), "must not be zero");
   return part.has("axis") ? frame_with_z_along(axis) : so3::exp(rotation);
@@ -70,7 +70,7 @@ Body read_body(TomlTable& file) {
   });
   if (body.parts.empty() != body.moments.has_value()) {
     throw UsageError(file.place("part"),
-                     "a body is given either by [[part]] tables or by [body] moments");
+                     "the body must be given by either [[part]] tables or [body] moments");
   }
   if (!body.moments) limits::check_moments(file.place("part"), mass_properties(body.parts).moments);
   return body;

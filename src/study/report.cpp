@@ -31,13 +31,12 @@ std::string flips_heading(const Study& study) {
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
   const ExactMotion::Flips& flips = *study.flips;
   if (!std::isfinite(flips.interval)) {
-    return "Flips: one at most; on the separatrix the body comes to rest about its intermediate\n"
-           "axis.\n";
+    return "Flips: at most one; on the separatrix the rotation settles on the intermediate axis.\n";
   }
   return fmt::format(
       "Flips (sign changes of omega along the intermediate axis): every {:.12f} s, which is\n"
-      "2K/|r|; asymptotically ln(16/mc)/|r| = {:.12f} s. {} of them; the axis swings through\n"
-      "{:.1f} degrees.\n",
+      "2K/|r|; asymptotically ln(16/mc)/|r| = {:.12f} s. There are {}; the axis swings\n"
+      "through {:.1f} degrees.\n",
       flips.interval, flips.asymptotic_interval, study.flip_times.size(),
       flips.swing * 180 / std::numbers::pi);
 }
@@ -60,8 +59,8 @@ std::string runs_text(const Study& study) {
       "energy", "X^T X-Id", "momentum", "flips", "off by, s", "evaluations", "CPU, ms");
   for (const MethodStudy& m : study.methods) {
     const std::string order =
-        m.order ? fmt::format("order {:.2f} seen", *m.order) : "no order seen";
-    text += m.method->order == 0 ? "exact: what the others are held against\n"
+        m.order ? fmt::format("observed order {:.2f}", *m.order) : "no observed order";
+    text += m.method->order == 0 ? "exact: the reference for the other methods\n"
                                  : fmt::format("{}: {}\n", m.method->name, order);
     for (const StudyRun& run : m.runs) text += run_line(study, run, m.method->order > 0);
   }
@@ -72,7 +71,7 @@ std::string estimates_text(const Study& study) {
   std::string text;
   for (const MethodStudy& m : study.methods) {
     if (!m.method->adaptive()) continue;
-    text += fmt::format("{}: true/E goes as step^{}\n", m.method->name,
+    text += fmt::format("{}: true/E scales as step^{}\n", m.method->name,
                         m.estimate_exponent ? hundredths(*m.estimate_exponent) : "?");
     for (const StudyRun& run : m.runs) {
       if (!run.estimate) continue;
@@ -82,7 +81,7 @@ std::string estimates_text(const Study& study) {
     }
   }
   if (text.empty()) return text;
-  return "\nThe estimate E of each accepted step against its true local error\n" +
+  return "\nError estimate E of each accepted step, compared with its true local error\n" +
          fmt::format("{:>12}{:>10}{:>16}{:>17}{:>24}\n", "mean step, s", "tolerance",
                      "true/E, median", "true/E, largest", "true/tolerance, largest") +
          text;
@@ -109,10 +108,10 @@ std::vector<double> intervals(const std::vector<double>& times) {
 /// Of each method's finest run that was not refused.
 std::string flips_text(const Study& study) {
   if (study.flip_times.empty()) return {};
-  std::string at = "\nFlips at, s, each method in its finest steps\n" +
+  std::string at = "\nFlip times in s, each method at its finest step\n" +
                    flip_row("predicted", "", study.flip_times);
   std::string between =
-      "\nTime between flips, s\n" + flip_row("predicted", "", intervals(study.flip_times));
+      "\nTime between flips in s\n" + flip_row("predicted", "", intervals(study.flip_times));
   for (const MethodStudy& m : study.methods) {
     const StudyRun* finest = nullptr;
     for (const StudyRun& run : m.runs) {
@@ -165,9 +164,9 @@ Json flips_json(const Study& study) {
 }  // namespace
 
 std::string study_text(const Study& study, const std::string& scene) {
-  return fmt::format("{}: {} s of motion, methods held against the exact one\n\n{}\n{}{}{}", scene,
-                     study.duration, flips_heading(study), runs_text(study), estimates_text(study),
-                     flips_text(study));
+  return fmt::format("{}: {} s of motion, methods compared with the exact solution\n\n{}\n{}{}{}",
+                     scene, study.duration, flips_heading(study), runs_text(study),
+                     estimates_text(study), flips_text(study));
 }
 
 std::string study_csv(const Study& study) {

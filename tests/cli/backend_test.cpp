@@ -35,7 +35,7 @@ TEST(Backend, WithoutOsmesaIsEgl) {
   const std::string before = without(folder, osmesa);
   const Outcome done = run(folder, small, before);
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL, as OSMesa cannot be used"));
+  EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL; OSMesa is not usable"));
   const Outcome asked = run(folder, small + "--backend osmesa --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libosmesa6"));

@@ -76,7 +76,7 @@ TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
   const Outcome run = run_on_small_disk(
       folder, "500k", "cd d && \"$TWRENCH\" " + frames + "; code=$?; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
-  expect_told(run, 5, "the run is estimated to need");
+  expect_told(run, 5, "the run needs an estimated");
   EXPECT_THAT(run.err, HasSubstr("free some space"));
   EXPECT_FALSE(fs::exists(folder / "after/f"));
 }
@@ -241,7 +241,7 @@ TEST(Hostile, AManifestLeadsNowhereElse) {
     changed.replace(changed.find("frame_000001.png"), 16, path);
     write_file_atomically(folder / "f/manifest.json", changed);
     expect_told(run_twrench(folder, "encode f -o v.mp4 --progress none"), 5,
-                "a file's name without a path");
+                "a file name without a path");
   }
 }
 

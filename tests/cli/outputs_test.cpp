@@ -63,14 +63,15 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   ASSERT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0);
   EXPECT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0) << "the same film again loses nothing";
   const std::string before = text_of(folder / "v.mp4");
-  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "another film");
+  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "a video of something else");
   ASSERT_EQ(run_twrench(folder, frames + "stable-y").code, 0);
-  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2, "another film");
+  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2,
+                 "a video of something else");
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
   write_file_atomically(folder / "notes.mkv", "not a film");
-  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "no film");
+  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "not a video");
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 

@@ -185,7 +185,7 @@ TEST(Render, TimingForPeopleAndForPrograms) {
   const ScratchFolder folder;
   const std::string base = "render --size 64x36 --frames 0-4 --progress none ";
   const Outcome text = run_twrench(folder, base + "--timing");
-  EXPECT_THAT(text.err, HasSubstr("busy milliseconds a frame: pose "));
+  EXPECT_THAT(text.err, HasSubstr("busy time per frame, ms: pose "));
   const json report = json::parse(run_twrench(folder, base + "--timing=json").err);
   EXPECT_EQ(report["frames"], 5);
   double wall = report["wall_seconds"];

@@ -127,7 +127,7 @@ TEST(Resume, RefusesAManifestOfSomebodyElse) {
   write_file_atomically(folder / "f/manifest.json", theirs);
   const Outcome refused = run_twrench(folder, small + "--resume");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("not of this program"));
+  EXPECT_THAT(refused.err, HasSubstr("not written by this program"));
   EXPECT_EQ(text_of(folder / "f/manifest.json"), theirs);
 }
 

@@ -93,7 +93,7 @@ TEST(Gnuplot, TellsWhatGnuplotSaidAndLeavesNothing) {
 TEST(Gnuplot, AFileThatIsNotCompleteIsNotKept) {
   const ScratchFolder scratch;
   const StubGnuplot stub(scratch, "cat >/dev/null\n");
-  EXPECT_THAT(failure_of<FileError>(scratch / "a.svg").what(), HasSubstr("did not complete"));
+  EXPECT_THAT(failure_of<FileError>(scratch / "a.svg").what(), HasSubstr("left it incomplete"));
   EXPECT_THAT(scratch.names(), ElementsAre("bin"));
 }
 

@@ -60,7 +60,7 @@ TEST(EglContext, ListsItsDevicesWhereThereIsNoneOfTheName) {
     make_egl_context("17");
     FAIL() << "no exception";
   } catch (const UsageError& error) {
-    EXPECT_STREQ(error.what(), "EGL device 17: EGL has none of that name");
+    EXPECT_STREQ(error.what(), "EGL device 17: EGL has no device of that name");
     EXPECT_THAT(error.remedy(), HasSubstr("its devices: 0"));
   }
 }

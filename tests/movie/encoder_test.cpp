@@ -355,7 +355,7 @@ TEST(Encoder, ThatCannotDoItIsToldBeforeTheFirstFrame) {
     FAIL();
   } catch (const EncoderError& error) {
     EXPECT_STREQ(error.what(),
-                 "ffmpeg cannot make the film: ffmpeg ended with exit status 1: "
+                 "ffmpeg cannot encode the video: ffmpeg ended with exit status 1: "
                  "Unknown encoder 'libx264'");
     EXPECT_THAT(error.remedy(), HasSubstr("libx264"));
   }
@@ -377,7 +377,7 @@ TEST(Encoder, ThatDiesMidwayIsTold) {
   write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
   const StubFfmpeg stub(scratch, "head -c 1000000 >/dev/null; kill -KILL $$");
   EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(),
-              HasSubstr("exit status 137: it said nothing"));
+              HasSubstr("exit status 137: it printed no message"));
   EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAre("bin", "film.mp4"));
   EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
 }
@@ -393,7 +393,7 @@ TEST(Encoder, ThatHangsIsStoppedAndTold) {
       encoder.finish();
       FAIL();
     } catch (const EncoderError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("ffmpeg hung, and was stopped"));
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg stopped responding and was killed"));
     }
     EXPECT_THAT(scratch.names(), ElementsAre("bin"));
     EXPECT_THROW(require_encoder(format, patience), EncoderError);
@@ -413,8 +413,8 @@ TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
   const std::string last = "for film; do :; done; film=${film#file:}; ";
   const std::string real = "$(PATH=${PATH#*:} command -v ffmpeg)";
   const std::pair<std::string, const char*> stubs[] = {
-      {last + "cat >/dev/null; : >\"$film\"", "what it wrote is no film"},
-      {"head -c 18432 | " + real + " \"$@\"", "a film of 4 frames"}};
+      {last + "cat >/dev/null; : >\"$film\"", "its output is not a video"},
+      {"head -c 18432 | " + real + " \"$@\"", "a video of 4 frames"}};
   for (const auto& [script, message] : stubs) {
     const StubFfmpeg stub(scratch, script);
     VideoEncoder encoder(scratch / "film.mp4", format);

@@ -146,7 +146,7 @@ TEST(FrameSequence, NeedsAFolder) {
     FAIL();
   } catch (const FileError& error) {
     EXPECT_EQ(error.what(),
-              "cannot make the folder " + (scratch / "file").string() + ": Not a directory");
+              "cannot create the folder " + (scratch / "file").string() + ": Not a directory");
   }
   EXPECT_THROW(FrameSequence(scratch / "file/deeper", head("0-9")), FileError);
 }

@@ -117,7 +117,7 @@ TEST(Manifest, NamesFilesByTheirNumberInTheFilm) {
 TEST(Manifest, RefusesFileNamesThatLeadElsewhere) {
   for (const char* name : {"../a.png", "/etc/passwd", "a/b.png", "..", ".", "", "a\\u0000b"}) {
     EXPECT_EQ(failure("frame_000005.png", name),
-              "cannot use m.json: frames[1].file must be a file's name without a path")
+              "cannot use m.json: frames[1].file must be a file name without a path")
         << name;
   }
 }
@@ -148,12 +148,12 @@ TEST(Manifest, SaysWhereItIsWrong) {
 TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
   for (const char* frame : {"\"frame\":3", "\"frame\":1", "\"frame\":4", "\"frame\":11"}) {
     EXPECT_THAT(failure("\"frame\":5", frame),
-                HasSubstr("cannot use m.json: frames must be in the range and ascending"));
+                HasSubstr("cannot use m.json: frames must be in the range and in ascending order"));
   }
 }
 
 TEST(Manifest, RefusesWhatIsNotJson) {
-  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("m.json: line 6 is no JSON"));
+  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("m.json: line 6 is not valid JSON"));
   EXPECT_THAT(failure("\"fps\": ", "\"fps\": 1e999, \"\": "),
               HasSubstr("a number that is too large"));
   EXPECT_THAT(failure("{", ""), HasSubstr("cannot use m.json"));
@@ -196,7 +196,7 @@ TEST(Manifest, HeadIsReadWithoutTheFrames) {
 
 TEST(Manifest, RefusesDeepNesting) {
   const std::string deep = std::string(1'000'000, '[');
-  EXPECT_THAT(failure("\"dzhanibekov\"", deep), HasSubstr("nests deeper than"));
+  EXPECT_THAT(failure("\"dzhanibekov\"", deep), HasSubstr("nested more than"));
 }
 
 TEST(Manifest, IsReadFromItsFolder) {

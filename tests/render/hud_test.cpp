@@ -215,7 +215,7 @@ TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
     hud_of(film);
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("title: has the character U+E123"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("title: contains the character U+E123"));
   }
 }
 
