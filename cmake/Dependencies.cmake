@@ -117,5 +117,5 @@ endif()
 
 get_property(missing GLOBAL PROPERTY twrench_missing)
 if(missing)
-  message(FATAL_ERROR "These are missing; install them, or say where they are:\n${missing}")
+  message(FATAL_ERROR "Missing dependencies; install them, or set their locations:\n${missing}")
 endif()
