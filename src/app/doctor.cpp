@@ -21,18 +21,18 @@
 namespace twrench {
 namespace {
 
-/// One thing of the machine.
+/// The result of one check of the machine.
 struct Finding {
   std::string name;
   std::string used_for;
-  std::string found;   ///< what there is; empty where it is missing
-  std::string why;     ///< what is wrong, where it is missing
-  std::string remedy;  ///< likewise
+  std::string found;   ///< what was found; empty if it is missing
+  std::string why;     ///< why it is missing
+  std::string remedy;  ///< how to provide it if it is missing
 
   bool is_there() const { return !found.empty(); }
 };
 
-/// What `look` finds, or the Error that it throws.
+/// Returns what `look` finds, or the Error that it throws.
 Finding examine(std::string name, std::string used_for, const std::function<std::string()>& look) {
   Finding finding{std::move(name), std::move(used_for), {}, {}, {}};
   try {
@@ -63,7 +63,7 @@ std::vector<Finding> examine_backends() {
   return findings;
 }
 
-/// The first line of what ffmpeg says when it is asked for nothing.
+/// The first line that ffmpeg prints without arguments.
 std::string ffmpeg_version() {
   auto ffmpeg = start_program<EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
   ffmpeg.wait();
@@ -77,16 +77,16 @@ std::string figure_formats() {
   return "writes SVG, PDF and PNG";
 }
 
-/// Whether a file can be made there or, while it is not made yet, where it would be.
+/// Checks that a file can be created in the folder or, if it does not exist yet, at its location.
 std::string try_to_write_in(const std::string& folder) {
-  const PendingFile trial(existing_folder(folder) / "trial");  // is gone again
+  const PendingFile trial(existing_folder(folder) / "trial");  // removed again
   return format_bytes(static_cast<double>(free_space(folder))) + " free";
 }
 
 struct Diagnosis {
-  std::vector<Finding> backends;  ///< one is enough
-  std::vector<Finding> encoder;   ///< all are needed
-  std::vector<Finding> disk;      ///< likewise
+  std::vector<Finding> backends;  ///< one is sufficient
+  std::vector<Finding> encoder;   ///< all are required
+  std::vector<Finding> disk;      ///< all are required
   std::vector<Finding> others;
 
   ExitCode code() const {

@@ -51,7 +51,7 @@ nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
 
 std::string json(const Scene& scene, const MassProperties& body) {
   nlohmann::ordered_json document{{"scene", scene.name}};
-  document["mass"] = body.mass;  // NaN, where only moments are given, becomes null
+  document["mass"] = body.mass;  // NaN, if only moments are given, becomes null
   document["centre_of_mass"] = numbers(body.centre_of_mass);
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);

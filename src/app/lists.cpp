@@ -1,4 +1,4 @@
-// The commands that list what there is.
+// The commands that print lists.
 #include <fmt/format.h>
 
 #include "app/commands.h"

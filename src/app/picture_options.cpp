@@ -75,7 +75,7 @@ void add_overlay_options(SceneOptions& scene) {
              s.overlay.compare = compared_methods(parse_words(text), "--compare");
            })
       ->default_str("the value of --method");
-  // In this order, so that --show adds to --bare.
+  // Declared in this order, so that --show adds to --bare.
   scene.add_flag("--bare", "show only the body; --show adds to it",
                  [](Scene& s) { s.overlay.show.clear(); });
   scene.add("--show", "LIST",
@@ -86,7 +86,7 @@ void add_overlay_options(SceneOptions& scene) {
                 s.overlay.show.insert(feature_of(word, "--show"));
               }
             });
-  scene.add("--hide", "LIST", "hide any of the same", [](Scene& s, const std::string& text) {
+  scene.add("--hide", "LIST", "hide items of the same list", [](Scene& s, const std::string& text) {
     for (const std::string& word : parse_words(text)) {
       s.overlay.show.erase(feature_of(word, "--hide"));
     }

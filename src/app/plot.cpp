@@ -24,7 +24,7 @@ struct Options {
   bool overlay = false;
 };
 
-/// So many that a turn is round, and no more than a figure can show.
+/// Enough times for smooth curves, but no more than a plot can show.
 std::vector<double> plot_times(const Scene& scene) {
   constexpr double a_turn = 60.0, fewest = 600.0, most = 20'000.0;
   const double turns = scene.motion.duration * scene.motion.omega.norm() / (2 * std::numbers::pi);

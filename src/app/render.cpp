@@ -37,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A matrix row by row.
+/// A matrix in row-major order.
 template <std::size_t count, typename Matrix>
 std::array<double, count> row_major(const Matrix& matrix) {
   std::array<double, count> values;
@@ -117,14 +117,14 @@ Options::Options(CLI::App& command) : scene(command) {
       ->check(one_of("--timing", {"text", "json"}));
 }
 
-/// Drawing and the encoder have the other half of the processors: more jobs would only take turns
-/// with them, in each other's caches.
+/// Drawing and the encoder use the other half of the processors: more jobs would only compete with
+/// them for time and cache.
 int job_count(const std::string& text) {
   if (text.empty()) return std::max(1, static_cast<int>(processor_count() / 2));
   return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
 }
 
-/// The frames to draw, each with its pose at its own time; of the first take.
+/// The frames to draw, each with the first method's pose at its own time.
 std::vector<FrameRecord> frame_records(const Timeline& timeline, const Renderer& renderer) {
   std::vector<FrameRecord> frames(timeline.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -158,16 +158,17 @@ VideoFormat video_format(const Options& options, const Scene& scene) {
           scene.look.transparent, options.film.is_streamed()};
 }
 
-/// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
+/// Tests the encoder in the background, which takes about as long as creating the OpenGL context.
 std::future<void> try_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return {};
-  encoder_arguments(video_format(options, scene));  // what is wrong with the size
+  encoder_arguments(video_format(options, scene));  // throws for an invalid size
   return std::async(std::launch::async,
                     [format = video_format(options, scene)] { require_encoder(format); });
 }
 
-/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end; a
-/// folder that is yet to be made is made when the trial is passed, so that none is left behind.
+/// Opens the encoder, tested before; null with --no-video. It starts while the test finishes; a
+/// missing folder is created only after the test has passed, so that none is left behind on
+/// failure.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
                                            const std::string& identity, std::future<void> trial) {
   if (options.no_video) return nullptr;
@@ -186,7 +187,7 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
                      const std::vector<int>& asked) {
   Manifest manifest;
   manifest.version = version;
-  // As it will be read back: its texts may hold bytes that are no UTF-8.
+  // As it will be read back: its strings may contain invalid UTF-8.
   manifest.scene = nlohmann::ordered_json::parse(
       scene_json(scene).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   manifest.font = typeface_digest(load_typeface(scene.overlay.font));
@@ -200,7 +201,7 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   return manifest;
 }
 
-/// What is left when a signal ends the run, told of on disk and to the user.
+/// Records what remains on disk when a signal ends the run, and reports it to the user.
 void end_whole(FrameSequence* sequence, std::span<const FrameRecord> frames,
                TerminationMessage& message) {
   message.error = "render: " + message.error;
@@ -225,7 +226,7 @@ Summary summary_of(const Options& options, const Scene& scene, std::size_t frame
   return summary;
 }
 
-/// A frame, begun: to be ended, or from the folder where --resume keeps it.
+/// Begins a frame: either drawn, or read from the folder if --resume keeps it.
 std::future<Picture> begin_picture(const FrameRecord& frame, FramesOutput* output, bool has_video,
                                    const std::function<PendingFrame()>& begin) {
   const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
@@ -260,7 +261,7 @@ Reuse reuse_of(const Options& options) {
   return options.resume ? Reuse::resume : Reuse::none;
 }
 
-/// Throws where options contradict each other.
+/// Throws if options contradict each other.
 void check(const Options& options) {
   if (options.no_video && options.no_frames) {
     throw UsageError("render", "--no-video and --no-frames together leave nothing to write");
@@ -288,7 +289,7 @@ void render(const Options& options) {
   const bool is_file = !options.no_video && !options.film.is_streamed();
   if (is_file) options.scene.require_not_input(video_path(options, scene));
 
-  // Whatever can fail for a reason known beforehand fails here, before the first frame.
+  // Whatever can fail for a reason known in advance fails here, before the first frame.
   std::future<void> trial = try_encoder(options, scene);
   const gl::OpenedContext opened = gl::open_context(options.backend);
   const Timeline timeline = [&] {

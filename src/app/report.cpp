@@ -20,7 +20,7 @@ ExitCode report(ExitCode code, const std::string& message, const std::string& re
 
 ExitCode report(const Error& error) { return report(error.code(), error.what(), error.remedy()); }
 
-/// What the running command could be asked for less of.
+/// Which resources the running command could use less of.
 std::string remedy_for_memory(const CLI::App& app) {
   const auto has_jobs = [](const CLI::App* command) {
     return command->get_option_no_throw("--jobs") != nullptr;
@@ -30,7 +30,7 @@ std::string remedy_for_memory(const CLI::App& app) {
   return "close other programs, or raise the limit on memory (ulimit -v)";
 }
 
-/// What the system refused, which no code of ours expected.
+/// The FileError for a system error that no code of ours expected.
 FileError refused(const std::system_error& error) {
   const int number = error.code().value();
   if (error.code() == std::errc::resource_unavailable_try_again) {

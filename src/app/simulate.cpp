@@ -58,7 +58,7 @@ std::vector<double> times_asked_for(const Options& options) {
   return times;
 }
 
-/// What stands before, between and after the samples, and the text of one.
+/// The text before, between and after the samples, and that of a sample.
 struct Format {
   std::string before, between, after;
   std::function<std::string(const Sample&, const Diagnostics&)> row;
@@ -81,7 +81,7 @@ Format csv() {
       "", "", csv_row};
 }
 
-/// Indented as deep as it stands in the document.
+/// Indented to its depth in the document.
 std::string json_row(const Sample& s, const Diagnostics& d) {
   std::vector<double> X;
   for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));

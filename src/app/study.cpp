@@ -44,7 +44,7 @@ std::vector<const Method*> chosen_methods(const Options& options, const Scene& s
   return chosen;
 }
 
-/// The list that was given, or the one value that was given by `single`, or `ladder`.
+/// Returns the given list, or the value of option `single` if given, or `ladder`.
 std::vector<double> rungs(const Options& options, const std::string& name, const std::string& list,
                           const limits::Limit& limit, const std::string& single, double value,
                           std::vector<double> ladder) {
@@ -65,20 +65,20 @@ StudyPlan plan_of(const Options& options, const Scene& scene) {
                           "--tolerance", motion.control.tolerance, tolerance_ladder());
   plan.first_step = plan.steps.front();
   plan.duration = motion.duration;
-  // A long or fast motion need not be studied to the end of the ladder, unless that was asked for.
+  // A long or fast motion is not studied to the end of the ladder unless that was requested.
   constexpr std::int64_t most_steps = 1'000'000;
   if (options.steps.empty() && options.tolerances.empty()) plan.max_steps = most_steps;
   return plan;
 }
 
-/// An option that bounds a number of every run.
+/// An option that sets a bound for a quantity of every run.
 struct Bound {
   std::string name;
   double most;
   std::function<double(const Study&, const StudyRun&)> value;
 };
 
-/// A flip too many or too few is off by more than any number.
+/// A missing or additional flip exceeds every bound.
 double flip_error(const Study& study, const StudyRun& run) {
   if (run.flips.size() != study.flip_times.size()) return std::numeric_limits<double>::infinity();
   return study.flip_times.empty() ? 0.0 : run.flip_error;
@@ -98,7 +98,7 @@ std::vector<Bound> bounds_of(const Options& options) {
   return bounds;
 }
 
-/// A run that was refused is over every bound.
+/// A failed run exceeds every bound.
 ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
   ExitCode code = ExitCode::done;
   for (const Bound& bound : bounds) {
@@ -135,7 +135,7 @@ ExitCode run_study(const Options& options) {
   }
   const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
-  Output output(options.output);  // it and the figure, or neither
+  Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result, scene));
   if (!options.plot.empty()) draw_figure(options.plot, study_figure(result));
   output.finish();

@@ -19,7 +19,7 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   return command.get_options([](const CLI::Option*) { return true; });
 }
 
-/// What an error is about: the command, or before there is one the whole.
+/// The subject of an error: the command or, if none was given, the command line.
 std::string subject(const CLI::App& app, const CLI::App& command) {
   return &command == &app ? "command line" : command.get_name();
 }
@@ -51,7 +51,8 @@ UsageError missing_command(const CLI::App& app) {
           fmt::format("one of: {}; see twrench --help", fmt::join(names, ", "))};
 }
 
-/// The option of which the message speaks: the longest name in it, as one may begin with another.
+/// Finds the option that the message mentions: the longest name in it, as one may be a prefix of
+/// another.
 const CLI::Option* option_in(const CLI::App& command, std::string_view text) {
   const CLI::Option* found = nullptr;
   for (const CLI::Option* option : all_options(command)) {

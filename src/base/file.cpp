@@ -57,7 +57,8 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Desc
   if (!file || ::fstat(file.get(), &status) != 0) {
     throw file_error(what, errno, Access::read);
   }
-  // The size is a hint: a pipe has none. One byte more shows the end without growing.
+  // The size is only a hint, as a pipe has none. One extra byte detects the end of file without
+  // growing.
   const auto hint = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
   std::vector<std::uint8_t> bytes(std::min(std::max<std::size_t>(hint, 4096), max_bytes) + 1);
   std::size_t size = 0;
@@ -122,7 +123,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size
 
 std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
                                             std::size_t max_bytes) {
-  // Without O_NONBLOCK, to open a pipe is to wait for one who writes.
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (file && ::fstat(file.get(), &status) == 0 && !S_ISREG(status.st_mode)) {

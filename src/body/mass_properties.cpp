@@ -12,12 +12,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The inertia about the origin of a point mass at d; the second term of the parallel-axis theorem.
+/// The inertia about the origin of a point mass at d, the second term of the parallel-axis theorem.
 Matrix3d point_inertia(double mass, const Vector3d& d) {
   return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
 }
 
-/// Flips the columns so that the choice of sign does not depend on the eigenvalue solver.
+/// Flips the columns so that their signs do not depend on the eigenvalue solver.
 Matrix3d with_definite_signs(Matrix3d axes) {
   for (int i = 0; i < 2; ++i) {
     Eigen::Index largest = 0;
@@ -37,7 +37,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
   for (const Part& part : parts) {
     const double mass = part.density * volume(part.shape);
     body.mass += mass;
-    body.centre_of_mass += mass * part.position;  // eq. (44), divided by the mass below
+    body.centre_of_mass += mass * part.position;  // Eq. (44), divided by the mass below.
   }
   body.centre_of_mass /= body.mass;
   for (const Part& part : parts) {
@@ -53,7 +53,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
 }
 
 PrincipalAxes principal_axes(const Matrix3d& inertia) {
-  if (inertia.isDiagonal(0.0)) {  // the solver would be right, but not to the last digit
+  if (inertia.isDiagonal(0.0)) {  // the solver would round the last digit
     std::array<Eigen::Index, 3> order{0, 1, 2};
     std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return inertia(i, i); });
     PrincipalAxes result{Vector3d::Zero(), Matrix3d::Zero()};
@@ -70,7 +70,8 @@ PrincipalAxes principal_axes(const Matrix3d& inertia) {
 }
 
 Part equimomental_box(const Vector3d& moments) {
-  // I_x = M (b^2 + c^2)/12 and so on give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes M = a b c.
+  // I_x = M (b^2 + c^2)/12 and its permutations give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes
+  // M = a b c.
   const double sum = moments.sum();
   const double least = 1e-6 * sum;  // a plate, where the triangle inequality leaves no thickness
   const Vector3d s = (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least);

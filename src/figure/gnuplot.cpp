@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t longest_figure = 1U << 30U;  // bytes
 
-/// A format that gnuplot writes.
+/// An output format of gnuplot.
 struct Format {
   std::string_view ending;
   std::string_view terminal;
-  std::string_view last_bytes;  ///< with which a complete file ends, white space aside
+  std::string_view last_bytes;  ///< the end of a complete file, ignoring white space
 };
 
 constexpr std::array<Format, 3> formats{{{".svg", "svg", "</svg>"},
@@ -35,15 +35,15 @@ const Format& format_of(const std::string& path) {
   throw UsageError(fmt::format("plot {}", path), "its name must end in .svg, .pdf or .png");
 }
 
-/// With what a user's ~/.gnuplot and the environment change left out: a figure is the same
-/// anywhere.
+/// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
+/// reproducible.
 ChildProcess start(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"gnuplot", "--default-settings"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return start_program<FigureError>(command, "install it: apt-get install gnuplot-nox");
 }
 
-/// The same size in all formats, though each has its own units: PNG twice as fine.
+/// The same size in all formats, each in its own units; PNG has twice the resolution.
 std::string terminal(const Format& format, const Figure& figure) {
   const std::string start =
       fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
@@ -61,7 +61,7 @@ std::string terminal(const Format& format, const Figure& figure) {
                      2 * figure.width, 2 * figure.height);
 }
 
-/// gnuplot does not look whether what it writes arrives.
+/// gnuplot does not check its own writes.
 bool is_complete(const std::filesystem::path& path, const Format& format) {
   const std::vector<std::uint8_t> bytes = read_file(path, longest_figure);
   std::size_t size = bytes.size();

@@ -5,15 +5,15 @@
 
 namespace twrench::gl {
 
-/// A shared library, opened at run time and never closed: a GL driver leaves threads and
+/// A shared library, opened at run time and never closed, because GL drivers leave threads and
 /// thread-local destructors behind that outlive every context.
 class Library {
  public:
-  /// The first of `names` that the loader finds. Throws GlError, saying what was looked for and
-  /// giving `remedy`, when there is none.
+  /// Opens the first of `names` that the loader finds. Throws GlError with what was searched for
+  /// and `remedy` if there is none.
   Library(std::span<const char* const> names, const std::string& remedy);
 
-  /// The address of a symbol, or null.
+  /// Returns the address of a symbol, or null.
   void* symbol(const char* name) const;
 
  private:

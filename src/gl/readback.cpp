@@ -15,7 +15,7 @@ void read_pixels(const Functions& gl, const Rectangle& area, void* pixels) {
   gl.ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-/// GL's rows run upward, an Image's downward.
+/// GL's rows run upwards, an Image's downwards.
 void turn_upside_down(Image& image) {
   const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
   for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
@@ -66,7 +66,7 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   buffer_.emplace(buffers->get(GLsizeiptr{4} * width_ * height_));
   read_pixels(gl, area, nullptr);
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  gl.Flush();  // or the card might not begin before it is waited for
+  gl.Flush();  // otherwise the card might not start until we wait for it
 }
 
 Image Readback::take() {

@@ -19,8 +19,8 @@ constexpr Tableau kutta{.stages = 4,
                         .a = {{{}, {1.0 / 2}, {0.0, 1.0 / 2}, {0.0, 0.0, 1.0}}},
                         .weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
 
-/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the 5th-order row is held against
-/// it.
+/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the error estimate compares it with
+/// the 5th-order row.
 constexpr Tableau fehlberg{
     .stages = 6,
     .a = {{{},
@@ -40,14 +40,15 @@ constexpr CommutatorFree cf4{
     .update = {
         {{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12}, {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
 
-/// Suzuki's fractal: four steps of p and one of 1 - 4p, backwards, cancel the error of h^3.
+/// Suzuki's fractal composition: four steps of p and one of 1 - 4p, backwards, cancel the h^3
+/// error.
 constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
 constexpr ImplicitTrapezoid suzuki_trapezoid{
     .count = 5, .fractions = {suzuki, suzuki, 1.0 - 4.0 * suzuki, suzuki, suzuki}};
 
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
-// order 2 on SO(3), not 4 and 5: one exponential of the averaged stage velocities drops their
-// commutators, first of all (h^3/12) omega x omega'.
+// order 2 on SO(3), not 4 and 5: a single exponential of the averaged stage velocities omits their
+// commutators, to leading order (h^3/12) omega x omega'.
 constexpr auto all = std::to_array<Method>({
     {"euler", RungeKutta{Update::linear, one_stage}, 1, 1, false, false, "specification, eq. (24)",
      "Euler's method on the matrix itself; drifts off SO(3); for comparison"},
@@ -77,7 +78,7 @@ constexpr auto all = std::to_array<Method>({
      "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003)",
      "commutator-free: products of two exponentials"},
     {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
-     "five implicit trapezoidal steps per step; conserves energy to round-off"},
+     "five implicit trapezoidal substeps; conserves energy to round-off"},
     {"taylor", Taylor{20}, 20, 20, true, false,
      "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
      "Taylor series of momentum and one angle, adaptive; conserves energy; the fastest"},

@@ -18,15 +18,16 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// Sauer's step control, Numerical Analysis, section 6.5. The factor's bounds are the usual ones:
-// an estimate that happens to vanish must not let the step run away, nor one bad step kill it.
+// Sauer's step-size control, Numerical Analysis, section 6.5, with the usual bounds on the factor:
+// an estimate that happens to vanish must not make the step grow without limit, nor one bad step
+// make it collapse.
 constexpr double safety = 0.8;
 constexpr double least_factor = 0.2;
 constexpr double largest_factor = 5.0;
 
-// Of a turn of the body: no adaptive step is longer. Where omega is constant the estimate vanishes
-// and would allow any step, though none beyond a turn can be told from a shorter one; dexpinv is
-// singular at a whole turn.
+// Maximum length of an adaptive step in revolutions of the body. For constant omega the estimate
+// vanishes and would allow any step, but a step beyond one revolution cannot be distinguished from
+// a shorter one; dexpinv is singular at a full revolution.
 constexpr double longest_part = 0.9;
 
 UsageError out_of_steps(const Method& method, const StepControl& control, double t) {
@@ -41,13 +42,13 @@ UsageError underflow(const Method& method, const StepControl& control, double t)
           "take a larger --tolerance, or a slower motion"};
 }
 
-/// Walks along the method's own steps t_0 = 0, t_1, ... in the direction of `sign`.
+/// Advances through the method's accepted steps t_0 = 0, t_1, ... in the direction of `sign`.
 class Walk {
  public:
   Walk(const FreeBody& body, const Method& method, const StepControl& control, double sign)
       : body_(body), method_(method), control_(control), next_length_(sign * first_) {}
 
-  /// The sample at t, which must not lie before the one asked for last.
+  /// Returns the sample at t, which must not precede the previous one.
   Sample sample_at(double t) {
     while (std::abs(t) > std::abs(t_next_)) advance();
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
@@ -56,7 +57,7 @@ class Walk {
     return sample;
   }
 
-  /// The next of the method's own steps.
+  /// Returns the next accepted step.
   OwnStep next_step() {
     advance();
     require_sane({t_next_, X_next_, angular_velocity(body_, method_, X_next_)});
@@ -67,20 +68,20 @@ class Walk {
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
-  /// Moves to the next of the method's own steps.
+  /// Advances to the next accepted step.
   void advance() {
     X_ = X_next_;
     t_ = t_next_;
     if (method_.adaptive()) {
       step_adaptively();
     } else {
-      ++steps_;  // require_possible has seen that there are not too many
+      ++steps_;  // require_possible has checked that there are not too many
       X_next_ = fixed_step(next_length_);
       t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
     }
   }
 
-  /// The end of a step of that very length from t_k.
+  /// Returns the end of a step of exactly that length from t_k.
   Matrix3d fixed_step(double length) {
     if (std::abs(length) > a_turn_) {
       throw UsageError(fmt::format("method {}", method_.name),
@@ -105,7 +106,7 @@ class Walk {
     for (int attempt = 0;; ++attempt) {
       if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
       const double t_end = t_ + length;
-      length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
+      length = t_end - t_;  // as t can represent it, so that no time is lost to rounding
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
         throw underflow(method_, control_, t_);
       const Step step = take_step(body_, method_, X_, length);
@@ -125,7 +126,7 @@ class Walk {
     }
   }
 
-  /// Of a method that leaves SO(3): beyond that bound, what is computed of X would overflow.
+  /// For a method that leaves SO(3): beyond this bound, quantities computed from X would overflow.
   void require_sane(const Sample& sample) const {
     constexpr double bound = 1e50;
     if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
@@ -148,7 +149,7 @@ class Walk {
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
 };
 
-/// Walks from series to series: each serves all times as far as it reaches.
+/// Advances from series to series; each serves all times within its step.
 class TaylorWalk {
  public:
   TaylorWalk(const FreeBody& body, const Method& method, const StepControl& control, double sign)
@@ -193,7 +194,7 @@ class TaylorWalk {
   TaylorSeries::State state_next_;
 };
 
-/// The closed form goes to each time at once.
+/// The closed form evaluates each time directly.
 Trajectory exact_trajectory(const FreeBody& body, std::span<const double> times) {
   const ExactMotion motion(body);
   Trajectory result;
@@ -215,7 +216,7 @@ void visit_exact_steps(const FreeBody& body, double step, double t_end,
   }
 }
 
-/// What can be seen before the first step to t_end, s.
+/// Checks what can be known before the first step to t_end, in s.
 void require_possible(const Method& method, const StepControl& control, double t_end) {
   if (method.adaptive()) {
     if (control.tolerance >= least_tolerance) return;
@@ -230,7 +231,7 @@ void require_possible(const Method& method, const StepControl& control, double t
                    "take a longer --step or a shorter --duration");
 }
 
-/// Walks of that kind to all times ahead and to all times back.
+/// Computes all samples with positive times, and then all with negative ones, by advancing `Kind`.
 template <class Kind>
 Trajectory walk(const FreeBody& body, const Method& method, const StepControl& control,
                 std::span<const double> times) {

@@ -28,7 +28,7 @@ bool has_frames(const std::filesystem::path& folder) {
 EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
                        const std::vector<int>& frames)
     : folder_(std::move(folder)) {
-  // In this order: a run that begins at this very moment writes its manifest before any frame.
+  // In this order, because a run that starts at this moment writes its manifest before any frame.
   const bool has_any_frames = has_frames(folder_);
   const std::vector<std::filesystem::path> manifests = manifests_in(folder_);
   for (const auto& manifest : manifests) look_at(manifest, film, frames);

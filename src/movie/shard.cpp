@@ -11,9 +11,9 @@
 namespace twrench {
 namespace {
 
-constexpr int most_shards = 100'000;  // of one film; each has a file
+constexpr int most_shards = 100'000;  // per video; each has a file
 
-/// "3/10", or with another separator between.
+/// Parses "3/10", or with another separator.
 std::optional<Shard> read_shard(std::string_view text, std::string_view separator) {
   Shard shard;
   const char* const end = text.data() + text.size();

@@ -14,29 +14,41 @@ namespace {
 
 using Pane = Layout::Pane;
 
-constexpr double safe_margin = 0.05;       // of a side: what television calls the title-safe area
-constexpr double least_focus = 1.0 / 3;    // of the shorter side of its pane
-constexpr int least_inset = 72;            // px
-constexpr int least_components = 150;      // px wide: three curves of 40 px beside one another
-constexpr int least_square = 96;           // px high: three curves of 16 px with their names
-constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
-constexpr double strip_aspect = 9.5;       // of nine in a row
-constexpr double most_insets = 0.65;       // of a long picture
-constexpr double least_named = 5;          // em, of a view in which names have room
-constexpr double least_words = 26;         // em of the figures, that they take in a row
-constexpr double words_width = 28;         // em that the words beside the body get
-constexpr int longest = 3;  // length / breadth of a picture: in a longer one all goes in a line
+// of a side: what television calls the title-safe area
+constexpr double safe_margin = 0.05;
+// of the shorter side of its pane
+constexpr double least_focus = 1.0 / 3;
+// px
+constexpr int least_inset = 72;
+// px wide: three curves of 40 px beside one another
+constexpr int least_components = 150;
+// px high: three curves of 16 px with their names
+constexpr int least_square = 96;
+// width / height, of nine panels in a square
+constexpr double components_aspect = 1.3;
+// of nine in a row
+constexpr double strip_aspect = 9.5;
+// of a long picture
+constexpr double most_insets = 0.65;
+// em, of a view that has room for labels
+constexpr double least_named = 5;
+// em of the readouts, the least width of a row
+constexpr double least_words = 26;
+// em, width of the text beside the body
+constexpr double words_width = 28;
+// length / width of a picture; in a longer one everything stands in one line
+constexpr int longest = 3;
 
 int rounded(double length) { return static_cast<int>(std::lround(length)); }
 int shorter(const Area& area) { return std::min(area.width, area.height); }
 
-/// Whether the components can be told in it.
+/// Whether the components are legible in the area.
 bool holds_plots(const Area& area) {
   return area.width >= least_components &&
          area.height >= (is_strip(area) ? least_inset : least_square);
 }
 
-/// What is to be shown, in the order in which it is dropped.
+/// The optional parts, in the order in which they are dropped.
 enum Part { poinsot_part, momentum_part, components_part, figures_part, title_part, part_count };
 using Parts = std::array<bool, part_count>;
 
@@ -51,12 +63,12 @@ Parts parts_of(const Overlay& overlay) {
   return parts;
 }
 
-/// A layout in the making; `rest` is what is still free.
+/// A layout in progress; `rest` is the free area.
 class Draft {
  public:
   Draft(const Scene& scene, const Parts& parts);
 
-  /// Nothing where something has no room.
+  /// Returns nothing if something does not fit.
   std::optional<Layout> finish();
 
  private:
@@ -124,7 +136,7 @@ void Draft::place_words() {
   if (!aside) rest_ = column;
 }
 
-/// One or, in a long picture, as many as the figures need there and find room.
+/// One row or, in a long picture, as many as the readouts need and as fit.
 int Draft::rows_of_figures(const Area& column) const {
   if (!is_long()) return 1;
   const double wanted = std::ceil(least_words * layout_.text.figure / column.width);
@@ -133,8 +145,8 @@ int Draft::rows_of_figures(const Area& column) const {
   return rows;
 }
 
-/// Beside the body in a column or, in an upright picture, below it in a row; in a long one the
-/// other way round.
+/// Places the insets beside the body in a column or, in a portrait picture, below it in a row; in a
+/// long picture the other way round.
 void Draft::place_insets() {
   const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
   if (squares == 0 && !parts_[components_part]) return;
@@ -160,7 +172,7 @@ void Draft::place_insets() {
   }
 }
 
-/// Where the insets go: the components, where they are shown, and so many squares.
+/// Cuts the area of the insets: the components, if shown, and that many squares.
 Area Draft::cut_insets(int squares) {
   const int breadth = upright() ? rest_.width : rest_.height;
   const bool strip = !upright() && breadth < least_square;
@@ -180,12 +192,12 @@ Area Draft::cut_insets(int squares) {
   for (auto* const words : {&layout_.title, &layout_.figures}) {
     if (*words) (*words)->width = rest_.width;
   }
-  column.y = safe_.y;  // beside the words too
+  column.y = safe_.y;  // beside the text too
   column.height = safe_.height;
   return column;
 }
 
-/// All components in one row below the panes, which are compared.
+/// Places all components in one row below the panes of a comparison.
 void Draft::place_strip() {
   if (!parts_[components_part]) return;
   const double height =
@@ -193,8 +205,8 @@ void Draft::place_strip() {
   layout_.components = cut_bottom(rest_, rounded(std::min(height, 0.3 * rest_.height)), gap_);
 }
 
-/// The method and its figures, in the pane's corner: above the body, or beside it where there the
-/// body would be smaller.
+/// Places the method and its readouts in the pane's corner: above the body, or beside it if the
+/// body would otherwise be smaller.
 void Draft::place_legend(Area& pane) {
   if (!parts_[figures_part]) return;
   const auto& [title, figure, caption] = layout_.text;
@@ -204,7 +216,8 @@ void Draft::place_legend(Area& pane) {
   layout_.legends.push_back(aside ? cut_left(pane, beside, gap_) : cut_top(pane, above, gap_));
 }
 
-/// In a square or, where the picture is long, in a line: there each has more room for its body.
+/// Divides the area into a square grid or, in a long picture, a line, where each body has more
+/// room.
 std::vector<Share> Draft::equal_shares(int count) const {
   const bool square = count == 4 && !is_long();
   const int rows = square ? 2 : picture_.height > picture_.width ? count : 1;
@@ -251,7 +264,7 @@ bool Draft::is_safe(const Area& area) const {
   return shorter(area) > 0 && common(area, safe_) == area;
 }
 
-/// Whether the words of each line are more than an ellipsis.
+/// Whether every line of text shows more than an ellipsis.
 bool Draft::has_room_for_words() const {
   const double title = layout_.text.title, figure = layout_.text.figure;
   const double corner = takes_ > 1 ? 6 * figure : 0;

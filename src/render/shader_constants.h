@@ -7,8 +7,8 @@
 
 namespace twrench {
 
-/// GLSL: what the body is made of and the studio's lights, as constants. They are the same in every
-/// frame, and a software rasteriser pays for each uniform at every pixel: as constants the lights
+/// Returns the material and the studio's lights as GLSL constants. They are the same in every
+/// frame, and a software rasteriser reads each uniform for every pixel: as constants the lights
 /// cost a third (docs/performance.md).
 std::string shader_constants(const Material& material, const Studio& studio);
 

@@ -139,8 +139,8 @@ void read_overlay(TomlTable& table, Overlay& overlay) {
   table.text("font", overlay.font);
 }
 
-/// A file by its ending, in any case, by the folder it lies in, or because it is there; no name of
-/// a built-in scene looks so.
+/// Whether this is a path: because of its extension (in upper or lower case), because it has a
+/// folder, or because the file exists. No name of a built-in scene looks like one.
 bool is_path(const std::string& name_or_path) {
   std::string ending = std::filesystem::path(name_or_path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

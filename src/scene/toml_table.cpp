@@ -19,7 +19,7 @@ const toml::node* TomlTable::find(const std::string& key) {
 }
 
 double TomlTable::number_in(const toml::node& node, const std::string& what) const {
-  // Not value<double>(), which gives nothing for a whole number that no double is equal to.
+  // Not value<double>(), which returns nothing for an integer that no double represents exactly.
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
   if (const auto* real = node.as_floating_point()) return real->get();
   throw UsageError(what, "must be a number");

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of a table for people.
+/// Formats a number for a table.
 std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
 }
@@ -22,7 +22,7 @@ std::string brief(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : "-";
 }
 
-/// Without a minus before 0.00.
+/// Avoids a minus sign before 0.00.
 std::string hundredths(double value) {
   return fmt::format("{:.2f}", std::round(100.0 * value) / 100.0 + 0.0);
 }
@@ -34,10 +34,9 @@ std::string flips_heading(const Study& study) {
     return "Flips: at most one; on the separatrix the rotation settles on the intermediate axis.\n";
   }
   return fmt::format(
-      "Flips (sign changes of omega along the intermediate axis): every {:.12f} s, which is\n"
-      "2K/|r|; asymptotically ln(16/mc)/|r| = {:.12f} s. There are {}; the axis swings\n"
-      "through {:.1f} degrees.\n",
-      flips.interval, flips.asymptotic_interval, study.flip_times.size(),
+      "Flips (sign changes of omega along the intermediate axis): {} predicted, every {:.12f} s\n"
+      "= 2K/|r| (asymptotically ln(16/mc)/|r| = {:.12f} s). Swing of the axis: {:.1f} degrees.\n",
+      study.flip_times.size(), flips.interval, flips.asymptotic_interval,
       flips.swing * 180 / std::numbers::pi);
 }
 
@@ -56,7 +55,7 @@ std::string runs_text(const Study& study) {
   std::string text = fmt::format(
       "{:>12}{:>10}{:>12}{:>12}{:>10}{:>10}{:>10}{:>9}{:>12}{:>12}{:>10}\n", "step, s", "tolerance",
       fmt::format("X at {:.4g} s", study.early), fmt::format("X at {:.4g} s", study.duration),
-      "energy", "X^T X-Id", "momentum", "flips", "off by, s", "evaluations", "CPU, ms");
+      "energy", "X^T X-Id", "momentum", "flips", "flip err, s", "evaluations", "CPU, ms");
   for (const MethodStudy& m : study.methods) {
     const std::string order =
         m.order ? fmt::format("observed order {:.2f}", *m.order) : "no observed order";
@@ -105,7 +104,7 @@ std::vector<double> intervals(const std::vector<double>& times) {
   return between;
 }
 
-/// Of each method's finest run that was not refused.
+/// For each method, the flips of its finest run that did not fail.
 std::string flips_text(const Study& study) {
   if (study.flip_times.empty()) return {};
   std::string at = "\nFlip times in s, each method at its finest step\n" +

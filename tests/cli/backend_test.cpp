@@ -1,5 +1,5 @@
-// Machines that lack a way to OpenGL, through the real program: an empty file in a library's place
-// is one that the loader finds and cannot load.
+// Machines without one of the OpenGL backends, tested with the real program: the loader finds an
+// empty file in place of the library and cannot load it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// run_twrench, but always the program itself: these tests choose the back end.
+/// Like run_twrench(), but without the backend from the environment: these tests choose it.
 Outcome run(const ScratchFolder& folder, const std::string& arguments,
             const std::string& before = "") {
   return run_shell(folder, before + "\"$TWRENCH_BINARY\" " + arguments);

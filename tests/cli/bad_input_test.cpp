@@ -1,4 +1,5 @@
-// What a user can get wrong: one line that names it, the right exit code, and nothing written.
+// User errors: each is one line that names the mistake, with the right exit code, and nothing is
+// written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using testing::StartsWith;
 struct Mistake {
   const char* arguments;
   int code;
-  const char* message;  ///< within standard error
+  const char* message;  ///< part of standard error
 };
 
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }

@@ -1,5 +1,5 @@
-// Outputs: none is an input, none takes the place of what somebody else has there, and what is
-// wrong with one is told before anything is made.
+// Outputs: none overwrites an input or someone else's file, and errors are reported before anything
+// is created.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -163,7 +163,7 @@ TEST(Outputs, FoldersAreMadeForAFilm) {
   EXPECT_TRUE(fs::exists(folder / "new/folder/v.mp4"));
 }
 
-// A manifest is of anyone: it neither makes us wait nor takes all memory.
+// A manifest may be hostile: it must neither block us nor exhaust the memory.
 TEST(Hostile, AManifestThatDoesNotEnd) {
   const ScratchFolder folder;
   fs::create_directory(folder / "f");
@@ -183,7 +183,7 @@ TEST(Hostile, AManifestThatDoesNotEnd) {
   }
 }
 
-// Threads that cannot be had: of a user who has none left.
+// The user's limit on threads is exhausted.
 TEST(Hostile, NoThreadCanBeStarted) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can be a user without other processes";
   const ScratchFolder folder;

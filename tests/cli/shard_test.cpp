@@ -1,4 +1,4 @@
-// One film drawn by several runs that share a folder.
+// A video drawn by several runs that share a folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// 24 frames, of which every second is asked for.
+// 24 frames, of which every second is requested.
 const std::string film =
     "render --size 64x36 --fps 10 --duration 14.4 --speed 6 --frames 0-23:2 --progress none ";
 

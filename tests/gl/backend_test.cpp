@@ -73,7 +73,7 @@ TEST(EglContext, OpensEachDeviceThatItLists) {
   }
 }
 
-// EGL has one display for a device: the end of one context must not be that of the other.
+// EGL has one display per device: destroying one context must not terminate the other.
 TEST(EglContext, OutlivesAnotherOnTheSameDevice) {
   auto first = make_egl_context("software");
   const auto second = make_egl_context("software");

@@ -41,7 +41,7 @@ void encode(const std::filesystem::path& output, const std::vector<Image>& frame
   encoder.finish();
 }
 
-/// The frames of a film, decoded by ffmpeg.
+/// The frames of a video, decoded by ffmpeg.
 std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string& film) {
   const std::string raw = (scratch / (film + ".rgb")).string();
   run_command("ffmpeg -v error -i 'file:" + (scratch / film).string() +
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string
   return read_file(raw, 100'000'000);
 }
 
-/// What ffprobe says of the film's stream.
+/// ffprobe's description of the video stream.
 std::string probe(const ScratchFolder& scratch, const std::string& film) {
   const std::string out = (scratch / (film + ".txt")).string();
   run_command(
@@ -61,7 +61,7 @@ std::string probe(const ScratchFolder& scratch, const std::string& film) {
   return {text.begin(), text.end()};
 }
 
-/// The error that making a film of many frames ends in.
+/// The error with which encoding many frames ends.
 template <typename Expected>
 Expected failure(const std::filesystem::path& output) {
   try {
@@ -115,7 +115,7 @@ TEST(Encoder, KeepsColours) {
 }
 
 TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
-  // Every 17th level of each channel, in squares of 16 pixels of which the inner 8 are looked at.
+  // Every 17th level of each channel, in squares of 16 pixels whose inner 8 are compared.
   constexpr int side = 1024;
   const ScratchFolder scratch;
   Image image(side, side, 3);
@@ -144,7 +144,7 @@ TEST(Encoder, KeepsFramesUprightAndInOrder) {
   std::vector<Image> frames;
   for (int k = 0; k < 3; ++k) {
     frames.push_back(flat({20, 20, 20}));
-    // Bright: 16 rows at the top, and so many columns at the left.
+    // Bright: the top 16 rows, and that many columns on the left.
     for (std::size_t i = 0; i < frames.back().pixels.size(); ++i) {
       const auto x = static_cast<int>(i / 3 % 64);
       const auto y = static_cast<int>(i / 3 / 64);
@@ -220,14 +220,14 @@ TEST(Encoder, ShowsTransparentFramesOverBlack) {
   const ScratchFolder scratch;
   Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // seen by half
+    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // half transparent
   }
   encode(scratch / "film.mp4", {image});
   EXPECT_NEAR(decode(scratch, "film.mp4")[0], 100, 2);
 }
 
 TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
-  // Opaque at the left, half seen in the middle, clear at the right.
+  // Opaque on the left, half transparent in the middle, transparent on the right.
   Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
     const auto x = i / 4 % 64;

@@ -114,7 +114,7 @@ TEST(FrameSequence, WithoutAFrameTouchesNoManifest) {
   EXPECT_EQ(read_file(scratch / manifest_name, 100).size(), 14U);
 }
 
-// So that another run, or a next one, never meets frames of which it cannot tell whose they are.
+// So that no run ever finds frames whose origin is unknown.
 TEST(FrameSequence, HasAManifestBeforeAFrame) {
   const ScratchFolder scratch;
   Manifest shard = head("0-9");

@@ -45,7 +45,7 @@ Manifest sample() {
           .frames = {record(3), record(5)}};
 }
 
-/// What is wrong with the sample once `from` in its text is `to`.
+/// The error for the sample after replacing `from` by `to` in its text.
 std::string failure(const std::string& from, const std::string& to) {
   std::string text = format_manifest(sample());
   const std::size_t at = text.find(from);
@@ -182,12 +182,12 @@ TEST(Manifest, TellsOfItsShard) {
 TEST(Manifest, HeadIsReadWithoutTheFrames) {
   const ScratchFolder scratch;
   const std::string text = format_manifest(sample());
-  // What stands behind the head is not looked at.
+  // The part after the head is not read.
   write_file_atomically(scratch / "cut.json", text.substr(0, text.find("\"frame\":3")));
   const Manifest head = read_manifest_head(scratch / "cut.json");
   EXPECT_TRUE(same_film(head, sample()));
   EXPECT_TRUE(head.frames.empty());
-  // Another program may write it in another way.
+  // Another program may format it differently.
   write_file_atomically(scratch / "other.json", nlohmann::json::parse(text).dump());
   EXPECT_TRUE(read_manifest_head(scratch / "other.json").frames.empty());
   EXPECT_EQ(read_manifest_head(scratch / "other.json").range, "3-9:2");

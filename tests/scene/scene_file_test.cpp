@@ -126,7 +126,7 @@ TEST(SceneFile, MomentsAlone) {
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
 }
 
-// Not every whole number is a double; those that are not are rounded, as a number with a point is.
+// Not every integer is a double; others are rounded, as decimal numbers are.
 TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
   const Scene scene = parse_scene(
       "[body]\nmoments = [9007199254740993, 9223372036854775807, 9007199254740992]", "m.toml");
@@ -134,7 +134,7 @@ TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
             Vector3d(9007199254740992.0, 9223372036854775808.0, 9007199254740992.0));
 }
 
-// At the very limits of what a body is described by, its numbers are those of a body.
+// At the limits of its values, a body still has finite properties and a motion.
 TEST(SceneFile, WhatTheLimitsAllowHasAMotion) {
   for (const double length : {1e-9, 1e6}) {
     for (const double density : {1e-9, 1e6}) {

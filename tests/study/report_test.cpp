@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One run that worked, of a pair, and one that was refused.
+/// One successful run, of a pair, and one that failed.
 Study small_study() {
   StudyPlan plan{{&find_method("rkmk45"), &find_method("rkmk4")}, {50}, {1e-8}, 0.1, 60};
   return study(reference_case("wrench-a").body, plan);
