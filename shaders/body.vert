@@ -10,12 +10,10 @@ uniform mat3 stage_normal_from_body;
 uniform mat4 clip_from_stage;
 uniform vec3 picture;  // half its size in pixels, and the pixels of an offset of 1
 uniform vec3 eye;
-// depth offset towards the eye in pixels, over a part that this one touches
+// Depth offset towards the eye in pixels, over a part that this one touches.
 uniform float part_lift;
-// stage; radius of curvature near the silhouette
-uniform float part_radius;
-// stage, unit vector: of the cylinder whose side this is; else 0
-uniform vec3 side_axis;
+uniform float part_radius;  // stage; radius of curvature near the silhouette
+uniform vec3 side_axis;  // stage, unit vector: of the cylinder whose side this is; else 0
 
 out vec3 stage_position;
 out vec3 stage_normal;

@@ -1,10 +1,9 @@
 // Shading of a part by its occluders, other parts approximated by capsules.
 
-// stage; an end of the axis, and the radius
-flat in vec4 neighbour_end[neighbour_count];
-// to the other end; 1 for a cylinder drawn before, else 0
+flat in vec4 neighbour_end[neighbour_count];  // stage; an end of the axis, and the radius
+// To the other end; 1 for a cylinder drawn before, else 0.
 flat in vec4 neighbour_axis[neighbour_count];
-// squared length of the axis; 1 over that; 1 / radius
+// Squared length of the axis; 1 over that; 1 / radius.
 flat in vec3 neighbour_size[neighbour_count];
 
 // The squared distance from `place` to the point at the fraction s of the axis.

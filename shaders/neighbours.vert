@@ -2,9 +2,8 @@
 // fragment shader as outputs, because llvmpipe reads a uniform for every pixel, but not a flat
 // output.
 
-// stage; an end of the axis, and the radius
-uniform vec4 neighbours_from[neighbour_count];
-// the other end; 1 for a cylinder drawn before, else 0
+uniform vec4 neighbours_from[neighbour_count];  // stage; an end of the axis, and the radius
+// The other end; 1 for a cylinder drawn before, else 0.
 uniform vec4 neighbours_to[neighbour_count];
 
 flat out vec4 neighbour_end[neighbour_count];  // see neighbours.glsl

@@ -1,9 +1,8 @@
 // Lines, arrows and plain surfaces, projected and shaded on the CPU.
 
 layout(location = 0) in vec4 clip;
-// premultiplied
-layout(location = 1) in vec4 paint;
-// pixels from the centre line of a line or dot, and half its width
+layout(location = 1) in vec4 paint;  // premultiplied
+// Pixels from the centre line of a line or dot, and half its width.
 layout(location = 2) in vec3 edge;
 
 out vec4 vertex_paint;

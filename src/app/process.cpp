@@ -21,8 +21,7 @@ namespace {
 void fill_standard_streams() {
   for (const int descriptor : {0, 1, 2}) {
     if (::fcntl(descriptor, F_GETFD) >= 0) continue;
-    // Takes the lowest free descriptor.
-    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
+    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // takes the lowest free descriptor
   }
 }
 

@@ -18,10 +18,8 @@ constexpr std::size_t level_memory = ISAL_DEF_LVL1_DEFAULT;
 /// Rows per band. Half as many make files a percent larger; twice as many are less often static.
 constexpr int band_height = 32;
 
-// RFC 1950, 2.2: deflate, 32 kB, fastest
-constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};
-// RFC 1951, 3.2.6: empty
-constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};
+constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
+constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.6: empty
 
 /// The largest size of a compressed band: incompressible data is stored in blocks of at most 65535
 /// bytes with 5 bytes of header each (RFC 1951, 3.2.4), followed by an empty block.

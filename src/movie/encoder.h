@@ -82,8 +82,7 @@ class VideoEncoder {
   std::string name_;
   PendingFile file_;
   std::vector<std::string> command_;
-  // Declared after the file, so that it is killed before the file is removed.
-  ChildProcess ffmpeg_;
+  ChildProcess ffmpeg_;  // declared after the file, so that it is killed before the file is removed
   /// An RGBA frame composited over black.
   Image opaque_;
   /// RGBA, for a video with alpha.

@@ -58,14 +58,10 @@ class BodyPass {
 
   const gl::Functions* gl_;
   Mesh mesh_;
-  // In the mesh's indices.
-  std::vector<std::size_t> side_begins_;
-  // Occluders of each part.
-  std::vector<std::vector<Capsule>> neighbours_;
-  // Largest number of occluders of a part.
-  std::size_t neighbour_count_;
-  // In stage coordinates.
-  std::vector<float> part_radii_;
+  std::vector<std::size_t> side_begins_;          // in the mesh's indices
+  std::vector<std::vector<Capsule>> neighbours_;  // occluders of each part
+  std::size_t neighbour_count_;                   // largest number of occluders of a part
+  std::vector<float> part_radii_;                 // in stage coordinates
   // Unit vectors in body axes; 0 for parts that are not cylinders.
   std::vector<Eigen::Vector3d> part_axes_;
   gl::Program program_;

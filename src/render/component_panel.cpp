@@ -10,12 +10,9 @@
 namespace twrench {
 namespace {
 
-// of the values that a plot holds: those of SO(3), with a margin
-constexpr double range = 1.12;
-// opacity of the future
-constexpr double faint = 0.32;
-// of zero lines and flips
-constexpr double line_opacity = 0.22;
+constexpr double range = 1.12;  // of the values that a plot holds: those of SO(3), with a margin
+constexpr double faint = 0.32;  // opacity of the future
+constexpr double line_opacity = 0.22;  // of zero lines and flips
 
 /// Copies the contents of `area` between two layers at the same position.
 void copy(const Layer& from, Layer& to, const Area& area) {

@@ -9,7 +9,7 @@
 namespace twrench {
 namespace {
 
-// of linear light: finer than sRGB's smallest step except in the darkest tones
+// Of linear light: finer than sRGB's smallest step except in the darkest tones.
 constexpr int steps = 4096;
 
 std::array<float, 256> linear_table() {

@@ -18,13 +18,10 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 180;
-// between the floor and the space that the body sweeps, in radii
-constexpr double gap = 0.06;
-// in radii: where the light has fallen to a quarter
-constexpr double pool = 1.3;
-// in radii from its middle, where the floor ends
-constexpr double far_away = 3.0;
-// between the spheres of a part: the shadow of a wire is invisible
+constexpr double gap = 0.06;      // between the floor and the space that the body sweeps, in radii
+constexpr double pool = 1.3;      // in radii: where the light has fallen to a quarter
+constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
+// Between the spheres of a part: the shadow of a wire is invisible.
 constexpr double most_gaps = 60;
 
 /// The pool's light at that distance from its middle, in units of its width: a lamp's falloff.

@@ -14,29 +14,18 @@ namespace {
 
 using Pane = Layout::Pane;
 
-// of a side: what television calls the title-safe area
-constexpr double safe_margin = 0.05;
-// of the shorter side of its pane
-constexpr double least_focus = 1.0 / 3;
-// px
-constexpr int least_inset = 72;
-// px wide: three curves of 40 px beside one another
-constexpr int least_components = 150;
-// px high: three curves of 16 px with their names
-constexpr int least_square = 96;
-// width / height, of nine panels in a square
-constexpr double components_aspect = 1.3;
-// of nine in a row
-constexpr double strip_aspect = 9.5;
-// of a long picture
-constexpr double most_insets = 0.65;
-// em, of a view that has room for labels
-constexpr double least_named = 5;
-// em of the readouts, the least width of a row
-constexpr double least_words = 26;
-// em, width of the text beside the body
-constexpr double words_width = 28;
-// length / width of a picture; in a longer one everything stands in one line
+constexpr double safe_margin = 0.05;       // of a side: what television calls the title-safe area
+constexpr double least_focus = 1.0 / 3;    // of the shorter side of its pane
+constexpr int least_inset = 72;            // px
+constexpr int least_components = 150;      // px wide: three curves of 40 px beside one another
+constexpr int least_square = 96;           // px high: three curves of 16 px with their names
+constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
+constexpr double strip_aspect = 9.5;       // of nine in a row
+constexpr double most_insets = 0.65;       // of a long picture
+constexpr double least_named = 5;          // em, of a view that has room for labels
+constexpr double least_words = 26;         // em of the readouts, the least width of a row
+constexpr double words_width = 28;         // em, width of the text beside the body
+// Length / width of a picture; in a longer one everything stands in one line.
 constexpr int longest = 3;
 
 int rounded(double length) { return static_cast<int>(std::lround(length)); }

@@ -62,7 +62,7 @@ class BlankFrames {
   }
 
   void give_back(Frame frame) noexcept {
-    // a frame's alpha is unpremultiplied, the static background's is not
+    // A frame's alpha is unpremultiplied, the static background's is not.
     if (still_.channels == 4) return;
     const std::lock_guard lock(mutex_);
     if (used_.size() < most) used_.push_back(std::move(frame));

@@ -40,10 +40,8 @@ inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
 inline constexpr Limit angle_of_view{0.05, 2.5};  // rad
 
-// poses, integer
-inline constexpr Limit motion_blur{1, 256};
-// rad, and rad/s of video
-inline constexpr Limit angle{-1e3, 1e3};
+inline constexpr Limit motion_blur{1, 256};  // poses, integer
+inline constexpr Limit angle{-1e3, 1e3};     // rad, and rad/s of video
 // rad
 inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "straight below"};
 inline constexpr Limit distance{0.2, 20};

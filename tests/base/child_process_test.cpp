@@ -165,7 +165,7 @@ TEST(ChildProcess, HasTheSignalsAsAProgramExpectsThem) {
 }
 
 TEST(ChildProcess, IsNotInTheTerminalsGroup) {
-  // it has its own process group
+  // It has its own process group.
   ChildProcess child(shell("[ $(cut -d ' ' -f 5 /proc/$$/stat) = $$ ]"));
   EXPECT_EQ(child.wait(), 0);
 }

@@ -64,7 +64,7 @@ TEST(Shards, ThatAreMissingAreNamed) {
   EXPECT_FALSE(fs::exists(folder / "s.mp4"));
   const Outcome allowed = run_twrench(folder, "encode f -o s.mp4 --progress none --allow-missing");
   EXPECT_EQ(allowed.code, 0);
-  EXPECT_THAT(allowed.err, HasSubstr("without the missing frames 6,8,10,18,20,22"));
+  EXPECT_THAT(allowed.err, HasSubstr("lacks the missing frames 6,8,10,18,20,22"));
 }
 
 TEST(Shards, AreGoneOnWithByThemselvesAndByAWholeRun) {

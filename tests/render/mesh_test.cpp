@@ -179,7 +179,7 @@ TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto& a = mesh.vertices[mesh.indices[i + k]].position;
         const auto& b = mesh.vertices[mesh.indices[i + (k + 1) % 3]].position;
-        // diagonals of a facet: twice the bound
+        // Diagonals of a facet: twice the bound.
         ASSERT_GT(vector(0.5F * (a + b)).norm(), 2 - 2.1 * bound);
       }
     }

@@ -74,7 +74,7 @@ Image drawn(
   const auto& takes = film.timeline.takes();
   const Moment moment = middle(film, change);
   Image image(scene.film.width, scene.film.height, 3);
-  // visible through a panel that darkens or brightens it
+  // Visible through a panel that darkens or brightens it.
   image.pixels.assign(image.pixels.size(), 110);
   const auto lay = [&](const std::vector<Layer>& layers) {
     for (const Layer& layer : layers) lay_over(image, layer);

@@ -68,7 +68,7 @@ TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
     const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
     const Image image = renderer.draw(X);
     for (const double y : {-3.9, 0.0, 3.9}) {
-      // the handle's axis
+      // The handle's axis.
       EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(-1, y, 0)), 255) << i;
     }
     EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(3.9, 0, 0)), 255) << i;  // the leg's axis
