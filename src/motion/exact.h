@@ -33,9 +33,11 @@ class ExactMotion {
     separatrix,
   };
 
+  /// Prepares the constants of the motion.
   explicit ExactMotion(const FreeBody& body);
 
-  Sample at(double t) const;  ///< Returns the sample at time t in s, of either sign.
+  /// Returns the sample at time t in s, of either sign.
+  Sample at(double t) const;
 
   /// Returns which of these the motion is.
   Kind kind() const { return kind_; }

@@ -34,6 +34,7 @@ enum class Update {
   munthe_kaas,
 };
 
+/// A Runge-Kutta method on the group.
 struct RungeKutta {
   /// How the step reaches the group.
   Update update;
@@ -66,6 +67,7 @@ struct ImplicitTrapezoid {
 /// reverse order.
 struct StrangSplitting {};
 
+/// The highest order for which TaylorSeries has room.
 inline constexpr std::size_t largest_taylor_order = 30;
 
 /// The Taylor series of the motion, motion/taylor.h; its last terms determine the step size.
@@ -110,6 +112,7 @@ struct Method {
 /// Returns all methods: the specification's in its order, then the others by order.
 std::span<const Method> methods();
 
+/// Returns the names of all methods.
 std::vector<std::string> method_names();
 
 /// Returns the method called `name`. Throws UsageError about `what`, suggesting the nearest name.

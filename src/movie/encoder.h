@@ -17,6 +17,7 @@
 
 namespace twrench {
 
+/// The size, rate and container of a video.
 struct VideoFormat {
   /// Width in pixels, even.
   int width = 0;

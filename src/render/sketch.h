@@ -29,6 +29,7 @@ struct Ink {
 /// done.
 class Sketch {
  public:
+  /// A vertex, with members in the order of the vertex shader's attributes.
   struct Vertex {
     /// Position in clip space.
     glm::vec4 clip;
@@ -72,14 +73,16 @@ class Sketch {
   /// Returns the size in pixels of a unit length at `place`; 0 behind the eye.
   double pixels(const Eigen::Vector3d& place) const;
 
+  /// Returns the position of the eye in space, cm.
   const Eigen::Vector3d& eye() const { return eye_; }
 
   /// Adds the screen areas of all items.
   void add_to(ScreenArea& area) const;
 
+  /// Return the triangles of all items.
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
-  /// Edge quads of arrows.
+  /// Returns the indices of the edge quads of arrows.
   const std::vector<std::uint32_t>& fin_indices() const { return fin_indices_; }
 
  private:

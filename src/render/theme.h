@@ -48,6 +48,7 @@ struct Backdrop {
   int stars;
 };
 
+/// The floor of a theme.
 struct FloorStyle {
   /// Light added in the middle of the pool. It is gray because on a dark floor the 8-bit chroma
   /// planes of a video would turn changes of hue into visible contours.
@@ -58,6 +59,7 @@ struct FloorStyle {
   double reflection;
 };
 
+/// Everything that a theme determines.
 struct ThemeStyle {
   /// Colour of the body, metal or paint, unless the scene sets it.
   Color metal;

@@ -61,6 +61,7 @@ struct StudyRun {
   std::vector<double> drift_in_time;
 };
 
+/// All runs of a method.
 struct MethodStudy {
   /// The method.
   const Method* method = nullptr;
@@ -72,6 +73,7 @@ struct MethodStudy {
   std::optional<double> estimate_exponent;
 };
 
+/// The results of a study.
 struct Study {
   /// Duration of the motion in s.
   double duration = 0.0;
