@@ -1,4 +1,4 @@
-// What one call of the hot functions of a motion costs.
+// Times single calls of the hot functions of a motion.
 #include <benchmark/benchmark.h>
 
 #include "math/so3.h"
@@ -65,7 +65,7 @@ void exact_sample(benchmark::State& state) {
 }
 BENCHMARK(exact_sample);
 
-/// What it costs to begin.
+/// The cost of initialisation.
 void exact_set_up(benchmark::State& state) {
   const FreeBody body = tumbler();
   for (auto _ : state) benchmark::DoNotOptimize(ExactMotion(body));

@@ -13,8 +13,8 @@ struct Range {
   char32_t first, last;
 };
 
-/// Control characters, line separators, and the format characters (Unicode's category Cf) that
-/// nothing shows: those that turn the direction, join, separate or tag.
+/// Control characters, line separators, and invisible format characters (Unicode category Cf):
+/// those that change direction, join, separate or tag.
 constexpr std::array<Range, 11> unseen{{{0x00, 0x1F},
                                         {0x7F, 0x9F},
                                         {0xAD, 0xAD},

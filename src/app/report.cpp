@@ -88,26 +88,26 @@ ExitCode report(const Error& error) {
   return report(exit_code_of(error), error.what(), remedy_for(error));
 }
 
-/// What the running command could be asked for less of.
+/// Which resources the running command could use less of.
 std::string remedy_for_memory(const CLI::App& app) {
   const auto has_jobs = [](const CLI::App* command) {
     return command->get_option_no_throw("--jobs") != nullptr;
   };
   const bool draws = std::ranges::any_of(app.get_subcommands(), has_jobs);
-  if (draws) return "choose a smaller --size, fewer --samples, or fewer --jobs";
-  return "end other programs, or raise the limit on memory (ulimit -v)";
+  if (draws) return "use a smaller --size, fewer --samples or fewer --jobs";
+  return "close other programs, or raise the limit on memory (ulimit -v)";
 }
 
-/// What the system refused, which no code of ours expected.
+/// The FileError for a system error that no code of ours expected.
 FileError refused(const std::system_error& error) {
   const int number = error.code().value();
   if (error.code() == std::errc::resource_unavailable_try_again) {
     return {"cannot start a thread", error.code().message(),
-            "raise the limit on processes (ulimit -u), or that of the container"};
+            "raise the limit on processes (ulimit -u, or that of the container)"};
   }
   const auto* at = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
   const bool has_path = at != nullptr && !at->path1().empty();
-  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot go on", number);
+  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot continue", number);
 }
 
 bool is_of_the_system(const std::system_error& error) {
@@ -139,7 +139,7 @@ ExitCode report_current_exception(const CLI::App& app) {
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    return report(ExitCode::internal, "memory: there is not enough of it", remedy_for_memory(app));
+    return report(ExitCode::internal, "memory: out of memory", remedy_for_memory(app));
   } catch (const std::system_error& error) {
     if (is_of_the_system(error)) return report(refused(error));
     return report(ExitCode::internal, std::string("internal: ") + error.what());

@@ -18,12 +18,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The inertia about the origin of a point mass at d; the second term of the parallel-axis theorem.
+/// The inertia about the origin of a point mass at d, the second term of the parallel-axis theorem.
 Matrix3d point_inertia(double mass, const Vector3d& d) {
   return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
 }
 
-/// Flips the columns so that the choice of sign does not depend on the eigenvalue solver.
+/// Flips the columns so that their signs do not depend on the eigenvalue solver.
 Matrix3d with_definite_signs(Matrix3d axes) {
   for (int i = 0; i < 2; ++i) {
     Eigen::Index largest = 0;
@@ -78,7 +78,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
   for (const Part& part : parts) {
     const double mass = part.density * volume(part.shape);
     body.mass += mass;
-    body.centre_of_mass += mass * part.position;  // eq. (44), divided by the mass below
+    body.centre_of_mass += mass * part.position;  // Eq. (44), divided by the mass below.
   }
   body.centre_of_mass /= body.mass;
   for (const Part& part : parts) {

@@ -7,13 +7,19 @@
 
 namespace twrench {
 
-/// What the motion needs to know of a body. The origin is the centre of mass.
+/// The mass properties that determine a body's motion. The centre of mass is the origin of the body
+/// frame.
 struct MassProperties {
-  double mass;                     ///< g
-  Eigen::Vector3d centre_of_mass;  ///< cm, in the frame the parts are placed in, eq. (44)
-  Eigen::Matrix3d inertia;         ///< g cm^2, about the centre of mass, in body axes, eq. (13)
-  Eigen::Vector3d moments;         ///< principal moments, ascending, g cm^2
-  Eigen::Matrix3d axes;            ///< body_from_principal; column i belongs to moments[i]; proper
+  /// Mass in g.
+  double mass;
+  /// Centre of mass in cm, in the frame in which the parts are placed, eq. (44).
+  Eigen::Vector3d centre_of_mass;
+  /// Inertia matrix in g cm^2 about the centre of mass, in body axes, eq. (13).
+  Eigen::Matrix3d inertia;
+  /// Principal moments in g cm^2, ascending.
+  Eigen::Vector3d moments;
+  /// Rotation body_from_principal: column i is the principal axis of moments[i].
+  Eigen::Matrix3d axes;
 };
 
 /// Mass, centre of mass and inertia of the parts together, by the parallel-axis theorem. Throws
@@ -29,7 +35,7 @@ MassProperties mass_properties(std::span<const Part> parts);
 /// round-off, symmetric.
 struct PrincipalAxes {
   Eigen::Vector3d moments;
-  Eigen::Matrix3d axes;  ///< body_from_principal
+  Eigen::Matrix3d axes;  ///< Rotation body_from_principal; its columns are the axes.
 };
 PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 

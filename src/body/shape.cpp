@@ -9,13 +9,13 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// Makes one visitor of several lambdas.
+/// Combines several lambdas into one visitor.
 template <typename... F>
 struct Overload : F... {
   using F::operator()...;
 };
 template <typename... F>
-Overload(F...) -> Overload<F...>;  // clang 14 does not find it by itself
+Overload(F...) -> Overload<F...>;  // clang 14 does not deduce it
 
 }  // namespace
 
@@ -29,8 +29,8 @@ double volume(const Shape& shape) {
 }
 
 Vector3d central_moments(const Shape& shape, double mass) {
-  // For a diagonal quadratic shape the moment about an axis is mass times the sum of the mean
-  // squares of the two other coordinates.
+  // For a shape symmetric in its coordinate planes, the moment about an axis is the mass times the
+  // sum of the mean squares of the two other coordinates.
   const auto from_mean_squares = [mass](const Vector3d& s) {
     return Vector3d{mass * (s.y() + s.z()), mass * (s.x() + s.z()), mass * (s.x() + s.y())};
   };

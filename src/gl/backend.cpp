@@ -13,15 +13,16 @@ namespace {
 
 using Maker = std::function<std::unique_ptr<Context>()>;
 
-/// The first hardware device of EGL that answers, or null.
+/// Returns a context on the first available EGL hardware device, or null.
 std::unique_ptr<Context> make_hardware_context() {
   try {
     for (const EglDevice& device : egl_devices()) {
-      if (device.software || device.name == "surfaceless") continue;  // it picks one of the others
+      // It selects one of the others.
+      if (device.software || device.name == "surfaceless") continue;
       try {
         auto context = make_egl_context(device.name);
         if (!draws_in_software(Functions(*context))) return context;
-      } catch (const GlError&) {  // the next may answer
+      } catch (const GlError&) {  // the next one may be available
       }
     }
   } catch (const GlError&) {  // no EGL
@@ -29,7 +30,8 @@ std::unique_ptr<Context> make_hardware_context() {
   return nullptr;
 }
 
-/// EGL's software device, or where none is told apart what the surfaceless platform picks.
+/// Returns EGL's software device or, if none is marked as such, what the surfaceless platform
+/// selects.
 std::unique_ptr<Context> make_egl_software_context() {
   const auto devices = egl_devices();
   const bool told_apart = std::ranges::any_of(devices, &EglDevice::software);
@@ -38,13 +40,13 @@ std::unique_ptr<Context> make_egl_software_context() {
 
 OpenedContext fall_back(bool egl_alone) {
   constexpr const char* note =
-      "no graphics device answers through EGL; drawing in software with {}";
+      "no graphics device is available through EGL; drawing in software with {}";
   std::string osmesa_reason;
   if (!egl_alone) {
     try {
       return {make_osmesa_context(), fmt::format(note, "OSMesa")};
     } catch (const GlError& error) {
-      osmesa_reason = fmt::format(", as OSMesa cannot be used ({})", error.what());
+      osmesa_reason = fmt::format("; OSMesa is not usable ({})", error.what());
     }
   }
   try {

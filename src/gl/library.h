@@ -7,7 +7,7 @@
 
 namespace twrench::gl {
 
-/// A shared library, opened at run time and never closed: a GL driver leaves threads and
+/// A shared library, opened at run time and never closed, because GL drivers leave threads and
 /// thread-local destructors behind that outlive every context.
 class Library {
  public:
@@ -16,7 +16,7 @@ class Library {
   Library(std::span<const char* const> names, const std::string& remedy,
           GlError::Reason reason = GlError::Reason::failed);
 
-  /// The address of a symbol, or null.
+  /// Returns the address of a symbol, or null.
   void* symbol(const char* name) const;
 
  private:

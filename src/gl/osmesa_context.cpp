@@ -9,8 +9,8 @@
 namespace twrench::gl {
 namespace {
 
-// What is used of OSMesa's interface, as include/GL/osmesa.h of Mesa 22.3 to 25.0 declares it. Mesa
-// has dropped OSMesa in 25.1, and so the header may not be there where this is compiled.
+// The part of OSMesa's interface that is used, as declared in include/GL/osmesa.h of Mesa 22.3 to
+// 25.0. Mesa removed OSMesa in 25.1, so the header may be missing at compile time.
 using OSMesaContext = struct osmesa_context*;
 using OSMesaFunction = void (*)();
 using OSMesaCreateContextAttribs = OSMesaContext(const int* attributes, OSMesaContext shared);
@@ -75,7 +75,7 @@ class OsmesaContext final : public Context {
   std::string backend() const override { return "osmesa"; }
 
  private:
-  static constexpr int size = 16;  // OSMesa wants a buffer to draw on; we draw on framebuffers
+  static constexpr int size = 16;  // OSMesa requires a buffer to draw to; we draw to framebuffers
 
   Library library_;
   OSMesaCreateContextAttribs* create_ =

@@ -35,11 +35,14 @@ class FreeBody {
   Eigen::Vector3d momentum_;
 };
 
-/// The motion at one instant.
+/// The state of the motion at one time.
 struct Sample {
-  double t;               ///< s
-  Eigen::Matrix3d X;      ///< space_from_body; columns are the body axes in space
-  Eigen::Vector3d omega;  ///< body axes, rad/s, as the method itself computes it from X
+  /// Time in s.
+  double t;
+  /// Attitude, space_from_body; its columns are the body axes in space.
+  Eigen::Matrix3d X;
+  /// Angular velocity in body axes, rad/s, as the method computes it from X.
+  Eigen::Vector3d omega;
 };
 
 }  // namespace twrench

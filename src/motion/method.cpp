@@ -21,8 +21,8 @@ constexpr Tableau kutta{.stages = 4,
                         .a = {{{}, {1.0 / 2}, {0.0, 1.0 / 2}, {0.0, 0.0, 1.0}}},
                         .weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
 
-/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the 5th-order row is held against
-/// it.
+/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the error estimate compares it with
+/// the 5th-order row.
 constexpr Tableau fehlberg{
     .stages = 6,
     .order = 4,
@@ -43,14 +43,15 @@ constexpr CommutatorFree cf4{
     .update = {
         {{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12}, {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
 
-/// Suzuki's fractal: four steps of p and one of 1 - 4p, backwards, cancel the error of h^3.
+/// Suzuki's fractal composition: four steps of p and one of 1 - 4p, backwards, cancel the h^3
+/// error.
 constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
 constexpr ImplicitTrapezoid suzuki_trapezoid{
     .count = 5, .fractions = {suzuki, suzuki, 1.0 - 4.0 * suzuki, suzuki, suzuki}};
 
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
-// order 2 on SO(3), not 4 and 5: one exponential of the averaged stage velocities drops their
-// commutators, first of all (h^3/12) omega x omega'.
+// order 2 on SO(3), not 4 and 5: a single exponential of the averaged stage velocities omits their
+// commutators, to leading order (h^3/12) omega x omega'.
 constexpr auto all = std::to_array<Method>({
     {"euler", RungeKutta{Update::linear, one_stage}, 1, false, false, "specification, eq. (24)",
      "Euler's method on the matrix itself; leaves SO(3), for comparison"},
@@ -85,7 +86,7 @@ constexpr auto all = std::to_array<Method>({
      "Taylor series of momentum and one angle, adaptive; keeps the energy; the fastest"},
     {"exact", ClosedForm{}, std::nullopt, true, true,
      "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
-     "the motion in closed form, by elliptic and theta functions; the same cost at any t"},
+     "closed form with elliptic and theta functions; the same cost at any t"},
 });
 
 }  // namespace

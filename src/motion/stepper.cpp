@@ -13,28 +13,28 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// dexpinv is singular at |u| = 2 pi; short of that it is as good as anywhere.
+/// rad. dexpinv is singular at |u| = 2 pi and accurate below.
 constexpr double longest_turn = 6.0;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Stages = std::array<Vector3d, 6>;
 
-/// Zero, so that no path leaves one unset: Eigen's vectors begin with whatever was in memory.
+/// Zeros, so that no code path leaves a stage uninitialised: Eigen does not initialise its vectors.
 Stages zero_stages() {
   Stages s;
   s.fill(Vector3d::Zero());
   return s;
 }
 
-/// sum of row[j] * s[j] over the first `count` stages.
+/// The sum of row[j] * s[j] over the first `count` stages.
 Vector3d weighted_sum(const Row& row, const Stages& s, int count) {
   Vector3d sum = row[0] * s[0];
   for (std::size_t j = 1; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
   return sum;
 }
 
-/// exp(-hat(u)) m: the body momentum m after the turn exp(hat(u)) of the body.
+/// exp(-hat(u)) m: the body momentum m after the body has rotated by exp(hat(u)).
 Vector3d turned_back(const Vector3d& u, const Vector3d& m) {
   return so3::exp_times(so3::angle_functions(u), -u, m);
 }
@@ -44,8 +44,8 @@ Vector3d body_momentum(const FreeBody& body, bool linear, const Matrix3d& X) {
                 : Vector3d(X.transpose() * body.momentum());
 }
 
-/// Sections 4.1 to 4.5: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L and, with the correction, dexpinv
-/// of it.
+/// Sections 4.1 to 4.5: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L, followed by dexpinv for the
+/// corrected methods.
 Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, double h) {
   const Tableau& tableau = method.tableau;
   const Vector3d momentum = body_momentum(body, method.update == Update::linear, X);
@@ -85,8 +85,8 @@ Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X,
   return {end, 0.0, method.stages};
 }
 
-/// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2, by fixed point, to round-off.
-/// The energy stays: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the turn is about w.
+/// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2 to round-off by fixed-point iteration. The
+/// energy is conserved: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the rotation is about w.
 Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d& X, double h) {
   constexpr int most_iterations = 100;
   Vector3d m0 = body_momentum(body, false, X);
@@ -132,7 +132,7 @@ Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double 
   return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 
-/// The motion is the same at all times: it starts anew from the velocity at X.
+/// The motion is autonomous: a step restarts it from the velocity at X.
 Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) {
   const Vector3d omega = body.inverse() * body_momentum(body, false, X);
   return {X * ExactMotion(FreeBody(body.inertia(), omega)).at(h).X, 0.0, 1};

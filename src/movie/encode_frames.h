@@ -8,14 +8,17 @@
 
 namespace twrench {
 
-/// What to do where frames of the range are missing.
+/// What to do if frames of the range are missing.
 enum class Missing { refuse, leave_out };
 
-/// Where a film goes.
+/// Where a video is written.
 struct FilmOutput {
-  std::filesystem::path path;  ///< "-" for standard output
+  /// "-" for standard output
+  std::filesystem::path path;
+  /// Container of the video.
   Container container = Container::mp4;
-  bool overwrite = false;  ///< another film, or another file, that stands there
+  /// Whether to replace an existing file that is another video or not a video.
+  bool overwrite = false;
 };
 
 /// Makes the film of the frames in a folder, of which its manifests tell: the one of a run, those

@@ -20,7 +20,7 @@ FramesError disagreement(const fs::path& a, const fs::path& b, const std::string
           FramesError::Reason::contradictory};
 }
 
-/// What is different between the films, for an error.
+/// How the two videos differ, for an error message.
 std::string difference(const Manifest& a, const Manifest& b) {
   if (a.version != b.version) return fmt::format("versions {} and {}", a.version, b.version);
   if (a.renderer != b.renderer) return fmt::format("renderers {} and {}", a.renderer, b.renderer);
@@ -28,7 +28,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
   return a.scene != b.scene ? "another scene" : "another size";
 }
 
-/// The manifests of a folder, one after the other.
+/// Merges the manifests of a folder.
 class Union {
  public:
   explicit Union(const fs::path& first) : first_(first), all_(read_manifest(first)) {
@@ -51,7 +51,7 @@ class Union {
       const auto [there, is_new] = frames_.emplace(record.frame, Found{record, paths_.size()});
       if (is_new || there->second.record.sha256 == record.sha256) continue;
       throw disagreement(paths_[there->second.path], path,
-                         fmt::format("they tell of two different frames {}", record.frame));
+                         fmt::format("they describe two different frames {}", record.frame));
     }
     paths_.push_back(path);
   }
@@ -67,7 +67,7 @@ class Union {
  private:
   struct Found {
     FrameRecord record;
-    std::size_t path;  ///< of paths_
+    std::size_t path;  ///< in paths_
   };
 
   fs::path first_;

@@ -15,12 +15,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// As multiples of the body's radius.
+// As multiples of the bounding radius.
 constexpr double plane_distance = 1.18, longest_omega = 1.5, least_plane = 0.85;
 constexpr double momentum_shaft = 0.017, omega_shaft = 0.015, axis_shaft = 0.010;
 constexpr double trail_width = 0.016, plane_line = 0.004;
 
-/// Points on the circle of that radius about the tip of `up`.
+/// Points on the circle of that radius about `centre`, normal to `normal`.
 std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
                              int count) {
   const Matrix3d frame = frame_with_z_along(normal);

@@ -10,7 +10,7 @@
 namespace twrench {
 namespace {
 
-/// What the figures of one film have in common.
+/// The common settings of the readouts of a video.
 class Figures {
  public:
   Figures(const Scene& scene, const std::vector<Take>& takes, bool compact)

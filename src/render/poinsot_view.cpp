@@ -18,7 +18,7 @@ constexpr double momentum_end = 1.34;  // of L's arrow
 constexpr double least_plane = 0.95;   // radius
 constexpr int around = 120;            // points of a curve
 
-/// L up; the azimuth is arbitrary.
+/// With L up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
   if (momentum.isZero(0.0)) return Matrix3d::Identity();
   const Matrix3d frame = frame_with_z_along(momentum);
@@ -27,7 +27,7 @@ Matrix3d with_up(const Vector3d& momentum) {
   return m;
 }
 
-/// Radii of x . I x = 1 as multiples of the plane's distance or, at rest, of the greatest.
+/// Radii of x . I x = 1 in units of the plane's distance or, at rest, of the largest radius.
 Vector3d radii_of(const FreeBody& body) {
   const Vector3d radii = body.principal().moments.cwiseSqrt().cwiseInverse();
   if (body.momentum().isZero(0.0)) return radii / radii.maxCoeff();
@@ -35,7 +35,7 @@ Vector3d radii_of(const FreeBody& body) {
   return radii * (G / std::sqrt(body.omega().dot(body.momentum())));
 }
 
-/// rad: a curve through points farther apart would show corners, and miss turns.
+/// rad: a curve through points farther apart would show corners and miss turns.
 constexpr double widest_turn = 0.35;
 
 }  // namespace
@@ -70,7 +70,7 @@ Camera PoinsotView::camera(double film_time) const {
                   radii_.maxCoeff()};
   std::vector<Vector3d> points;
   if (!at_rest()) {
-    points.emplace_back(0, 1.1 * momentum_end, 0);  // and its name
+    points.emplace_back(0, 1.1 * momentum_end, 0);  // including its name
     for (int i = 0; i < 24; ++i) {
       const double angle = 2 * std::numbers::pi * i / 24;
       points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
@@ -88,7 +88,7 @@ Vector3d PoinsotView::contact(const Sample& sample) const {
   return view_from_space_ * (sample.X * sample.omega) / unit_;
 }
 
-/// A graticule on the ellipsoid, so that its rolling is seen, about the axis of least moment.
+/// A graticule about the axis of least moment that makes the ellipsoid's rolling visible.
 void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
   const Matrix3d normal_from_unit = view_from_unit.inverse().transpose();
   std::vector<Sketch::Point> line;

@@ -39,8 +39,8 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
   const double ratio = moments.maxCoeff() / moments.minCoeff();
   if (moments.minCoeff() > 0 && ratio <= most_moment_ratio) return moments;
   throw UsageError(
-      what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the greatest "
-                        "must be at most {:.6g} times the least",
+      what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the largest "
+                        "must be at most {:.6g} times the smallest",
                         moments[0], moments[1], moments[2], most_moment_ratio));
 }
 

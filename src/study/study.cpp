@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t time_parts = 200;
 
-/// CPU seconds of one call: the mean over as many as take 2 ms, the clock being coarse.
+/// CPU time of one call in s: the mean over as many calls as take 2 ms, because the clock is
+/// coarse.
 template <typename Call>
 double cpu_seconds(const Call& call) {
   constexpr double enough = 2e-3;
@@ -30,7 +31,8 @@ double cpu_seconds(const Call& call) {
   }
 }
 
-/// Of those that both have. The method may see the last ones only after the end, or not at all.
+/// Compares the flips that both have. The method may find the last ones only after the end, or not
+/// at all.
 double flip_error(const std::vector<double>& predicted, const std::vector<double>& seen) {
   const std::size_t common = std::min(predicted.size(), seen.size());
   if (common == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -41,7 +43,7 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
   return largest;
 }
 
-/// Walks along the method's steps for what is seen on the way.
+/// Runs through the method's steps and collects errors, flips and the estimate's quality.
 void look_on_the_way(const FreeBody& body, const Method& method, const StepControl& control,
                      const Study& exact, StudyRun& run) {
   const double initial_energy = energy(body.inertia(), body.omega());
@@ -93,7 +95,7 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
   return run;
 }
 
-/// The order, from the errors between round-off and where the error has no order any more.
+/// The order, from the errors above round-off and within the asymptotic range.
 std::optional<double> order_of(const std::vector<StudyRun>& runs) {
   constexpr double round_off = 1e-12, asymptotic = 0.1;
   std::vector<Point> points;
@@ -115,7 +117,7 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
   return fitted_exponent(points);
 }
 
-/// The ladder that suits the method. The closed form has none: only its flips are looked for, in
+/// The ladder that suits the method. The closed form has none: only its flips are searched, with
 /// the finest steps.
 std::vector<StepControl> controls_for(const Method& method, const StudyPlan& plan) {
   std::vector<StepControl> controls;

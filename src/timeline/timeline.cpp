@@ -11,14 +11,15 @@ namespace {
 
 constexpr int whole_intervals = 1200;  // finer than a curve across a wide panel can show
 
-/// s between two points of a trail: 0.03 rad or so, but 50 points at least and 2000 at most.
+/// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
+/// 2000.
 double step_of_trail(const Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
   return length / std::clamp(points, 50.0, 2000.0);
 }
 
-/// Nothing where the intermediate axis does not swing past the plane normal to L far enough to
-/// count as turning over.
+/// Nothing if the intermediate axis does not swing past the plane normal to L far enough to count
+/// as turning over.
 std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
   const auto flips = ExactMotion(body).flips();
   if (!flips || flips->swing < std::numbers::pi / 2) return std::nullopt;
@@ -99,7 +100,7 @@ Timeline::Record Timeline::record(const Take& take) const {
   };
   std::vector<double> own, blurred, grid;
   const int count = scene_.look.motion_blur;
-  const double open = 0.5 * scene_.film.speed / scene_.film.fps;  // half the frame's time
+  const double open = 0.5 * scene_.film.speed / scene_.film.fps;  // half the frame interval
   for (const int frame : frames_) {
     own.push_back(scene_.film.time_of(frame));
     for (int i = 0; count > 1 && i < count; ++i) {

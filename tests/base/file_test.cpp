@@ -105,7 +105,7 @@ TEST(File, CannotBeWrittenUnderAFile) {
 TEST(File, OnAFullDiskLeavesTheOldOneAndNothingElse) {
   const ScratchFolder scratch;
   write_file_atomically(scratch / "a", std::string_view("old"));
-  // A limit on the size of files stands for a full disk: write() comes back short, then fails.
+  // A file size limit simulates a full disk: write() is short at first, then fails.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);

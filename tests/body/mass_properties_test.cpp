@@ -31,7 +31,8 @@ TEST(MassProperties, TheTWrench) {
   EXPECT_NEAR(wrench.inertia(1, 1), Iyy, 1e-12 * Iyy);
   EXPECT_NEAR(wrench.inertia(2, 2), Izz, 1e-12 * Izz);
   EXPECT_TRUE(wrench.inertia.isDiagonal(0.0)) << wrench.inertia;
-  // The figures the specification prints, and the 25-digit reference's first sixteen.
+  // The values that the specification prints, and the first sixteen digits of the 25-digit
+  // reference.
   EXPECT_NEAR(wrench.inertia(0, 0), 982.2713030224087, 1e-12 * Ixx);
   EXPECT_NEAR(wrench.inertia(1, 1), 722.6710300807721, 1e-12 * Iyy);
   EXPECT_NEAR(wrench.inertia(2, 2), 1578.650308428871, 1e-12 * Izz);

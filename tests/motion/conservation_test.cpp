@@ -1,4 +1,4 @@
-// What each method keeps, and what it does not, measured against what its description claims.
+// What each method conserves and what not, measured and compared with its description.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,8 +69,8 @@ TEST_P(Conservation, ReversibleWhereClaimedAndOnlyThere) {
   }
 }
 
-// A splitting's energy error swings but does not grow, because the map is Poisson: as large over
-// ten thousand steps as over the first thousand.
+// A splitting's energy error oscillates but does not grow, because the map is Poisson: it is as
+// large over ten thousand steps as over the first thousand.
 TEST(Strang, EnergyErrorStaysBounded) {
   const FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.3, 1.1, -0.4});
   const Method& strang = find_method("strang");
@@ -79,7 +79,7 @@ TEST(Strang, EnergyErrorStaysBounded) {
   EXPECT_GT(energy_drift(body, rk4, 0.1, 10'000), 2 * energy_drift(body, rk4, 0.1, 1000));
 }
 
-// The inertia need not be diagonal in the body's axes: the same motion, seen from turned ones.
+// The inertia need not be diagonal in the body's axes: the same motion in rotated ones.
 TEST_P(Conservation, DoesNotDependOnTheBodysAxes) {
   const Matrix3d R = so3::exp(Vector3d(0.4, -0.9, 0.5));  // body_from_turned
   const Matrix3d inertia = R.transpose() * body_.inertia() * R;

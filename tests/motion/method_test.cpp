@@ -71,7 +71,7 @@ TEST(Method, FehlbergsPair) {
 }
 
 // The condition sum b_i a_ij c_j = 1/6, and its companions of order 4, which the quadrature
-// conditions do not imply: a digit slipped inside `a` shows here.
+// conditions do not imply: they reveal a wrong digit inside `a`.
 TEST(Method, CoupledConditionsOfTheFourthOrderTableaus) {
   for (const char* name : {"rk4", "rkf45"}) {
     const Tableau& t = tableau_of(find_method(name));

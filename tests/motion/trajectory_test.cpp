@@ -48,22 +48,21 @@ std::optional<MotionError::Reason> reason(const Action& action) {
 
 class Task5 : public testing::TestWithParam<const char*> {};
 
-// Task 5: a step so small that the error stays under 1e-6 at every reference time up to 100 s.
+// Task 5: a step so small that the error stays below 1e-6 at every reference time up to 100 s.
 TEST_P(Task5, ReachesTheReference) {
   const ReferenceCase c = reference_case(GetParam());
   for (const char* name : {"midpoint", "trapezoid", "rk4", "rkf45"}) {
     Method method = find_method(name);
-    std::get<RungeKutta>(method.scheme).tableau.embedded_pair =
-        false;  // the step is what is chosen here
+    std::get<RungeKutta>(method.scheme).tableau.embedded_pair = false;  // the test chooses the step
     const StepControl control{.step = 2e-4};
     EXPECT_LE(worst_error(c, trajectory(c.body, method, control, times_of(c)).samples), 1e-6)
         << name;
   }
 }
 
-// No tolerance that doubles can keep brings the printed RKF45 to 1e-6 by itself: both its rows lack
-// the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps grow too
-// long.
+// No tolerance that doubles can represent brings the printed RKF45 to 1e-6 by itself: both rows
+// omit the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps become
+// too long.
 TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
   const ReferenceCase c = reference_case(GetParam());
   const StepControl control{.tolerance = 1e-15};
@@ -149,8 +148,8 @@ TEST_P(EveryMethod, ABodyAtRestStaysAtRest) {
 }
 
 TEST(Adaptive, StepsFollowSauersControl) {
-  // The bound on E holds for each step: two runs whose tolerances differ by 32 = 2^5 differ in
-  // their number of steps by about 32^(1/5) = 2, because E falls like h^5.
+  // The bound on E applies to each step: two runs whose tolerances differ by 32 = 2^5 differ in
+  // their number of steps by about 32^(1/5) = 2, because E scales as h^5.
   const ReferenceCase c = reference_case("wrench-a");
   const auto steps_with = [&](double tolerance) {
     const std::vector<double> times{100};
@@ -166,7 +165,8 @@ TEST(Adaptive, StepsFollowSauersControl) {
   EXPECT_NEAR(steps_with(1e-9 / 32) / steps_with(1e-9), 2.0, 0.25);
 }
 
-// Where omega is constant the estimate vanishes, and the control would take ever longer steps.
+// For constant omega the estimate vanishes, and the step-size control would grow steps without
+// limit.
 TEST(Adaptive, NoStepOfItsOwnIsLongerThanATurn) {
   const FreeBody at_rest(Vector3d(1, 2, 3).asDiagonal(), Vector3d::Zero());
   for (const char* name : {"rkf45", "rkmk45"}) {
@@ -252,7 +252,7 @@ TEST(Taylor, ReachesTheReferenceAtEveryTime) {
   }
 }
 
-// Samples within a step are the series': as good as its end.
+// Samples within a step evaluate the series: they are as accurate as its end.
 TEST(Taylor, SamplesBetweenStepsAreOfTheSameAccuracy) {
   const ReferenceCase c = reference_case("wrench-a");
   const ExactMotion exact(c.body);
@@ -290,7 +290,7 @@ TEST(Trajectory, SaysWhenAMethodHasDiverged) {
 }
 
 TEST(Trajectory, RefusesAStepLongerThanATurn) {
-  const ReferenceCase c = reference_case("wrench-a");  // a turn takes 2 pi s
+  const ReferenceCase c = reference_case("wrench-a");  // a revolution takes 2 pi s
   const std::vector<double> times{10};
   for (const char* name : {"euler", "rk4", "rkf45", "strang", "cf4", "exact"}) {
     const Method& method = find_method(name);
@@ -320,7 +320,7 @@ TEST_P(EveryMethod, VisitedSamplesAreThoseOfTheTrajectory) {
   EXPECT_EQ(next, times.size());
 }
 
-// Short of infinity too: squares of what is told would be infinite.
+// Well below infinity too: squares of the results would be infinite.
 TEST(Trajectory, NothingThatIsToldOverflows) {
   const FreeBody fast(Vector3d(1, 2, 3).asDiagonal(), {0.1, 100, 0.1});
   std::vector<double> times;

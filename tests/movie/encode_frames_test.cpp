@@ -33,7 +33,7 @@ Image gray(int width, int height, std::size_t level) {
   return image;
 }
 
-/// Frames of a range, of which `drawn` are drawn: frame i is of gray level 10 i.
+/// Writes the frames `drawn` of a range: frame i has gray level 10 i.
 std::filesystem::path draw(const ScratchFolder& scratch, const std::string& range,
                            const std::string& drawn) {
   FrameSequence sequence(scratch / "frames", {.version = "0.1.0",
@@ -45,7 +45,7 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
                                               .encoder = {},
                                               .range = range,
                                               .frames = {}});
-  std::vector<FrameRecord> records(100);  // which outlive the sequence's last manifest
+  std::vector<FrameRecord> records(100);  // must outlive the sequence's last manifest
   for (const int frame : parse_frame_range(drawn, 100)) {
     FrameRecord& record = records[static_cast<std::size_t>(frame)];
     record.frame = frame;

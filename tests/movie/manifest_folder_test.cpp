@@ -97,7 +97,7 @@ TEST(ManifestFolder, RefusesTwoDigestsOfOneFrame) {
 
 TEST(ManifestFolder, NeedsAManifest) {
   const ScratchFolder scratch;
-  EXPECT_THAT(failure(scratch), HasSubstr("it has no manifest.json"));
+  EXPECT_THAT(failure(scratch), HasSubstr("it contains neither manifest.json"));
 }
 
 }  // namespace

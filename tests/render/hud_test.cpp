@@ -155,7 +155,7 @@ TEST(Hud, LaysThePanelUnderAllItsWords) {
   }
 }
 
-/// Of a picture of another size, with the same motions.
+/// For a picture of another size with the same motions.
 Hud hud_in(OverlayScene& film, int width, int height) {
   film.scene.film.width = width;
   film.scene.film.height = height;

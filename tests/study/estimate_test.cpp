@@ -1,5 +1,5 @@
-// Whether the estimate E of an embedded pair tells the truth: the true local error of the steps it
-// accepts, against the exact motion started anew where the step does.
+// The honesty of an embedded pair's error estimate E: it is compared with the true local error of
+// the accepted steps, relative to the exact motion restarted at each step.
 #include "study/estimate.h"
 
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ EstimateQuality quality(const FreeBody& body, std::string_view method, double to
   return check.quality();
 }
 
-// What is promised of a tolerance T: no accepted step is further off than 1.5 T, or than 8 T where
-// T is above 1e-9, for there the steps are long and E is a coarse estimate. Of 4000 random bodies
-// the worst were at 1.4 T and 6.2 T.
+// The promise for a tolerance T: no accepted step is off by more than 1.5 T, or than 8 T for T
+// above 1e-9, where steps are long and E is a coarse estimate. The worst of 4000 random bodies were
+// at 1.4 T and 6.2 T.
 double stated_factor(double tolerance) { return tolerance > 1e-9 ? 8.0 : 1.5; }
 
 TEST(Estimate, RkmkKeepsItsToleranceOnEveryReferenceCase) {
@@ -52,7 +52,7 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
   }
 }
 
-// The last term bounds all that are dropped: the series keeps its tolerance with no factor at all.
+// The last term bounds all omitted ones: the series meets its tolerance without any factor.
 TEST(Estimate, TaylorKeepsItsTolerance) {
   constexpr double round_off = 1e-14;
   RandomBodies random;
@@ -72,9 +72,9 @@ TEST(Estimate, TaylorKeepsItsTolerance) {
   }
 }
 
-// Both rows of the printed pair lack the same term, (h^3/12) omega x omega', which their difference
-// therefore cannot see: the true error is a thousand times what was asked for, and more the less is
-// asked for.
+// Both rows of the printed pair omit the same term, (h^3/12) omega x omega', which their difference
+// therefore cannot see: the true error is a thousand times the tolerance, and the ratio grows as
+// the tolerance decreases.
 TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
   const FreeBody wrench = reference_case("wrench-a").body;
   double before = 0;
