@@ -226,7 +226,7 @@ class Trial {
       if (!(t > before)) fault(fmt::format("a flip at {:.17g} after {:.17g}", t, before));
       before = t;
       const double rate = body.principal().axes.col(1).dot(exact.at(t).omega);
-      // All of omega, turned by what an angle is known to.
+      // All of omega, rotated by the uncertainty of the angle.
       const double bound = 1e-14 * condition.angle / std::abs(case_.t) * condition.angle;
       expect_within("omega at a flip", std::abs(rate), bound);
     }

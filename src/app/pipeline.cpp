@@ -54,7 +54,7 @@ class Pipeline {
   /// Lets the stages complete the frames in flight, and rethrows the first error.
   void finish() {
     close();
-    threads_.clear();  // joins
+    threads_.clear();  // Joins.
     if (error_) std::rethrow_exception(error_);
   }
 
@@ -145,7 +145,7 @@ class Pipeline {
 void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
-  std::deque<std::future<Picture>> begun;  // the frames from `done` on
+  std::deque<std::future<Picture>> begun;  // The frames from `done` on.
   std::size_t done = 0;
   const auto begin_next = [&] {
     const std::size_t next = done + begun.size();

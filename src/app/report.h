@@ -12,8 +12,8 @@ namespace twrench {
 /// option, which; may be empty.
 std::string remedy_for(const Error& error);
 
-/// Prints what is being thrown on standard error, as "twrench: error: WHAT: WHY" with the remedy on
-/// a second line, and returns its exit code. To be called in a catch clause. `app` tells which
+/// Prints the exception being handled on standard error, as "twrench: error: WHAT: WHY" with the
+/// remedy on a second line, and returns its exit code. Call it in a catch clause. `app` tells which
 /// command was running.
 ExitCode report_current_exception(const CLI::App& app);
 

@@ -129,7 +129,7 @@ ExitCode run_study(const Options& options) {
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
   if (!options.plot.empty() && std::ranges::all_of(plan.methods, &Method::exact)) {
-    throw UsageError("--plot", "there is nothing to draw of exact alone: it has no steps");
+    throw UsageError("--plot", "the exact method alone has no steps to plot");
   }
   const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);

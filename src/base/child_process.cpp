@@ -108,7 +108,7 @@ class SpawnAttributes {
 
 pid_t spawn(std::vector<std::string> command, const Descriptor& input, int output,
             const Descriptor& errors) {
-  std::vector<char*> arguments(command.size() + 1);  // the last is null
+  std::vector<char*> arguments(command.size() + 1);  // The last is null.
   std::transform(command.begin(), command.end(), arguments.begin(),
                  [](std::string& argument) { return argument.data(); });
   pid_t pid = -1;

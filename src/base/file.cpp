@@ -102,7 +102,7 @@ void make_folder(const std::filesystem::path& folder) {
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   if (!std::filesystem::equivalent(output, input, missing)) return;
-  throw OverwriteError(output.string(), "it is an input of this command, and would be lost",
+  throw OverwriteError(output.string(), "it is an input of this command and would be overwritten",
                        "choose another name for the output");
 }
 

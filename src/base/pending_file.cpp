@@ -41,7 +41,7 @@ int named_descriptor(const fs::path& path) {
 
 /// Returns the target of the links, which need not exist. Throws FileError if they form a loop.
 fs::path follow_links(const fs::path& target) {
-  constexpr int most_links = 40;  // as Linux
+  constexpr int most_links = 40;  // As Linux.
   fs::path path = target;
   for (int n = 0; n < most_links; ++n) {
     std::error_code failed;

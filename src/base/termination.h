@@ -9,8 +9,8 @@ namespace twrench {
 /// What to report when a signal ends the program.
 struct TerminationMessage {
   int signal = 0;
-  std::string error;   ///< "interrupted by SIGINT", and what an action knows better
-  std::string remedy;  ///< may be empty
+  std::string error;   ///< "interrupted by SIGINT", to which an action may add details
+  std::string remedy;  ///< May be empty.
 };
 
 /// An action to run if a signal ends the process during this object's lifetime, because destructors

@@ -98,7 +98,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
 
 PrincipalAxes principal_axes(const Matrix3d& inertia) {
   check(inertia);
-  if (inertia.isDiagonal(0.0)) {  // the solver would be right, but not to the last digit
+  if (inertia.isDiagonal(0.0)) {  // The solver would round the last digit.
     std::array<Eigen::Index, 3> order{0, 1, 2};
     std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return inertia(i, i); });
     PrincipalAxes result{Vector3d::Zero(), Matrix3d::Zero()};
@@ -116,9 +116,10 @@ PrincipalAxes principal_axes(const Matrix3d& inertia) {
 
 Part equimomental_box(const Vector3d& moments) {
   for (const double moment : moments) require_positive("moments", moment);
-  // I_x = M (b^2 + c^2)/12 and so on give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes M = a b c.
+  // I_x = M (b^2 + c^2)/12 and its permutations give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes
+  // M = a b c.
   const double sum = moments.sum();
-  const double least = 1e-6 * sum;  // a plate, where the triangle inequality leaves no thickness
+  const double least = 1e-6 * sum;  // A plate, where the triangle inequality leaves no thickness.
   const Vector3d s = (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least);
   const double mass = std::pow(std::pow(6.0, 1.5) * std::sqrt(s.prod()), 0.4);
   return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};

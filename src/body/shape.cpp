@@ -58,7 +58,7 @@ double bounding_radius(const Shape& shape) {
 }
 
 Eigen::Matrix3d frame_with_z_along(const Vector3d& axis) {
-  const Vector3d n = axis.stableNormalized();  // the square of its length may underflow
+  const Vector3d n = axis.stableNormalized();  // The square of its length may underflow.
   const double sign = std::copysign(1.0, n.z());
   const double a = -1.0 / (sign + n.z());
   const double b = n.x() * n.y() * a;

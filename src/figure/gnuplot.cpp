@@ -14,7 +14,7 @@
 namespace twrench {
 namespace {
 
-constexpr std::size_t longest_figure = 1U << 30U;  // bytes
+constexpr std::size_t longest_figure = 1U << 30U;  // Bytes.
 
 /// An output format of gnuplot.
 struct Format {

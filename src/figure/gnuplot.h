@@ -13,8 +13,8 @@ struct FigureError : Error {
   using Error::Error;
 };
 
-/// A figure as gnuplot draws it: its size, in pixels of 1/96 inch, and the commands below those
-/// that choose the format.
+/// A plot as gnuplot draws it: its size in pixels of 1/96 inch, and the commands that follow the
+/// choice of the format.
 struct Figure {
   /// Size in pixels of 1/96 inch.
   int width, height;

@@ -25,7 +25,7 @@ std::unique_ptr<Context> make_hardware_context() {
       } catch (const GlError&) {  // the next one may be available
       }
     }
-  } catch (const GlError&) {  // no EGL
+  } catch (const GlError&) {  // No EGL.
   }
   return nullptr;
 }

@@ -40,7 +40,7 @@ OpenedContext open_context(const BackendChoice& choice);
 /// A backend or device, and whether it is usable here.
 struct BackendReport {
   std::string name;            ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
-  std::string renderer;        ///< what GL calls itself; empty when it cannot be used
+  std::string renderer;        ///< GL's renderer string; empty if it is not usable.
   std::exception_ptr failure;  ///< the Error then
 };
 

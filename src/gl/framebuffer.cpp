@@ -30,10 +30,11 @@ void check_limits(const Functions& gl, int width, int height, int samples) {
   }
   const GLint max_samples = limit(gl, GL_MAX_SAMPLES);
   if (samples > max_samples) {
-    throw OutOfRange(fmt::format("samples {}", samples),
-                     fmt::format("this OpenGL takes at most {} a pixel", max_samples),
-                     {double(samples), 0, double(max_samples)},
-                     fmt::format("choose {} samples or fewer", max_samples));
+    throw OutOfRange(
+        fmt::format("samples {}", samples),
+        fmt::format("this OpenGL implementation supports at most {} per pixel", max_samples),
+        {double(samples), 0, double(max_samples)},
+        fmt::format("choose {} samples or fewer", max_samples));
   }
 }
 

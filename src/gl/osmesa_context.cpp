@@ -28,7 +28,7 @@ constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 constexpr const char* remedy =
-    "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
+    "install OSMesa: apt-get install libosmesa6; Mesa 25.1 and newer no longer include it; "
     "draws through EGL";
 
 [[noreturn]] void fail(const std::string& why) {
@@ -55,7 +55,7 @@ class OsmesaContext final : public Context {
                                     3,
                                     0};
     handle_ = create_(attributes.data(), nullptr);
-    if (handle_ == nullptr) fail("it cannot make an OpenGL 3.3 core profile context");
+    if (handle_ == nullptr) fail("it cannot create an OpenGL 3.3 core profile context");
     if (make_current_(handle_, pixels_.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
       destroy_(handle_);
       throw GlError("OSMesa", "its context could not be made current");

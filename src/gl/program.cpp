@@ -47,7 +47,7 @@ std::string named_line(std::string_view line, std::span<const ShaderFile> files)
   if (after_source.ec != std::errc() || after_source.ptr == end) return std::string(line);
   const auto after_number = std::from_chars(after_source.ptr + 1, end, number);
   if (after_number.ec != std::errc()) return std::string(line);
-  number -= 1;  // the version line
+  number -= 1;  // The version line.
   for (const ShaderFile& file : files) {
     const int lines = line_count(file);
     if (number <= lines)

@@ -27,8 +27,8 @@ constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.
 /// from thread to thread and from run to run.
 constexpr std::size_t stored_size = 16;
 
-/// What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC 1951,
-/// 3.2.4), and an empty one ends the band.
+/// The largest size of a compressed band: incompressible data is stored in blocks of at most 65535
+/// bytes with 5 bytes of header each (RFC 1951, 3.2.4), followed by an empty block.
 std::size_t most_compressed(std::size_t size) {
   return size + 5 * (size / 65535 + 3) + ISAL_DEF_MAX_HDR_SIZE;
 }

@@ -64,7 +64,7 @@ void Jacobi::expand_in_nome(double Kc, double a_prime) {
   // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi a/2K. Unlike alpha, p has a limit as q -> 0.
   const double p = std::exp(-pi * a_prime / K_), inverse = q > 0 ? q / p : 0;
   even_[0] = odd_[0] = cosine_[0] = 1;
-  double slope = 0, theta = 1;  // of Theta(u + i a) at u = 0
+  double slope = 0, theta = 1;  // Of Theta(u + i a) at u = 0.
   for (std::size_t n = 1; n < terms; ++n) {
     const double sign = n % 2 == 0 ? 1 : -1;
     const double growing = power(q, n * (2 * n - 1)) * power(p, n);
@@ -91,7 +91,7 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
 
   const double x = 0.5 * scale_ * (Kc - a_prime);  // pi a/4K'
   drift_ = -x / K_;
-  double slope = 0, theta = 0;  // of theta_2(x - i w, root) at w = 0
+  double slope = 0, theta = 0;  // Of theta_2(x - i w, root) at w = 0.
   for (std::size_t n = 0; n < terms; ++n) {
     const auto multiple = static_cast<double>(2 * n + 1);
     even_[n] = power(q, n * n - n);

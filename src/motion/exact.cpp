@@ -51,8 +51,8 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 }  // namespace
 
 ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
-  // A unit of mass by which the greatest moment is 1 or so: squares of them neither overflow nor
-  // underflow. A power of two, so that nothing is rounded.
+  // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
+  // nor underflow. It is a power of two, so that nothing is rounded.
   const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
   const PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
   const Vector3d momentum = unit * body.momentum(), m = principal.axes.transpose() * momentum;

@@ -6,8 +6,8 @@
 
 namespace twrench {
 
-/// A rigid body that turns freely: eq. (19)-(20) with its constants. Body axes are any axes fixed
-/// in the body; the inertia need not be diagonal in them.
+/// A free rigid body with its initial condition: the constants of eq. (19)-(20). Body axes are any
+/// axes fixed in the body; the inertia matrix need not be diagonal in them.
 class FreeBody {
  public:
   /// The body with X(0) = Id, `inertia` (body axes, g cm^2) and the angular velocity `omega` (body
@@ -16,8 +16,8 @@ class FreeBody {
   /// that of one number, the least moment or a component of omega.
   FreeBody(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
 
-  const Eigen::Matrix3d& inertia() const { return inertia_; }  ///< I, body axes, g cm^2
-  const Eigen::Matrix3d& inverse() const { return inverse_; }  ///< I^-1
+  const Eigen::Matrix3d& inertia() const { return inertia_; }  ///< I in body axes, g cm^2.
+  const Eigen::Matrix3d& inverse() const { return inverse_; }  ///< I^-1.
   const Eigen::Vector3d& momentum() const {
     return momentum_;
   }  ///< L = I omega, eq. (12), in space
@@ -25,7 +25,8 @@ class FreeBody {
   /// At t = 0, body axes, rad/s; as it was given, where L is I omega rounded: close to the
   /// separatrix that tells.
   const Eigen::Vector3d& omega() const { return omega_; }
-  const PrincipalAxes& principal() const { return principal_; }  ///< of the inertia
+  /// Principal moments and axes of the inertia matrix.
+  const PrincipalAxes& principal() const { return principal_; }
 
  private:
   Eigen::Matrix3d inertia_;

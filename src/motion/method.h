@@ -16,9 +16,9 @@ using Row = std::array<double, 6>;
 struct Tableau {
   int stages;
   int order;             ///< in a linear space, of what is carried on; p in the step control
-  std::array<Row, 6> a;  ///< row k holds a_k1 .. a_k(k-1)
-  Row weights;           ///< of the value that is carried on
-  Row embedded{};        ///< of the value held against it for the error estimate
+  std::array<Row, 6> a;  ///< Row k holds a_k1 to a_k(k-1).
+  Row weights;           ///< Weights of the solution that is carried on.
+  Row embedded{};        ///< Weights of the solution that the error estimate compares with it.
   bool embedded_pair = false;
 };
 
@@ -88,14 +88,16 @@ struct Method {
   Scheme scheme;
   std::optional<int> order;  ///< observed on SO(3), which may be less than the tableau's own; none
                              ///< for the closed form, whose error knows no step
-  bool conserves_energy;     ///< to round-off, whatever the step (`taylor`: to a tolerance of 1e-8)
-  bool reversible;           ///< a step of -h undoes a step of h, to round-off
-  std::string_view source;   ///< where the specification or the literature prints it
-  std::string_view summary;  ///< one line for people
+  /// Whether the energy is conserved to round-off for every step size (`taylor`: up to a tolerance
+  /// of 1e-8).
+  bool conserves_energy;
+  bool reversible;           ///< Whether a step of -h undoes a step of h, to round-off.
+  std::string_view source;   ///< Where the specification or the literature defines it.
+  std::string_view summary;  ///< One-line description for users.
 
   /// It is the solution itself, without steps.
   bool exact() const;
-  /// It chooses its own steps.
+  /// Returns whether the method chooses its own step sizes.
   bool adaptive() const;
   /// Returns whether the method leaves SO(3).
   bool linear() const;

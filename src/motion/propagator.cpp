@@ -19,15 +19,16 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// Sauer's step control, Numerical Analysis, section 6.5. The factor's bounds are the usual ones:
-// an estimate that happens to vanish must not let the step run away, nor one bad step kill it.
+// Sauer's step-size control, Numerical Analysis, section 6.5, with the usual bounds on the factor:
+// an estimate that happens to vanish must not make the step grow without limit, nor one bad step
+// make it collapse.
 constexpr double safety = 0.8;
 constexpr double least_factor = 0.2;
 constexpr double largest_factor = 5.0;
 
-// Of a turn of the body: no adaptive step is longer. Where omega is constant the estimate vanishes
-// and would allow any step, though none beyond a turn can be told from a shorter one; dexpinv is
-// singular at a whole turn.
+// Maximum length of an adaptive step in revolutions of the body. For constant omega the estimate
+// vanishes and would allow any step, but a step beyond one revolution cannot be distinguished from
+// a shorter one; dexpinv is singular at a full revolution.
 constexpr double longest_part = 0.9;
 
 MotionError failure(const Method& method, MotionError::Reason reason, const std::string& why) {
@@ -54,7 +55,7 @@ void require_ahead(double t, double start, double sign) {
   throw UsageError("t", fmt::format("is {} s, before the step that begins at {} s", t, start));
 }
 
-/// Walks along the method's own steps t_0 = 0, t_1, ... in the direction of `sign`.
+/// Advances through the method's accepted steps t_0 = 0, t_1, ... in the direction of `sign`.
 class StepPropagator final : public Propagator {
  public:
   StepPropagator(const FreeBody& body, const Method& method, const StepControl& control,
@@ -81,7 +82,7 @@ class StepPropagator final : public Propagator {
   std::int64_t evaluations() const override { return evaluations_; }
 
  private:
-  /// Moves to the next of the method's own steps.
+  /// Advances to the next accepted step.
   void advance() {
     X_ = X_next_;
     t_ = t_next_;
@@ -91,7 +92,7 @@ class StepPropagator final : public Propagator {
     t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
   }
 
-  /// The end of a step of that very length from t_k.
+  /// Returns the end of a step of exactly that length from t_k.
   Matrix3d fixed_step(double length) {
     if (std::abs(length) > a_turn_) {
       throw failure(method_, MotionError::Reason::step_too_long,
@@ -115,7 +116,7 @@ class StepPropagator final : public Propagator {
     for (int attempt = 0;; ++attempt) {
       if (attempt > 0 && ++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
       const double t_end = t_ + length;
-      length = t_end - t_;  // as t can hold it, so that no time is lost to rounding
+      length = t_end - t_;  // As t can represent it, so that no time is lost to rounding.
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
         throw underflow(method_, control_, t_);
       const Step step = take_step(body_, method_, X_, length);
@@ -134,7 +135,7 @@ class StepPropagator final : public Propagator {
     }
   }
 
-  /// Of a method that leaves SO(3): beyond that bound, what is computed of X would overflow.
+  /// For a method that leaves SO(3): beyond this bound, quantities computed from X would overflow.
   void require_sane(const Sample& sample) const {
     constexpr double bound = 1e50;
     if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
@@ -153,7 +154,7 @@ class StepPropagator final : public Propagator {
   std::int64_t steps_ = 0;
   std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
-  double error_ = 0.0;  ///< E of the step from t_ to t_next_
+  double error_ = 0.0;  ///< E of the step from t_ to t_next_.
   Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
 };
 

@@ -8,24 +8,28 @@
 
 namespace twrench {
 
-/// The least tolerance that makes sense: the estimate E of a step is a difference of two rotations,
-/// each known to a few 1e-16.
+/// The smallest meaningful tolerance: the error estimate E of a step is a difference of two
+/// rotations, each known to a few 1e-16.
 inline constexpr double least_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
-  double step = 0.01;  ///< s: the step of a fixed-step method, the first of an adaptive one, if
-                       ///< that is shorter than 0.9 of a turn of the body
-  double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
-  std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
+  /// Step size in s of a fixed-step method; initial step size of an adaptive one, limited to 0.9 of
+  /// a revolution of the body.
+  double step = 0.01;
+  /// Error tolerance of adaptive methods: the bound on the estimate E of each step.
+  double tolerance = 1e-10;
+  /// Maximum number of steps of a trajectory, so that a mistake ends with an error instead of
+  /// hanging.
+  std::int64_t max_steps = 50'000'000;
 };
 
-/// A step that a method takes by itself.
+/// An accepted step of a method.
 struct OwnStep {
   double t;                       ///< s, where it begins
   double length;                  ///< s
   Eigen::Matrix3d before, after;  ///< X at both ends
-  double error;                   ///< E of an adaptive method; else 0
+  double error;                   ///< Error estimate E of an adaptive method; otherwise 0.
 };
 
 /// Goes along a motion from t = 0, in the way that its method has: by steps, from series to series,

@@ -103,7 +103,7 @@ Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d&
       change = (next - m1).norm();
       m1 = next;
       ++evaluations;
-      if (change >= before && change <= 1e-14 * m0.norm()) break;  // only round-off is left
+      if (change >= before && change <= 1e-14 * m0.norm()) break;  // Only round-off is left.
     }
     if (!(change <= 1e-14 * m0.norm())) return {X, infinite, evaluations};
     m0 = m1;

@@ -9,7 +9,7 @@
 
 namespace twrench {
 
-/// A motion, and what it cost.
+/// A sampled motion and its cost.
 struct Trajectory {
   /// Samples in the order of the requested times.
   std::vector<Sample> samples;

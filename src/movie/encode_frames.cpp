@@ -52,8 +52,8 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
   const auto png = read_regular_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
     throw FramesError("cannot use " + path.string(),
-                      "it is not the file that the manifest tells of", FramesError::Reason::altered,
-                      {record.frame});
+                      "it is not the file that the manifest describes",
+                      FramesError::Reason::altered, {record.frame});
   }
   Image image = decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {

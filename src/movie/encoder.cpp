@@ -27,8 +27,8 @@ namespace {
 std::string rational(double fps) {
   constexpr double largest = 1e6;
   if (!(fps >= 1e-3 && fps <= 1e3)) {
-    throw OutOfRange(fmt::format("fps {}", fps), "a film has 0.001 to 1000 frames per second",
-                     {fps, 1e-3, 1e3});
+    throw OutOfRange(fmt::format("fps {}", fps),
+                     "a video must have 0.001 to 1000 frames per second", {fps, 1e-3, 1e3});
   }
   double p = 1, q = 0, p_before = 0, q_before = 1, rest = fps;
   while (true) {
@@ -114,9 +114,9 @@ constexpr const char* conversion =
 std::vector<std::string> encoder_arguments(const VideoFormat& format) {
   const auto& [width, height, fps, container, transparent, streamed] = format;
   if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0) {
-    throw FilmSizeError(fmt::format("a film of {}x{}", width, height),
-                        "films need an even width and height", std::max(2, width + width % 2),
-                        std::max(2, height + height % 2));
+    throw FilmSizeError(fmt::format("a video of {}x{}", width, height),
+                        "the width and height of a video must be even",
+                        std::max(2, width + width % 2), std::max(2, height + height % 2));
   }
   // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders tag a video as its
   // frames are tagged, whatever the output options say.
@@ -142,7 +142,7 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
-        "ffmpeg cannot make the film", failure(ffmpeg, status),
+        "ffmpeg cannot encode the video", failure(ffmpeg, status),
         "choose a smaller size, or install one that has libx264, libvpx and prores_ks: apt-get "
         "install ffmpeg");
   }

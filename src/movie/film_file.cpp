@@ -84,8 +84,8 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   if (!stands) return;
   const auto comment = ask(file, {}, &comment_of);
   if (comment == identity) return;
-  throw OverwriteError(
-      file.string(), comment ? "it is there, and is another film" : "it is there, and is no film");
+  throw OverwriteError(file.string(), comment ? "it exists and is a video of something else"
+                                              : "it exists and is not a video");
 }
 
 }  // namespace twrench

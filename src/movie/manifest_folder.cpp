@@ -94,7 +94,7 @@ Manifest read_manifests(const fs::path& folder) {
   const std::vector<fs::path> paths = manifests_in(folder);
   if (paths.empty()) {
     throw FramesError("cannot use " + folder.string(),
-                      fs::exists(folder) ? "it has no manifest.json, nor those of shards"
+                      fs::exists(folder) ? "it contains neither manifest.json nor shard manifests"
                                          : "there is no such folder",
                       FramesError::Reason::no_manifest);
   }

@@ -46,7 +46,7 @@ void add_stars(Image& image, int count) {
   for (int i = 0; i < count; ++i) {
     const double x = uniform() * image.width;
     const double y = uniform() * image.height;
-    const double brightness = std::pow(uniform(), 5.0);  // few are bright
+    const double brightness = std::pow(uniform(), 5.0);  // Few are bright.
     const double true_radius = image.height / 1080.0 * (0.75 + 0.6 * brightness);
     const double radius = std::max(0.8, true_radius);
     // A star drawn wider than its true size is fainter.

@@ -58,7 +58,7 @@ class BodyPass {
 
   const gl::Functions* gl_;
   Mesh mesh_;
-  std::vector<std::size_t> side_begins_;          // in the mesh's indices
+  std::vector<std::size_t> side_begins_;          // In the mesh's indices.
   std::vector<std::vector<Capsule>> neighbours_;  // occluders of each part
   std::size_t neighbour_count_;                   // largest number of occluders of a part
   std::vector<float> part_radii_;                 // in stage coordinates

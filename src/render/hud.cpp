@@ -57,7 +57,7 @@ class Figures {
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
     throw MissingGlyph("title",
-                       fmt::format("has the character U+{:04X}, which the font lacks",
+                       fmt::format("contains the character U+{:04X}, which the font lacks",
                                    static_cast<std::uint32_t>(*missing)),
                        *missing);
   }

@@ -30,8 +30,8 @@ Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omeg
   const double rate = check(coordinate, what, omega).stableNorm();
   if (rate == 0 || rate >= slowest_rotation) return omega;
   throw OutOfRange(what,
-                   fmt::format("is {:.6g} rad/s in all, but must be zero or at least {:.6g}", rate,
-                               slowest_rotation),
+                   fmt::format("has magnitude {:.6g} rad/s, but must be zero or at least {:.6g}",
+                               rate, slowest_rotation),
                    {rate, slowest_rotation, coordinate.high});
 }
 
@@ -46,8 +46,7 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
 
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
-  throw OutOfRange(what,
-                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()),
+  throw OutOfRange(what, fmt::format("is {}, but must be an integer, {}", value, limit.describe()),
                    {value, limit.low, limit.high});
 }
 

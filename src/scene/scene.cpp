@@ -16,7 +16,7 @@ int Scene::frame_count() const {
     throw OutOfRange(
         "film",
         fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::most_frames),
-        {frames, 1, limits::most_frames}, "change the duration, the frames a second or the speed");
+        {frames, 1, limits::most_frames}, "change the duration, the frame rate or the speed");
   }
   return static_cast<int>(frames);
 }

@@ -58,8 +58,8 @@ std::string runs_text(const Study& study) {
       "energy", "X^T X-Id", "momentum", "flips", "flip err, s", "evaluations", "CPU, ms");
   for (const MethodStudy& m : study.methods) {
     const std::string order =
-        m.order ? fmt::format("order {:.2f} seen", *m.order) : "no order seen";
-    text += m.method->exact() ? "exact: what the others are held against\n"
+        m.order ? fmt::format("observed order {:.2f}", *m.order) : "no observed order";
+    text += m.method->exact() ? "exact: the reference for the other methods\n"
                               : fmt::format("{}: {}\n", m.method->name, order);
     for (const StudyRun& run : m.runs) text += run_line(study, run, !m.method->exact());
   }

@@ -136,7 +136,7 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
 }  // namespace
 
 Study study(const FreeBody& body, const StudyPlan& plan) {
-  constexpr int steepest = 8;  // a slope beyond it has no room above round-off
+  constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
   require_positive("duration", plan.duration);
   if (plan.steps.empty()) throw UsageError("steps", "there must be one at least");
   const ExactMotion motion(body);

@@ -9,7 +9,7 @@
 namespace twrench {
 namespace {
 
-constexpr int whole_intervals = 1200;  // finer than a curve across a wide panel can show
+constexpr int whole_intervals = 1200;  // Finer than a curve across a wide panel can show.
 
 /// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
 /// 2000.

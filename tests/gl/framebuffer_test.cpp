@@ -70,7 +70,8 @@ TEST_F(FramebufferTest, RefusesMoreSamplesThanThereAre) {
   } catch (const OutOfRange& error) {
     EXPECT_EQ(error.value(), 1024);
     EXPECT_GE(error.greatest(), 1);
-    EXPECT_THAT(error.what(), HasSubstr("samples 1024: this OpenGL takes at most"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("samples 1024: this OpenGL implementation supports at most"));
     EXPECT_THAT(error.remedy(), HasSubstr("samples or fewer"));
   }
 }

@@ -58,7 +58,7 @@ TEST_P(Conservation, OrthogonalityAndMomentumUnlessLinear) {
 }
 
 TEST_P(Conservation, ReversibleWhereClaimedAndOnlyThere) {
-  const double h = GetParam().order.value_or(0) > 4 ? 2 : 0.2;  // where it has an error to see
+  const double h = GetParam().order.value_or(0) > 4 ? 2 : 0.2;  // where it has a visible error
   const Matrix3d X = take_step(body_, GetParam(), Matrix3d::Identity(), h).X;
   const Matrix3d back = take_step(body_, GetParam(), X, -h).X;
   const double missed = (back - Matrix3d::Identity()).norm();

@@ -30,7 +30,7 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const Method& method = GetParam();
   if (method.exact()) GTEST_SKIP() << "no step, no order";
   if (*method.order > 4) GTEST_SKIP() << "no slope over so many steps; see TaylorOrder";
-  // From where the slope is asymptotic, to where round-off flattens it.
+  // From where the slope is asymptotic to where round-off flattens it.
   const int coarsest = method.order == 1 ? 6400 : 800;
   constexpr double round_off = 1e-12;
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -45,8 +45,8 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   RecordProperty("slope", std::to_string(slope));
   std::printf("%s: order %.3f\n", std::string(method.name).c_str(), slope);
-  // Above the order by as much as the next term of the error still weighs (Fehlberg's first is
-  // small), below it not at all.
+  // The slope exceeds the order by the weight of the next error term (Fehlberg's first is small),
+  // and is not below it.
   EXPECT_GT(slope, *method.order - 0.1);
   EXPECT_LT(slope, *method.order + 0.3);
 }

@@ -220,7 +220,7 @@ std::string refusal_of(const Scene& scene) {
 
 TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
   Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
-  EXPECT_EQ(refusal_of(scene), "title: has the character U+E123, which the font lacks");
+  EXPECT_EQ(refusal_of(scene), "title: contains the character U+E123, which the font lacks");
   scene.title = "e\u0301 \u0628";
   EXPECT_EQ(refusal_of(scene), "title: has the character U+0628, which the font lacks");
   scene.title = "";

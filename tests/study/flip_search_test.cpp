@@ -50,7 +50,7 @@ TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
 }
 
 TEST(FlipSearch, DoesNotCountTheStart) {
-  // omega along the intermediate axis is zero at t = 0 and positive after it.
+  // omega along the intermediate axis is zero at t = 0 and positive afterwards.
   const FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
   const std::vector<double> predicted = ExactMotion(body).flip_times(30);
   const std::vector<double> seen = flips_seen(body, "exact", 0.01, 30);

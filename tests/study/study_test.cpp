@@ -24,7 +24,7 @@ TEST(Study, SeesTheOrderOfEveryMethod) {
   plan.tolerances = tolerance_ladder();
   for (const Method& method : methods()) plan.methods.push_back(&method);
   for (const MethodStudy& m : study(wrench(), plan).methods) {
-    if (m.method->order.value_or(9) > 8) {  // none, or too steep to be seen
+    if (m.method->order.value_or(9) > 8) {  // none, or too steep to measure
       EXPECT_FALSE(m.order);
       continue;
     }
