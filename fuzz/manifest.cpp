@@ -1,5 +1,5 @@
 // Manifests: what --resume and encode read.
-#include "movie/manifest.h"
+#include "video/manifest.h"
 
 #include <string_view>
 

@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "movie/frame_range.h"
-#include "movie/shard.h"
 #include "target.h"
+#include "video/frame_range.h"
+#include "video/shard.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace twrench;
@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Shard shard = parse_shard(text);
     require(parse_shard(format_shard(shard)) == shard, "a shard is read back");
     require(is_manifest_name(manifest_file_name(shard)), "its manifest is known by its name");
-  } catch (const UsageError&) {
+  } catch (const InvalidArgument&) {
   }
   constexpr int frame_count = 100'000;  // small, for many inputs per second
   try {
@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(std::ranges::adjacent_find(frames, std::greater_equal{}) == frames.end(), "ascending");
     require(frames.front() >= 0 && frames.back() < frame_count, "within the film");
     require(parse_frame_range(format_frame_range(frames), frame_count) == frames, "read back");
-  } catch (const UsageError&) {
+  } catch (const InvalidArgument&) {
   }
   return 0;
 }

@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     mass_properties(scene.body);
     visible_parts(scene.body);
     scene_json(scene).dump();
-  } catch (const UsageError&) {
+  } catch (const InvalidArgument&) {
   }
   return 0;
 }

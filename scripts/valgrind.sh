@@ -13,8 +13,8 @@ left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
 of_the_motion='*'
 programs=(
-  base_test math_test body_test motion_test study_test figure_test scene_test timeline_test
-  image_test canvas_test movie_test
+  base_test math_test body_test motion_test study_test plot_test scene_test timeline_test
+  image_test canvas_test video_test
 )
 if [[ ${1-} == --quick ]]; then
   shift

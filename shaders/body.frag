@@ -13,7 +13,7 @@ out vec4 color;
 // The environment BRDF, the fraction of uniform incoming radiance that is reflected towards the
 // eye: a fit to the integral of GGX, Smith and Schlick over the hemisphere (Karis, "Physically
 // Based Shading on Mobile", 2014).
-vec3 reflected_share(float n_v) {
+vec3 environment_brdf(float n_v) {
   vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
   float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
   vec2 scale_bias = vec2(-1.04, 1.04) * a + r.zw;
@@ -51,9 +51,9 @@ void main() {
 
   // An occluder shows the room's light, dimmed by one more reflection.
   float shade = shaded(place, mirrored, width_squared);
-  vec3 arriving_there = arriving(place, mirrored, width_squared);
-  vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);
-  vec3 light = reflected * reflected_share(n_v) + scattered(place, n);
-  light *= seam(place);
-  color = coverage * seam_coverage(place, to_eye, scale) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
+  vec3 incoming = incoming_radiance(place, mirrored, width_squared);
+  vec3 reflected = mix(incoming, 0.5 * reflectance * room(mirrored), shade);
+  vec3 light = reflected * environment_brdf(n_v) + scattered(place, n);
+  light *= contact_shadow(place);
+  color = coverage * contact_coverage(place, to_eye, scale) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
 }

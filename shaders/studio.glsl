@@ -15,7 +15,7 @@
 // the perpendicular from `place`, whose length is `away`. Everything is multiplied by `away`, and
 // the fractions of the two sides have a common denominator, because square roots and divisions
 // dominate the cost of a pixel.
-float light_share(int i, vec3 place, vec3 direction, float width_squared) {
+float area_light_integral(int i, vec3 place, vec3 direction, float width_squared) {
   vec3 across = light_across[i];
   vec3 along = light_along[i];
   vec3 outward = cross(across, along);
@@ -42,10 +42,10 @@ vec3 room(vec3 direction) {
 }
 
 // The incoming radiance at `place`, weighted by the lobe about `direction`.
-vec3 arriving(vec3 place, vec3 direction, float width_squared) {
+vec3 incoming_radiance(vec3 place, vec3 direction, float width_squared) {
   vec3 sum = room(direction);
   for (int i = 0; i < light_count; ++i) {
-    sum += light_radiance[i] * light_share(i, place, direction, width_squared);
+    sum += light_radiance[i] * area_light_integral(i, place, direction, width_squared);
   }
   return sum;
 }

@@ -267,7 +267,7 @@ class Trial {
     if (bound > 0.1 || units > 4e4) return;
     const std::array<double, 1> times{case_.t};
     const Sample other =
-        trajectory(body, find_method("taylor"), {.tolerance = 1e-15}, times).samples[0];
+        integrate(body, find_method("taylor"), {.tolerance = 1e-15}, times).samples[0];
     expect_within("X against taylor", (sample.X - other.X).norm(), bound);
   }
 
@@ -282,7 +282,7 @@ class Trial {
         .max_steps = 2000};
     const std::array<double, 1> times{std::clamp(case_.t, -1e9, 1e9)};
     try {
-      const Sample sample = trajectory(body, method, control, times).samples[0];
+      const Sample sample = integrate(body, method, control, times).samples[0];
       const Diagnostics d = diagnose(body, energy(body.inertia(), body.omega()), sample);
       const bool finite = sample.X.allFinite() && sample.omega.allFinite() &&
                           std::isfinite(d.energy) && std::isfinite(d.energy_drift) &&

@@ -255,7 +255,7 @@ void check(const Frame& frame, const Scene& scene) {
   require(image.channels == (scene.look.transparent ? 4 : 3) &&
               image.pixels.size() == image.row_bytes() * static_cast<std::size_t>(image.height),
           "the picture has other pixels than its size and channels say");
-  for (const auto& [x, y, width, height] : frame.changed) {
+  for (const auto& [x, y, width, height] : frame.damage) {
     require(x >= 0 && y >= 0 && width >= 0 && height >= 0 && x + width <= image.width &&
                 y + height <= image.height,
             "what has changed lies beyond the picture");
@@ -266,21 +266,21 @@ void check(const Frame& frame, const Scene& scene) {
 void draw(const Scene& scene, Dice& dice) {
   const auto opened = gl::open_context({});
   const Timeline timeline(scene, random_frames(dice, scene.frame_count()));
-  Renderer renderer(*opened.context, scene, timeline.takes());
+  Renderer renderer(*opened.context, scene, timeline.solutions());
   std::vector<std::vector<std::uint8_t>> drawn;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    Frame frame = renderer.draw(timeline.moment(i));
+    Frame frame = renderer.draw(timeline.frame_state(i));
     check(frame, scene);
     drawn.push_back(frame.image.pixels);
     if (i > 0) renderer.reuse(std::move(frame));
   }
-  StillBands bands;
+  StaticBands bands;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    Frame frame = renderer.draw(timeline.moment(i));
+    Frame frame = renderer.draw(timeline.frame_state(i));
     require(frame.image.pixels == drawn[i], "a frame is another when it is drawn again");
     if (i == 0) {
       require(scene.look.transparent ||
-                  encode_png(frame.image, {frame.changed, bands}) == encode_png(frame.image),
+                  encode_png(frame.image, {frame.damage, bands}) == encode_png(frame.image),
               "a frame's file depends on what is known of the frames beside it");
     }
     renderer.reuse(std::move(frame));
@@ -299,7 +299,7 @@ Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>
     return Outcome::drawn;
   } catch (const std::exception& error) {
     what = error.what();
-    const bool is_refusal = dynamic_cast<const UsageError*>(&error) != nullptr ||
+    const bool is_refusal = dynamic_cast<const InvalidArgument*>(&error) != nullptr ||
                             dynamic_cast<const MotionError*>(&error) != nullptr;
     if (is_refusal) {
       ++refusals[what.substr(0, what.find(':'))];

@@ -59,7 +59,8 @@ void run(const fs::path& folder, const std::vector<fs::path>& others) {
       images.push_back(read_png(other / entry.path().filename()));
       if (images.back().width * times != reference.width || images.back().channels != 3 ||
           images.back().height * times != reference.height || reference.channels != 3) {
-        throw UsageError(other.string(), "its frames are not a quarter of the reference's, RGB");
+        throw InvalidArgument(other.string(),
+                              "its frames are not a quarter of the reference's, RGB");
       }
     }
     for (int y = 0; y < reference.height / times; ++y) {

@@ -5,7 +5,7 @@
 #include "image/png.h"
 #include "image/yuv.h"
 #include "math/so3.h"
-#include "render/background.h"
+#include "render/look/background.h"
 #include "render/pose_renderer.h"
 
 namespace twrench {

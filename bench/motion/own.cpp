@@ -13,13 +13,13 @@ Candidate candidate(const Method& method) {
           [&method](const Problem& problem, double parameter) -> Eigen::Matrix3d {
             StepControl control{.step = 0.1};
             if (method.adaptive()) {
-              control.tolerance = std::max(parameter, least_tolerance);
+              control.tolerance = std::max(parameter, min_tolerance);
             } else {
               control.step = problem.t_end / parameter;
             }
             const double times[] = {problem.t_end};
             try {
-              return trajectory(problem.body, method, control, times).samples[0].X;
+              return integrate(problem.body, method, control, times).samples[0].X;
             } catch (const MotionError&) {  // a step too long for the method
               return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
             }

@@ -31,11 +31,11 @@ struct Sampler {
 Sampler own(const char* name) {
   return {fmt::format("twrench {}", name),
           [name](const Problem& problem, const std::vector<double>& times, double tolerance) {
-            const StepControl control{.tolerance = std::max(tolerance, least_tolerance)};
+            const StepControl control{.tolerance = std::max(tolerance, min_tolerance)};
             const Method& method = find_method(name);
             Attitudes result;
             result.reserve(times.size());
-            for (const Sample& s : trajectory(problem.body, method, control, times).samples) {
+            for (const Sample& s : integrate(problem.body, method, control, times).samples) {
               result.push_back(s.X);
             }
             return result;

@@ -39,7 +39,7 @@ double parse_number(const std::string& text, const std::string& what) {
   double value = 0.0;
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (error != std::errc{} || stop != end) {
-    throw UsageError(what, fmt::format("'{}' is not a number", text));
+    throw InvalidArgument(what, fmt::format("'{}' is not a number", text));
   }
   return value;
 }
@@ -51,13 +51,13 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& wh
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
   const std::vector<double> v = split_numbers(text, ',', what);
   if (v.size() == 3) return {v[0], v[1], v[2]};
-  throw UsageError(what, fmt::format("'{}' is not three numbers separated by commas", text));
+  throw InvalidArgument(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
   const std::vector<double> v = split_numbers(text, 'x', what);
   if (v.size() == 2) return {v[0], v[1]};
-  throw UsageError(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
+  throw InvalidArgument(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
 }
 
 std::function<std::string(const std::string&)> one_of(const std::string& what,

@@ -7,8 +7,8 @@
 
 namespace twrench {
 
-// Conversions of command-line arguments to values. Each throws UsageError about `what`, the option.
-// Numbers use '.' whatever the locale; the caller checks ranges.
+// Conversions of command-line arguments to values. Each throws InvalidArgument about `what`, the
+// option. Numbers use '.' whatever the locale; the caller checks ranges.
 
 /// Splits "A,B,..." into its words.
 std::vector<std::string> parse_words(const std::string& text);
@@ -20,7 +20,8 @@ Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
 /// Parses "WxH" without checking the values.
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 
-/// Returns a check for CLI::Option that the value is one of `names`; it throws UsageError if not.
+/// Returns a check for CLI::Option that the value is one of `names`; it throws InvalidArgument if
+/// not.
 std::function<std::string(const std::string&)> one_of(const std::string& what,
                                                       std::vector<std::string> names);
 

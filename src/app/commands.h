@@ -21,7 +21,8 @@ void add_scenes(CLI::App& app);
 /// Adds all commands and what they have in common.
 void add_commands(CLI::App& app, ExitCode& code);
 
-/// Throws UsageError, suggesting the nearest command, if `word` is neither an option nor a command.
+/// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a
+/// command.
 void require_known_command(const CLI::App& app, const std::string& word);
 
 }  // namespace twrench

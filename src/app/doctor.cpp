@@ -16,10 +16,10 @@
 #include "base/file.h"
 #include "base/processors.h"
 #include "canvas/font.h"
-#include "figure/gnuplot.h"
 #include "gl/backend.h"
-#include "movie/encoder.h"
-#include "movie/error.h"
+#include "plot/gnuplot.h"
+#include "video/encoder.h"
+#include "video/error.h"
 
 namespace twrench {
 namespace {
@@ -32,7 +32,7 @@ struct Finding {
   std::string why;     ///< why it is missing
   std::string remedy;  ///< how to provide it if it is missing
 
-  bool is_there() const { return !found.empty(); }
+  bool is_ready() const { return !found.empty(); }
 };
 
 /// Returns what `look` finds, or the Error that it throws.
@@ -57,10 +57,10 @@ std::vector<Finding> examine_backends() {
       return report.renderer;
     }));
   }
-  const auto usable = std::ranges::find_if(findings, &Finding::is_there);
+  const auto usable = std::ranges::find_if(findings, &Finding::is_ready);
   if (usable == findings.end()) return findings;
   for (Finding& finding : findings) {
-    if (!finding.is_there())
+    if (!finding.is_ready())
       finding.used_for += fmt::format("; not needed: {} is available", usable->name);
   }
   return findings;
@@ -93,10 +93,10 @@ struct Diagnosis {
   std::vector<Finding> others;
 
   ExitCode code() const {
-    const auto is_there = [](const Finding& finding) { return finding.is_there(); };
-    if (std::ranges::none_of(backends, is_there)) return ExitCode::no_gl;
-    if (!std::ranges::all_of(encoder, is_there)) return ExitCode::encoder;
-    return std::ranges::all_of(disk, is_there) ? ExitCode::done : ExitCode::file;
+    const auto is_ready = [](const Finding& finding) { return finding.is_ready(); };
+    if (std::ranges::none_of(backends, is_ready)) return ExitCode::no_gl;
+    if (!std::ranges::all_of(encoder, is_ready)) return ExitCode::encoder;
+    return std::ranges::all_of(disk, is_ready) ? ExitCode::done : ExitCode::file;
   }
 
   std::vector<Finding> all() const {
@@ -148,9 +148,9 @@ std::string as_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const Finding& finding : findings) {
     text += format_message("{:<{}}  {:<7}  {}\n", finding.name, width,
-                           finding.is_there() ? "found" : "missing",
-                           finding.is_there() ? finding.found : finding.why);
-    if (finding.is_there()) continue;
+                           finding.is_ready() ? "found" : "missing",
+                           finding.is_ready() ? finding.found : finding.why);
+    if (finding.is_ready()) continue;
     text += format_message("{:<{}}  used for {}\n", "", width + 9, finding.used_for);
     if (!finding.remedy.empty())
       text += format_message("{:<{}}  {}\n", "", width + 9, finding.remedy);
@@ -164,7 +164,7 @@ std::string as_json(const Diagnosis& diagnosis) {
   for (const Finding& finding : diagnosis.all()) {
     findings.push_back({{"name", finding.name},
                         {"used_for", finding.used_for},
-                        {"is_there", finding.is_there()},
+                        {"is_ready", finding.is_ready()},
                         {"found", finding.found},
                         {"why", finding.why},
                         {"remedy", finding.remedy}});

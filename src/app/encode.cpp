@@ -3,17 +3,17 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/film_options.h"
 #include "app/progress.h"
-#include "movie/encode_frames.h"
-#include "movie/frame_range.h"
+#include "app/video_options.h"
+#include "video/encode_frames.h"
+#include "video/frame_range.h"
 
 namespace twrench {
 namespace {
 
 struct Options {
   std::string folder;
-  FilmOptions film;
+  VideoOptions film;
   bool allow_missing = false;
   bool overwrite = false;
   std::string progress = "auto";
@@ -21,8 +21,8 @@ struct Options {
 
 void encode(const Options& options) {
   options.film.require_free_output(options.progress);
-  const FilmOutput output{options.film.output, options.film.container(options.film.output),
-                          options.overwrite};
+  const VideoOutput output{options.film.output, options.film.container(options.film.output),
+                           options.overwrite};
   Progress progress(options.progress);
   const std::vector<int> left_out = encode_frames(
       options.folder, output, options.allow_missing ? Missing::leave_out : Missing::refuse,

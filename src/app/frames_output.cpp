@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "movie/frame_range.h"
+#include "video/frame_range.h"
 
 namespace twrench {
 namespace {

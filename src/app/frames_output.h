@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "movie/earlier_run.h"
-#include "movie/frame_sequence.h"
+#include "video/earlier_run.h"
+#include "video/frame_sequence.h"
 
 namespace twrench {
 

@@ -94,8 +94,8 @@ class Pipeline {
       std::vector<std::uint8_t> png;
       {
         const Timed timed(times_.compress);
-        const auto& [image, is_new, changed] = *frame->picture;
-        png = changed ? encode_png(image, {*changed, still_bands_}) : encode_png(image);
+        const auto& [image, is_new, damage] = *frame->picture;
+        png = damage ? encode_png(image, {*damage, static_bands_}) : encode_png(image);
       }
       const Timed timed(times_.write);
       outputs_.sequence->write(*frame->record, png);
@@ -116,8 +116,8 @@ class Pipeline {
   }
 
   void convert(const Picture& picture) const {
-    if (picture.changed) {
-      outputs_.encoder->convert(picture.image, *picture.changed);
+    if (picture.damage) {
+      outputs_.encoder->convert(picture.image, *picture.damage);
     } else {
       outputs_.encoder->convert(picture.image);
     }
@@ -131,7 +131,7 @@ class Pipeline {
 
   const Outputs& outputs_;
   StageTimes& times_;
-  StillBands still_bands_;
+  StaticBands static_bands_;
   BoundedQueue<DrawnFrame> to_compress_;
   BoundedQueue<DrawnFrame> to_encode_{4};
   std::atomic_flag first_;

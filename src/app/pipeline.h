@@ -10,8 +10,8 @@
 #include "app/progress.h"
 #include "app/timing.h"
 #include "image/image.h"
-#include "movie/encoder.h"
-#include "movie/frame_sequence.h"
+#include "video/encoder.h"
+#include "video/frame_sequence.h"
 
 namespace twrench {
 
@@ -34,7 +34,7 @@ struct Picture {
   /// Whether it was drawn in this run.
   bool is_new = true;
   /// The damaged areas, relative to the video's static background; nothing if unknown.
-  std::optional<std::vector<Area>> changed = std::nullopt;
+  std::optional<std::vector<Area>> damage = std::nullopt;
 };
 
 /// How frames are drawn.

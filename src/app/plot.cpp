@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/scene_options.h"
-#include "figure/attitude_figure.h"
 #include "motion/exact.h"
 #include "motion/trajectory.h"
+#include "plot/attitude_plot.h"
 
 namespace twrench {
 namespace {
@@ -41,7 +41,7 @@ AttitudeCurve curve_of(const Scene& scene) {
   const Method& method = find_method(scene.motion.method);
   AttitudeCurve curve;
   curve.title = scene.title.empty() ? scene.name : scene.title;
-  curve.samples = trajectory(body, method, scene.motion.control, plot_times(scene)).samples;
+  curve.samples = integrate(body, method, scene.motion.control, plot_times(scene)).samples;
   const ExactMotion motion(body);
   const auto flips = motion.flips();
   if (flips && flips->swing > std::numbers::pi / 2) {
@@ -55,7 +55,7 @@ void plot(const Options& options) {
   require_gnuplot(options.output);
   std::vector<AttitudeCurve> curves;
   for (const Scene& scene : options.scenes.scenes()) curves.push_back(curve_of(scene));
-  draw_figure(options.output, options.overlay ? column_panels(curves) : nine_panels(curves));
+  draw_plot(options.output, options.overlay ? column_panels(curves) : nine_panels(curves));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
-#include "app/film_options.h"
 #include "app/frames_output.h"
 #include "app/message.h"
 #include "app/output_space.h"
@@ -19,6 +18,7 @@
 #include "app/pipeline.h"
 #include "app/scene_options.h"
 #include "app/version.h"
+#include "app/video_options.h"
 #include "base/file.h"
 #include "base/processors.h"
 #include "base/termination.h"
@@ -26,11 +26,11 @@
 #include "gl/backend.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
-#include "movie/film_file.h"
-#include "movie/frame_range.h"
 #include "render/renderer.h"
 #include "scene/scene_json.h"
 #include "timeline/timeline.h"
+#include "video/frame_range.h"
+#include "video/video_file.h"
 
 namespace twrench {
 namespace {
@@ -51,7 +51,7 @@ struct Options {
   explicit Options(CLI::App& command);
 
   SceneOptions scene;
-  FilmOptions film;
+  VideoOptions film;
   std::string frames_dir;
   std::string range;
   Shard shard;
@@ -128,11 +128,11 @@ int job_count(const std::string& text) {
 std::vector<FrameRecord> frame_records(const Timeline& timeline, const Renderer& renderer) {
   std::vector<FrameRecord> frames(timeline.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Moment moment = timeline.moment(i);
-    const Camera camera = renderer.camera(moment.film_time);
-    frames[i].frame = moment.frame;
-    frames[i].t = moment.instants.front().sample.t;
-    frames[i].X = row_major<9>(moment.instants.front().sample.X);
+    const FrameState state = timeline.frame_state(i);
+    const Camera camera = renderer.camera(state.video_time);
+    frames[i].frame = state.frame;
+    frames[i].t = state.solutions.front().sample.t;
+    frames[i].X = row_major<9>(state.solutions.front().sample.X);
     frames[i].view = row_major<16>(camera.view);
     frames[i].projection = row_major<16>(camera.projection);
   }
@@ -233,7 +233,7 @@ std::future<Picture> begin_picture(const FrameRecord& frame, FramesOutput* outpu
   if (!kept) {
     return std::async(std::launch::deferred, [begun = begin()]() mutable {
       Frame drawn = begun.get();
-      return Picture{std::move(drawn.image), true, std::move(drawn.changed)};
+      return Picture{std::move(drawn.image), true, std::move(drawn.damage)};
     });
   }
   return std::async(std::launch::deferred, [path = output->folder() / kept->file, has_video] {
@@ -264,16 +264,16 @@ Reuse reuse_of(const Options& options) {
 /// Throws if options contradict each other.
 void check(const Options& options) {
   if (options.no_video && options.no_frames) {
-    throw UsageError("render", "--no-video and --no-frames together leave nothing to write");
+    throw InvalidArgument("render", "--no-video and --no-frames together leave nothing to write");
   }
   if (options.no_video && !options.film.output.empty()) {
-    throw UsageError(
+    throw InvalidArgument(
         "render", "with --no-video or --shard, no video is written to --output",
         "once all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
   }
   if (!options.no_video) options.film.require_free_output(options.progress);
   if (options.backend.backend == gl::Backend::osmesa && options.backend.egl_device) {
-    throw UsageError("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
+    throw InvalidArgument("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
   }
 }
 
@@ -299,10 +299,10 @@ void render(const Options& options) {
     const Timed timed(times.pose);
     return Timeline(scene, numbers);
   }();
-  Renderer renderer(*opened.context, scene, timeline.takes());
+  Renderer renderer(*opened.context, scene, timeline.solutions());
   const std::vector<FrameRecord> frames = frame_records(timeline, renderer);
   const Manifest manifest = manifest_of(options, scene, renderer, asked);
-  const std::string identity = film_identity(manifest, numbers);
+  const std::string identity = video_identity(manifest, numbers);
   if (is_file && !options.overwrite) {
     require_replaceable(video_path(options, scene), identity);
   }
@@ -312,7 +312,7 @@ void render(const Options& options) {
   }
   if (!frames.empty()) {
     require_space(planned_output(options, scene, output ? &*output : nullptr, frames.size()),
-                  [&] { return renderer.draw(timeline.moment(0)).image; });
+                  [&] { return renderer.draw(timeline.frame_state(0)).image; });
   }
   const auto encoder = open_encoder(options, scene, identity, std::move(trial));
   FrameSequence* const sequence = output ? &output->open() : nullptr;
@@ -325,10 +325,10 @@ void render(const Options& options) {
   const auto begin = [&](const FrameRecord& frame) {
     const auto index = static_cast<std::size_t>(&frame - frames.data());
     return begin_picture(frame, output ? &*output : nullptr, encoder != nullptr,
-                         [&] { return renderer.begin(timeline.moment(index)); });
+                         [&] { return renderer.begin(timeline.frame_state(index)); });
   };
   const auto reuse = [&](Picture picture) {
-    if (picture.changed) renderer.reuse({std::move(picture.image), std::move(*picture.changed)});
+    if (picture.damage) renderer.reuse({std::move(picture.image), std::move(*picture.damage)});
   };
   run_pipeline(frames, {begin, renderer.frames_ahead(), reuse}, outputs, progress, times);
   if (sequence != nullptr) sequence->finish();

@@ -12,11 +12,11 @@
 #include "app/message.h"
 #include "base/file.h"
 #include "canvas/error.h"
-#include "figure/gnuplot.h"
 #include "gl/error.h"
 #include "motion/error.h"
-#include "movie/error.h"
-#include "movie/frame_range.h"
+#include "plot/gnuplot.h"
+#include "video/error.h"
+#include "video/frame_range.h"
 
 namespace twrench {
 namespace {
@@ -80,7 +80,7 @@ const Kind* as(const Error& error) {
 
 ExitCode exit_code_of(const Error& error) {
   if (as<gl::GlError>(error)) return ExitCode::no_gl;
-  if (as<EncoderError>(error) || as<FigureError>(error)) return ExitCode::encoder;
+  if (as<EncoderError>(error) || as<PlotError>(error)) return ExitCode::encoder;
   return as<FileError>(error) ? ExitCode::file : ExitCode::usage;
 }
 
@@ -128,7 +128,8 @@ std::string remedy_for(const Error& error) {
   }
   if (as<OverwriteError>(error)) return "--overwrite replaces it, --output names another";
   if (as<MissingGlyph>(error)) {
-    return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud none";
+    return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
+           "none";
   }
   return {};
 }

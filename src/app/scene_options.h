@@ -29,7 +29,7 @@ class SceneOptions {
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
-  /// Adds an option whose text changes the scene. `apply` throws UsageError about the option's
+  /// Adds an option whose text changes the scene. `apply` throws InvalidArgument about the option's
   /// name. Set the default_str of the result to the default shown in the help.
   CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
                    Override apply);
@@ -44,8 +44,8 @@ class SceneOptions {
   /// Adds only --inertia.
   void add_inertia_option();
 
-  /// Returns the scene with all overrides applied. Throws as load_scene() does, and UsageError.
-  /// Warns on standard error about moments that no real body has.
+  /// Returns the scene with all overrides applied. Throws as load_scene() does, and
+  /// InvalidArgument. Warns on standard error about moments that no real body has.
   Scene scene() const { return scenes().front(); }
 
   /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a

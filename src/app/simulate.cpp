@@ -32,11 +32,11 @@ class RegularTimes {
   explicit RegularTimes(const Scene& scene)
       : duration_(scene.motion.duration), fps_(scene.film.fps) {
     const double whole = std::floor(duration_ * fps_);
-    if (whole > limits::most_frames) {
-      throw UsageError("simulate",
-                       fmt::format("there would be {} samples, but at most {} are allowed", whole,
-                                   limits::most_frames),
-                       "use a shorter --duration, a lower --fps, or --times");
+    if (whole > limits::max_frames) {
+      throw InvalidArgument("simulate",
+                            fmt::format("there would be {} samples, but at most {} are allowed",
+                                        whole, limits::max_frames),
+                            "use a shorter --duration, a lower --fps, or --times");
     }
     regular_ = static_cast<std::size_t>(whole) + 1;
   }
@@ -130,7 +130,7 @@ void simulate(const Options& options) {
     visit_samples(body, method, scene.motion.control, times.size(), times, write);
   } else {
     const std::vector<double> times = times_asked_for(options);
-    std::ranges::for_each(trajectory(body, method, scene.motion.control, times).samples, write);
+    std::ranges::for_each(integrate(body, method, scene.motion.control, times).samples, write);
   }
   output.write(format.after);
   output.finish();

@@ -10,8 +10,8 @@
 #include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
-#include "figure/gnuplot.h"
-#include "figure/study_figure.h"
+#include "plot/gnuplot.h"
+#include "plot/study_plot.h"
 #include "study/ladder.h"
 #include "study/report.h"
 
@@ -129,13 +129,13 @@ ExitCode run_study(const Options& options) {
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
   if (!options.plot.empty() && std::ranges::all_of(plan.methods, &Method::exact)) {
-    throw UsageError("--plot", "the exact method alone has no steps to plot");
+    throw InvalidArgument("--plot", "the exact method alone has no steps to plot");
   }
   const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const Study result = study(body, plan);
+  const Study result = run_study(body, plan);
   Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result, scene));
-  if (!options.plot.empty()) draw_figure(options.plot, study_figure(result));
+  if (!options.plot.empty()) draw_plot(options.plot, study_plot(result));
   output.finish();
   return verdict(result, bounds);
 }

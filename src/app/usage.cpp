@@ -28,7 +28,8 @@ std::string see_help(const CLI::App& app, const CLI::App& command) {
   return fmt::format("see twrench {}--help", &command == &app ? "" : command.get_name() + " ");
 }
 
-UsageError unknown_word(const CLI::App& app, const CLI::App& command, const std::string& word) {
+InvalidArgument unknown_word(const CLI::App& app, const CLI::App& command,
+                             const std::string& word) {
   const std::string help = see_help(app, command);
   if (!word.starts_with("-")) {
     return {subject(app, command), fmt::format("unexpected argument '{}'", word), help};
@@ -44,7 +45,7 @@ UsageError unknown_word(const CLI::App& app, const CLI::App& command, const std:
           meant ? fmt::format("did you mean '{}'? {}", *meant, help) : help};
 }
 
-UsageError missing_command(const CLI::App& app) {
+InvalidArgument missing_command(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : all_commands(app)) names.push_back(command->get_name());
   return {subject(app, app), "no command was given",
@@ -93,14 +94,14 @@ void refuse_empty_values(CLI::App& app) {
       if (name == "--title") continue;
       option->check([name](const std::string& value) -> std::string {
         if (value.empty())
-          throw UsageError(name, "its value is empty", "give a value, or omit the option");
+          throw InvalidArgument(name, "its value is empty", "give a value, or omit the option");
         return {};
       });
     }
   }
 }
 
-UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
+InvalidArgument usage_error(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<std::string> unknown = app.remaining(true);
   std::erase(unknown, "--");
   const auto given = app.get_subcommands();

@@ -18,6 +18,6 @@ void refuse_empty_values(CLI::App& app);
 
 /// Returns our error message for a command line that `app` could not parse, independently of the
 /// CLI11 release; suggests the nearest option for an unknown one.
-UsageError usage_error(const CLI::App& app, const CLI::ParseError& error);
+InvalidArgument usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace twrench

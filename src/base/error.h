@@ -23,9 +23,9 @@ class Error : public std::runtime_error {
 };
 
 /// A value that is not allowed, or a name that nothing has.
-class UsageError : public Error {
+class InvalidArgument : public Error {
  public:
-  UsageError(const std::string& quantity, const std::string& why, std::string remedy = {})
+  InvalidArgument(const std::string& quantity, const std::string& why, std::string remedy = {})
       : Error(quantity, why, std::move(remedy)), quantity_(quantity) {}
 
   /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
@@ -36,7 +36,7 @@ class UsageError : public Error {
 };
 
 /// A number outside its bounds.
-class OutOfRange : public UsageError {
+class OutOfRange : public InvalidArgument {
  public:
   /// What a number is, and what it may be, the bounds included unless the message says otherwise.
   struct Range {
@@ -46,7 +46,7 @@ class OutOfRange : public UsageError {
 
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
              std::string remedy = {})
-      : UsageError(quantity, why, std::move(remedy)), range_(range) {}
+      : InvalidArgument(quantity, why, std::move(remedy)), range_(range) {}
 
   double value() const noexcept { return range_.value; }
   double least() const noexcept { return range_.least; }

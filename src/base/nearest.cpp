@@ -54,8 +54,8 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
   return best;
 }
 
-UsageError unknown_name(const std::string& what, std::string_view name,
-                        std::span<const std::string> candidates) {
+InvalidArgument unknown_name(const std::string& what, std::string_view name,
+                             std::span<const std::string> candidates) {
   std::string remedy = fmt::format("one of: {}", fmt::join(candidates, ", "));
   if (const auto meant = nearest(name, candidates)) {
     remedy = fmt::format("did you mean '{}'? {}", *meant, remedy);

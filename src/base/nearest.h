@@ -16,7 +16,7 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
 
 /// Returns the error for a `name` that is not among `candidates`: "WHAT: unknown name 'NAME'", with
 /// the nearest one suggested and all of them listed.
-UsageError unknown_name(const std::string& what, std::string_view name,
-                        std::span<const std::string> candidates);
+InvalidArgument unknown_name(const std::string& what, std::string_view name,
+                             std::span<const std::string> candidates);
 
 }  // namespace twrench

@@ -52,25 +52,26 @@ void check(const Part& part) {
   constexpr double round_off = 1e-9;
   const Matrix3d& R = part.body_from_part;
   if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
-    throw UsageError("body_from_part", "must be a proper rotation");
+    throw InvalidArgument("body_from_part", "must be a proper rotation");
   }
 }
 
 /// Throws unless it is finite and, to round-off, symmetric.
 void check(const Matrix3d& inertia) {
   constexpr double round_off = 1e-12;
-  if (!inertia.allFinite()) throw UsageError("inertia", "must be finite");
+  if (!inertia.allFinite()) throw InvalidArgument("inertia", "must be finite");
   const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
   if (asymmetry <= round_off * inertia.cwiseAbs().maxCoeff()) return;
-  throw UsageError("inertia", fmt::format("must be symmetric, but two entries that should be equal "
-                                          "are {} apart",
-                                          asymmetry));
+  throw InvalidArgument("inertia",
+                        fmt::format("must be symmetric, but two entries that should be equal "
+                                    "are {} apart",
+                                    asymmetry));
 }
 
 }  // namespace
 
 MassProperties mass_properties(std::span<const Part> parts) {
-  if (parts.empty()) throw UsageError("parts", "there must be one at least");
+  if (parts.empty()) throw InvalidArgument("parts", "there must be one at least");
   for (const Part& part : parts) check(part);
   MassProperties body{};
   body.centre_of_mass.setZero();
@@ -88,7 +89,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
                     point_inertia(mass, part.position - body.centre_of_mass);
   }
   if (!body.inertia.allFinite()) {
-    throw UsageError("parts", "their inertia is beyond what double precision holds");
+    throw InvalidArgument("parts", "their inertia is beyond what double precision holds");
   }
   const PrincipalAxes principal = principal_axes(body.inertia);
   body.moments = principal.moments;

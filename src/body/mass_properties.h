@@ -23,16 +23,16 @@ struct MassProperties {
 };
 
 /// Mass, centre of mass and inertia of the parts together, by the parallel-axis theorem. Throws
-/// UsageError about "parts" where there are none, or so large that their inertia overflows; about
-/// "body_from_part" unless that is a rotation; and OutOfRange about a density or a length that is
-/// not positive, or a position that is not finite.
+/// InvalidArgument about "parts" where there are none, or so large that their inertia overflows;
+/// about "body_from_part" unless that is a rotation; and OutOfRange about a density or a length
+/// that is not positive, or a position that is not finite.
 MassProperties mass_properties(std::span<const Part> parts);
 
 /// Principal moments, ascending, and axes of a symmetric `inertia`. The axes form a proper
 /// rotation with a deterministic choice of sign: each of the first two has its component of
 /// largest magnitude positive (the first such on a tie). A matrix that is already diagonal gives
-/// a signed permutation, exactly. Throws UsageError about "inertia" unless that is finite and, to
-/// round-off, symmetric.
+/// a signed permutation, exactly. Throws InvalidArgument about "inertia" unless that is finite and,
+/// to round-off, symmetric.
 struct PrincipalAxes {
   Eigen::Vector3d moments;
   Eigen::Matrix3d axes;  ///< Rotation body_from_principal; its columns are the axes.

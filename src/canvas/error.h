@@ -5,10 +5,10 @@
 namespace twrench {
 
 /// A text has a character that the font lacks.
-class MissingGlyph : public UsageError {
+class MissingGlyph : public InvalidArgument {
  public:
   MissingGlyph(const std::string& quantity, const std::string& why, char32_t character)
-      : UsageError(quantity, why), character_(character) {}
+      : InvalidArgument(quantity, why), character_(character) {}
 
   char32_t character() const noexcept { return character_; }
 

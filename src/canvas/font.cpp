@@ -31,12 +31,12 @@ void require_characters(const Font& font, const std::string& what) {
     const unsigned glyph = font.glyph(character);
     const auto code = static_cast<std::uint32_t>(character);
     if (glyph == 0) {
-      throw UsageError(
+      throw InvalidArgument(
           what, fmt::format("lacks the character U+{:04X}", code),
           "choose a font with the Latin alphabet, mathematical signs and Greek letters");
     }
     if (!font.can_draw(glyph)) {
-      throw UsageError(
+      throw InvalidArgument(
           what, fmt::format("is a damaged font: its character U+{:04X} cannot be read", code));
     }
   }
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> read_font(const std::string& path) {
   try {
     return read_file(path, largest_file);
   } catch (const FileError& error) {
-    throw UsageError("font", error.what(), error.remedy());
+    throw InvalidArgument("font", error.what(), error.remedy());
   }
 }
 

@@ -18,7 +18,7 @@ namespace twrench {
 class Font {
  public:
   /// From the bytes of a TrueType or OpenType file, or of a collection, of which it is the first.
-  /// Throws UsageError about `what` for anything else, for a damaged file, and for a font that
+  /// Throws InvalidArgument about `what` for anything else, for a damaged file, and for a font that
   /// lacks a character of this program's own text.
   Font(std::vector<std::uint8_t> file, const std::string& what);
 
@@ -63,8 +63,8 @@ struct Typeface {
 };
 
 /// "sans" and "mono", which are built in, or the file of that path, of which both fonts are then
-/// made. Throws UsageError about "font" for an unknown name, a file that cannot be read, and as
-/// Font does.
+/// made. Throws InvalidArgument about "font" for an unknown name, a file that cannot be read, and
+/// as Font does.
 Typeface load_typeface(const std::string& name_or_path);
 
 /// The SHA-256 of the bytes of both its fonts: two files of one name are told apart by it.

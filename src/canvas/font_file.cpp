@@ -47,10 +47,10 @@ bool has_character_map(FT_Face face) {
 void require_usable(const OpenedFace& opened, hb_font_t* shaper, const std::string& what) {
   const FT_Face face = opened.face;
   if (face == nullptr || !has_all_its_tables(face, shaper)) {
-    throw UsageError(what, "is a damaged font: not all of its tables can be read");
+    throw InvalidArgument(what, "is a damaged font: not all of its tables can be read");
   }
   if (!FT_IS_SCALABLE(face) || !has_character_map(face)) {
-    throw UsageError(what, "is a font without outlines or without a map from characters");
+    throw InvalidArgument(what, "is a font without outlines or without a map from characters");
   }
 }
 
@@ -63,7 +63,7 @@ std::shared_ptr<hb_font_t> open_shaper(const Bytes& file, const std::string& wha
                      nullptr),
       &hb_blob_destroy);
   if (hb_face_count(blob.get()) == 0) {
-    throw UsageError(what, "is not a TrueType or OpenType font");
+    throw InvalidArgument(what, "is not a TrueType or OpenType font");
   }
   const std::unique_ptr<hb_face_t, decltype(&hb_face_destroy)> face(hb_face_create(blob.get(), 0),
                                                                     &hb_face_destroy);

@@ -14,11 +14,12 @@ namespace twrench::font_file {
 using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 /// HarfBuzz's view of the file, which outlives it; lengths are in units of the file. Throws
-/// UsageError about `what` unless the file is a TrueType or OpenType font or a collection of such.
+/// InvalidArgument about `what` unless the file is a TrueType or OpenType font or a collection of
+/// such.
 std::shared_ptr<hb_font_t> open_shaper(const Bytes& file, const std::string& what);
 
-/// FreeType's view of the same file, handed to Cairo. Throws UsageError about `what` for a font
-/// that is damaged, that has no outlines or no map from characters.
+/// FreeType's view of the same file, handed to Cairo. Throws InvalidArgument about `what` for a
+/// font that is damaged, that has no outlines or no map from characters.
 std::shared_ptr<cairo_font_face_t> open_face(const Bytes& file, hb_font_t* shaper,
                                              const std::string& what);
 

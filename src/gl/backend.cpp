@@ -72,7 +72,7 @@ BackendReport report(std::string name, const Maker& make) {
 OpenedContext open_context(const BackendChoice& choice) {
   if (choice.backend == Backend::osmesa) {
     if (choice.egl_device) {
-      throw UsageError("an EGL device", "OSMesa has none");
+      throw InvalidArgument("an EGL device", "OSMesa has none");
     }
     return {make_osmesa_context(), {}};
   }

@@ -33,8 +33,8 @@ struct OpenedContext {
 /// `egl` without a device does the same without OSMesa. Either reports in the note if it is not
 /// hardware. A named device, or OSMesa by name, is used or is an error.
 ///
-/// Throws GlError with a remedy if there is none, and UsageError as make_egl_context() does, or if
-/// an EGL device is requested together with OSMesa.
+/// Throws GlError with a remedy if there is none, and InvalidArgument as make_egl_context() does,
+/// or if an EGL device is requested together with OSMesa.
 OpenedContext open_context(const BackendChoice& choice);
 
 /// A backend or device, and whether it is usable here.

@@ -39,8 +39,8 @@ struct EglDevice {
 std::vector<EglDevice> egl_devices();
 
 /// Creates a surfaceless context with the EGL library, which is loaded at run time. `device` is the
-/// name of one of egl_devices(), or "software" for the first software rasteriser. Throws UsageError
-/// for an unknown device, and GlError with the reason if it provides no context.
+/// name of one of egl_devices(), or "software" for the first software rasteriser. Throws
+/// InvalidArgument for an unknown device, and GlError with the reason if it provides no context.
 std::unique_ptr<Context> make_egl_context(const std::string& device);
 
 }  // namespace twrench::gl

@@ -127,7 +127,8 @@ Device find_device(const Egl& egl, const std::string& name) {
     names += fmt::format("{}{}{}", names.empty() ? "" : ", ", device.name,
                          device.software ? " (software)" : "");
   }
-  throw UsageError("EGL device " + name, "EGL has no device of that name", "its devices: " + names);
+  throw InvalidArgument("EGL device " + name, "EGL has no device of that name",
+                        "its devices: " + names);
 }
 
 class EglContext final : public Context {

@@ -23,7 +23,7 @@ void check_limits(const Functions& gl, int width, int height, int samples) {
   const GLint max_width = std::min(side, viewport[0]);
   const GLint max_height = std::min(side, viewport[1]);
   if (width > max_width || height > max_height) {
-    throw UsageError(
+    throw InvalidArgument(
         fmt::format("size {}x{}", width, height),
         fmt::format("this OpenGL implementation draws at most {}x{}", max_width, max_height),
         fmt::format("choose a size of at most {}x{}", max_width, max_height));

@@ -13,7 +13,7 @@ namespace twrench::gl {
 /// A colour (RGBA8) and depth (24 bits) framebuffer with optional multisampling.
 class Framebuffer {
  public:
-  /// Throws UsageError with a remedy for a size or sample count beyond this GL's limits, and
+  /// Throws InvalidArgument with a remedy for a size or sample count beyond this GL's limits, and
   /// GlError if it lacks the memory.
   Framebuffer(const Functions& gl, int width, int height, int samples, ReadMode mode);
 

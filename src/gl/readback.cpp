@@ -69,7 +69,7 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   gl.Flush();  // otherwise the card might not start until we wait for it
 }
 
-Image Readback::take() {
+Image Readback::finish() {
   if (!buffer_) return std::move(image_);
   Image image(width_, height_, 4);
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_->buffer.id());

@@ -54,11 +54,11 @@ class Readback {
   Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers);
 
   /// Returns whether take() would not block.
-  bool is_there() const { return !buffer_; }
+  bool is_ready() const { return !buffer_; }
 
   /// Waits for the pixels and returns them as RGBA from the top left. Call it once. Throws GlError
   /// if the pixels were lost.
-  Image take();
+  Image finish();
 
  private:
   const Functions* gl_;

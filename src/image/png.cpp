@@ -26,18 +26,18 @@ void add_chunk(Bytes& file, std::string_view type, std::span<const std::uint8_t>
   add_number(file, crc32_gzip_refl(0, &file[checked], file.size() - checked));
 }
 
-Bytes encoded(const Image& image, const StillPart* still) {
+Bytes encoded(const Image& image, const StaticPart* background) {
   const auto allowed = [](int side) { return side >= 1 && side <= max_image_side; };
   if (!allowed(image.width) || !allowed(image.height)) {
-    throw UsageError(fmt::format("size {}x{}", image.width, image.height),
-                     fmt::format("a side must be 1 to {} pixels", max_image_side));
+    throw InvalidArgument(fmt::format("size {}x{}", image.width, image.height),
+                          fmt::format("a side must be 1 to {} pixels", max_image_side));
   }
   constexpr std::uint8_t depth = 8, rgb = 2, rgba = 6;  // PNG specification, 11.2.2
   Bytes header;
   add_number(header, static_cast<std::uint32_t>(image.width));
   add_number(header, static_cast<std::uint32_t>(image.height));
   header.insert(header.end(), {depth, image.channels == 4 ? rgba : rgb, 0, 0, 0});
-  const Bytes rows = compress_rows(image, still);
+  const Bytes rows = compress_rows(image, background);
   Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   file.reserve(rows.size() + 100);
   add_chunk(file, "IHDR", header);
@@ -50,8 +50,8 @@ Bytes encoded(const Image& image, const StillPart* still) {
 
 std::vector<std::uint8_t> encode_png(const Image& image) { return encoded(image, nullptr); }
 
-std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still) {
-  return encoded(image, &still);
+std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& background) {
+  return encoded(image, &background);
 }
 
 }  // namespace twrench

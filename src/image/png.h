@@ -15,12 +15,12 @@ namespace twrench {
 constexpr int max_image_side = 16384;
 
 /// The image as a PNG file (8 bits a channel, not interlaced). The same image gives the same bytes.
-/// May be called from several threads at once. Throws UsageError when a side is not 1 to
+/// May be called from several threads at once. Throws InvalidArgument when a side is not 1 to
 /// max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// The same bytes, for less where `still` tells that rows are those of other frames of a film.
-std::vector<std::uint8_t> encode_png(const Image& image, const StillPart& still);
+std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& background);
 
 /// The image in the bytes of a PNG file: RGB, or RGBA where anything can be transparent; gray
 /// becomes RGB, 16 bits become 8. `name` names it in errors. Throws FileError when it is no PNG, is

@@ -106,16 +106,16 @@ class BandCompressor {
   isal_zstream stream_{};  // igzip's initialisation leaves some fields unset that it reads
 };
 
-bool is_still(const StillPart& still, int first_row) {
-  return std::ranges::none_of(still.changed, [&](const Area& area) {
+bool is_static(const StaticPart& background, int first_row) {
+  return std::ranges::none_of(background.damage, [&](const Area& area) {
     return area.y < first_row + band_height && area.y + area.height > first_row;
   });
 }
 
 }  // namespace
 
-const CompressedBand& StillBands::get(int first_row,
-                                      const std::function<CompressedBand()>& compress) {
+const CompressedBand& StaticBands::get(int first_row,
+                                       const std::function<CompressedBand()>& compress) {
   Entry* entry = nullptr;
   {
     const std::lock_guard lock(mutex_);
@@ -125,7 +125,7 @@ const CompressedBand& StillBands::get(int first_row,
   return entry->band;
 }
 
-std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* still) {
+std::vector<std::uint8_t> compress_rows(const Image& image, const StaticPart* background) {
   BandCompressor compress(image);
   std::vector<std::uint8_t> stream(header.begin(), header.end());
   std::uint32_t checksum = 1;
@@ -136,8 +136,8 @@ std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* sti
   };
   for (int first_row = 0; first_row < image.height; first_row += band_height) {
     const int rows = std::min(band_height, image.height - first_row);
-    if (still != nullptr && is_still(*still, first_row)) {
-      const CompressedBand& kept = still->bands.get(first_row, [&] {
+    if (background != nullptr && is_static(*background, first_row)) {
+      const CompressedBand& kept = background->bands.get(first_row, [&] {
         const auto [bytes, band_checksum] = compress(first_row, rows);
         return CompressedBand{{bytes.begin(), bytes.end()}, band_checksum};
       });

@@ -23,7 +23,7 @@ struct CompressedBand {
 
 /// The compressed bands of the static background, which are the same in all frames of a video; each
 /// is compressed once. Thread-safe.
-class StillBands {
+class StaticBands {
  public:
   /// Returns the band that begins at that row; on the first request, `compress` makes it, and may
   /// throw.
@@ -39,16 +39,16 @@ class StillBands {
 };
 
 /// The static background of a frame: where the image differs from it, and its compressed bands.
-struct StillPart {
+struct StaticPart {
   /// The damaged areas, relative to the static background.
-  std::span<const Area> changed;
+  std::span<const Area> damage;
   /// The compressed static background.
-  StillBands& bands;
+  StaticBands& bands;
 };
 
 /// Returns the zlib stream (RFC 1950) of an image's filtered rows, compressed by ISA-L's igzip. The
 /// rows are always cut into the same bands, so that the bytes are the same with and without `still`
 /// (which may be null).
-std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* still);
+std::vector<std::uint8_t> compress_rows(const Image& image, const StaticPart* background);
 
 }  // namespace twrench

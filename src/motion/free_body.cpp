@@ -45,10 +45,10 @@ FreeBody::FreeBody(const Matrix3d& inertia, const Vector3d& omega)
       inverse_(inverse_of(inertia, principal_.moments[2])),
       momentum_(inertia * omega) {
   if (!inverse_.allFinite()) {
-    throw UsageError("inertia", "its inverse is beyond what double precision holds");
+    throw InvalidArgument("inertia", "its inverse is beyond what double precision holds");
   }
   if (!momentum_.allFinite()) {
-    throw UsageError("omega", "the angular momentum is beyond what double precision holds");
+    throw InvalidArgument("omega", "the angular momentum is beyond what double precision holds");
   }
 }
 

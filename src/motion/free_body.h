@@ -11,19 +11,19 @@ namespace twrench {
 class FreeBody {
  public:
   /// The body with X(0) = Id, `inertia` (body axes, g cm^2) and the angular velocity `omega` (body
-  /// axes, rad/s). Throws UsageError about "inertia" unless that is finite, symmetric to round-off
-  /// and positive definite, and about "omega" unless that is finite; OutOfRange where the bound is
-  /// that of one number, the least moment or a component of omega.
+  /// axes, rad/s). Throws InvalidArgument about "inertia" unless that is finite, symmetric to
+  /// round-off and positive definite, and about "omega" unless that is finite; OutOfRange where the
+  /// bound is that of one number, the least moment or a component of omega.
   FreeBody(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
 
-  const Eigen::Matrix3d& inertia() const { return inertia_; }  ///< I in body axes, g cm^2.
-  const Eigen::Matrix3d& inverse() const { return inverse_; }  ///< I^-1.
-  const Eigen::Vector3d& momentum() const {
-    return momentum_;
-  }  ///< L = I omega, eq. (12), in space
-     ///< axes, g cm^2/s; constant
-  /// At t = 0, body axes, rad/s; as it was given, where L is I omega rounded: close to the
-  /// separatrix that tells.
+  /// I in body axes, g cm^2.
+  const Eigen::Matrix3d& inertia() const { return inertia_; }
+  /// I^-1.
+  const Eigen::Matrix3d& inverse() const { return inverse_; }
+  /// L = I omega, eq. (12), in space axes, g cm^2/s; constant.
+  const Eigen::Vector3d& momentum() const { return momentum_; }
+  /// The angular velocity at t = 0 in body axes, rad/s, exactly as it was given: near the
+  /// separatrix the rounding of I omega would matter.
   const Eigen::Vector3d& omega() const { return omega_; }
   /// Principal moments and axes of the inertia matrix.
   const PrincipalAxes& principal() const { return principal_; }

@@ -10,15 +10,15 @@
 
 namespace twrench {
 
-using Row = std::array<double, 6>;
+using TableauRow = std::array<double, 6>;
 
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
   int stages;
-  int order;             ///< in a linear space, of what is carried on; p in the step control
-  std::array<Row, 6> a;  ///< Row k holds a_k1 to a_k(k-1).
-  Row weights;           ///< Weights of the solution that is carried on.
-  Row embedded{};        ///< Weights of the solution that the error estimate compares with it.
+  int order;                    ///< in a linear space, of what is carried on; p in the step control
+  std::array<TableauRow, 6> a;  ///< TableauRow k holds a_k1 to a_k(k-1).
+  TableauRow weights;           ///< Weights of the solution that is carried on.
+  TableauRow embedded{};  ///< Weights of the solution that the error estimate compares with it.
   bool embedded_pair = false;
 };
 
@@ -41,9 +41,9 @@ struct RungeKutta {
 };
 
 /// Stages that are products of exponentials of linear combinations of the stage velocities, without
-/// commutators. Row 0 of each product acts first.
+/// commutators. TableauRow 0 of each product acts first.
 struct CommutatorFree {
-  using Product = std::array<Row, 2>;
+  using Product = std::array<TableauRow, 2>;
   int stages;
   /// Exponents of each stage.
   std::array<Product, 4> stage;
@@ -66,7 +66,7 @@ struct ImplicitTrapezoid {
 struct StrangSplitting {};
 
 /// The highest order for which TaylorSeries has room.
-inline constexpr std::size_t largest_taylor_order = 30;
+inline constexpr std::size_t max_taylor_order = 30;
 
 /// The Taylor series of the motion, motion/taylor.h; its last terms determine the step size.
 struct Taylor {
@@ -109,7 +109,8 @@ std::span<const Method> methods();
 /// Returns the names of all methods.
 std::vector<std::string> method_names();
 
-/// Returns the method called `name`. Throws UsageError about `what`, suggesting the nearest name.
+/// Returns the method called `name`. Throws InvalidArgument about `what`, suggesting the nearest
+/// name.
 const Method& find_method(std::string_view name, std::string_view what = "method");
 
 }  // namespace twrench

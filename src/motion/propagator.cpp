@@ -52,7 +52,7 @@ MotionError underflow(const Method& method, const StepControl& control, double t
 void require_ahead(double t, double start, double sign) {
   require_finite("t", t);
   if (sign * t >= sign * start) return;
-  throw UsageError("t", fmt::format("is {} s, before the step that begins at {} s", t, start));
+  throw InvalidArgument("t", fmt::format("is {} s, before the step that begins at {} s", t, start));
 }
 
 /// Advances through the method's accepted steps t_0 = 0, t_1, ... in the direction of `sign`.
@@ -71,7 +71,7 @@ class StepPropagator final : public Propagator {
     return sample;
   }
 
-  OwnStep next_step() override {
+  AcceptedStep next_step() override {
     advance();
     require_sane({t_next_, X_next_, angular_velocity(body_, method_, X_next_)});
     return {t_, t_next_ - t_, X_, X_next_, error_};
@@ -175,7 +175,7 @@ class TaylorPropagator final : public Propagator {
     return series_.sample(t, t == t_next_ ? state_next_ : series_.at(t - t_));
   }
 
-  OwnStep next_step() override {
+  AcceptedStep next_step() override {
     const Matrix3d before = series_.sample(t_next_, state_next_).X;
     advance();
     const double length = t_next_ - t_;
@@ -193,7 +193,7 @@ class TaylorPropagator final : public Propagator {
     if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_next_);
     series_.expand(state_next_);
     t_ = t_next_;
-    const double t_end = t_ + sign_ * series_.reach(control_.tolerance);
+    const double t_end = t_ + sign_ * series_.max_step(control_.tolerance);
     if (!(std::abs(t_end) > std::abs(t_))) throw underflow(method_, control_, t_);
     state_next_ = series_.at(t_end - t_);
     t_next_ = t_end;
@@ -219,7 +219,7 @@ class ExactPropagator final : public Propagator {
     return motion_.at(t);
   }
 
-  OwnStep next_step() override {
+  AcceptedStep next_step() override {
     const double start = t();
     const Matrix3d before = X_;
     X_ = sample_at(start + step_).X;
@@ -243,11 +243,11 @@ void check(const Method& method, const StepControl& control) {
   require_positive("max_steps", static_cast<double>(control.max_steps));
   if (!method.adaptive()) return;
   require_positive("tolerance", control.tolerance);
-  if (control.tolerance >= least_tolerance) return;
+  if (control.tolerance >= min_tolerance) return;
   throw OutOfRange("tolerance",
                    fmt::format("is {}, but double precision keeps no less than {}",
-                               control.tolerance, least_tolerance),
-                   {control.tolerance, least_tolerance, std::numeric_limits<double>::max()});
+                               control.tolerance, min_tolerance),
+                   {control.tolerance, min_tolerance, std::numeric_limits<double>::max()});
 }
 
 }  // namespace

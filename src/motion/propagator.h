@@ -10,7 +10,7 @@ namespace twrench {
 
 /// The smallest meaningful tolerance: the error estimate E of a step is a difference of two
 /// rotations, each known to a few 1e-16.
-inline constexpr double least_tolerance = 1e-15;
+inline constexpr double min_tolerance = 1e-15;
 
 /// How long the steps are.
 struct StepControl {
@@ -25,7 +25,7 @@ struct StepControl {
 };
 
 /// An accepted step of a method.
-struct OwnStep {
+struct AcceptedStep {
   double t;                       ///< s, where it begins
   double length;                  ///< s
   Eigen::Matrix3d before, after;  ///< X at both ends
@@ -41,13 +41,13 @@ class Propagator {
   Propagator(const Propagator&) = delete;
   Propagator& operator=(const Propagator&) = delete;
 
-  /// The sample at t, s. Throws UsageError where t is not finite or lies before the last of its own
-  /// steps, and MotionError.
+  /// The sample at t, s. Throws InvalidArgument where t is not finite or lies before the last of
+  /// its own steps, and MotionError.
   virtual Sample sample_at(double t) = 0;
 
   /// The next of the method's own steps; the closed form, which has none, goes in steps of
   /// `control.step`. Throws MotionError.
-  virtual OwnStep next_step() = 0;
+  virtual AcceptedStep next_step() = 0;
 
   /// s, where the last of its own steps ends.
   virtual double t() const = 0;

@@ -28,7 +28,7 @@ Stages zero_stages() {
 }
 
 /// The sum of row[j] * s[j] over the first `count` stages.
-Vector3d weighted_sum(const Row& row, const Stages& s, int count) {
+Vector3d weighted_sum(const TableauRow& row, const Stages& s, int count) {
   Vector3d sum = row[0] * s[0];
   for (std::size_t j = 1; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
   return sum;
@@ -75,13 +75,14 @@ Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X,
   s[0] = body.inverse() * momentum;
   for (int k = 1; k < method.stages; ++k) {
     Vector3d m = momentum;
-    for (const Row& row : method.stage[static_cast<std::size_t>(k)]) {
+    for (const TableauRow& row : method.stage[static_cast<std::size_t>(k)]) {
       m = turned_back(h * weighted_sum(row, s, k), m);
     }
     s[static_cast<std::size_t>(k)] = body.inverse() * m;
   }
   Matrix3d end = X;
-  for (const Row& row : method.update) end *= so3::exp(h * weighted_sum(row, s, method.stages));
+  for (const TableauRow& row : method.update)
+    end *= so3::exp(h * weighted_sum(row, s, method.stages));
   return {end, 0.0, method.stages};
 }
 

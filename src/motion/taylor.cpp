@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 /// 1/k.
 constexpr auto reciprocal = [] {
-  std::array<double, largest_taylor_order + 1> table{};
+  std::array<double, max_taylor_order + 1> table{};
   for (std::size_t k = 1; k < table.size(); ++k) table[k] = 1.0 / static_cast<double>(k);
   return table;
 }();
@@ -37,7 +37,7 @@ Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
 
 /// Horner's rule takes the powers in pairs.
 std::size_t checked_order(const Taylor& method) {
-  constexpr int greatest = largest_taylor_order;
+  constexpr int greatest = max_taylor_order;
   const int order = method.order;
   if (order >= 2 && order <= greatest && order % 2 == 0) return static_cast<std::size_t>(order);
   throw OutOfRange("order", fmt::format("is {}, but must be even, and 2 to {}", order, greatest),
@@ -152,7 +152,7 @@ double TaylorSeries::last_terms(double h) const {
   return std::max(term(order_ - 1), term(order_) * s) * power;
 }
 
-double TaylorSeries::reach(double tolerance) const {
+double TaylorSeries::max_step(double tolerance) const {
   const auto order = static_cast<double>(order_);
   const double before = term(order_ - 1), last = term(order_);
   double s = std::pow(tolerance / before, 1 / (order - 1));

@@ -25,7 +25,7 @@ class TaylorSeries {
     Eigen::Vector3d mu;  ///< Unit vector m/|m|; zero for a body at rest.
   };
 
-  /// Throws OutOfRange unless the order is even and 2 to largest_taylor_order.
+  /// Throws OutOfRange unless the order is even and 2 to max_taylor_order.
   TaylorSeries(const FreeBody& body, const Taylor& method);
 
   State state_of(const Eigen::Matrix3d& X, const Eigen::Vector3d& momentum) const;
@@ -46,12 +46,12 @@ class TaylorSeries {
   /// Returns the longest h > 0 in s for which last_terms(h) is within `tolerance`. It is known
   /// before the step is taken, so that no step is rejected. After Jorba and Zou, Experimental
   /// Mathematics 14 (2005).
-  double reach(double tolerance) const;
+  double max_step(double tolerance) const;
 
  private:
   /// Two SIMD lanes.
   using Pair = double __attribute__((vector_size(16)));
-  static constexpr std::size_t capacity = largest_taylor_order + 1;
+  static constexpr std::size_t capacity = max_taylor_order + 1;
 
   double term(std::size_t k) const;
   Eigen::Vector3d with_initial_energy(const Eigen::Vector3d& mu) const;

@@ -26,8 +26,8 @@ void require_possible(const Method& method, const StepControl& control, double t
 
 }  // namespace
 
-Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
-                      std::span<const double> times) {
+Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
+                     std::span<const double> times) {
   for (const double t : times) require_finite("time", t);
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -54,7 +54,7 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
 }
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
-                 double t_end, const std::function<void(const OwnStep&)>& visit) {
+                 double t_end, const std::function<void(const AcceptedStep&)>& visit) {
   require_finite("t_end", t_end);
   const auto propagator = make_propagator(body, method, control);
   require_possible(method, control, t_end);

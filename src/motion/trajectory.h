@@ -29,8 +29,8 @@ struct Trajectory {
 /// Throws OutOfRange for a time that is not finite and as make_propagator does; MotionError when an
 /// adaptive step underflows, the motion diverges, a step is longer than a turn of the body or
 /// otherwise too long for the method, or max_steps is passed.
-Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
-                      std::span<const double> times);
+Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
+                     std::span<const double> times);
 
 /// Calls `visit` with the samples at time(0), ..., time(count - 1), which must be ascending and not
 /// negative. The samples are those of trajectory(), but none is stored. Throws as trajectory()
@@ -43,6 +43,6 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
 /// ends at t_end (s, > 0) or beyond. The closed form, which has none, goes in steps of
 /// `control.step`. Throws as trajectory.
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
-                 double t_end, const std::function<void(const OwnStep&)>& visit);
+                 double t_end, const std::function<void(const AcceptedStep&)>& visit);
 
 }  // namespace twrench

@@ -21,8 +21,8 @@ Color parse_color(const std::string& text, const std::string& what) {
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value, 16);
   if (text[0] != '#' || digits.size() != 6 || error != std::errc{} || stop != end) {
-    throw UsageError(what, fmt::format("'{}' is not a colour", text),
-                     "write #rrggbb, #rgb, black, gray or white");
+    throw InvalidArgument(what, fmt::format("'{}' is not a colour", text),
+                          "write #rrggbb, #rgb, black, gray or white");
   }
   return {static_cast<int>(value >> 16), static_cast<int>(value >> 8 & 0xff),
           static_cast<int>(value & 0xff)};

@@ -10,7 +10,7 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
-/// Parses "#rrggbb", "#rgb", "black", "gray" or "white". Throws UsageError about `what`.
+/// Parses "#rrggbb", "#rgb", "black", "gray" or "white". Throws InvalidArgument about `what`.
 Color parse_color(const std::string& text, const std::string& what);
 
 /// Returns the colour as "#rrggbb".

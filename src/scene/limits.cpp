@@ -28,20 +28,20 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega) {
   const double rate = check(coordinate, what, omega).stableNorm();
-  if (rate == 0 || rate >= slowest_rotation) return omega;
+  if (rate == 0 || rate >= min_rotation_rate) return omega;
   throw OutOfRange(what,
                    fmt::format("has magnitude {:.6g} rad/s, but must be zero or at least {:.6g}",
-                               rate, slowest_rotation),
-                   {rate, slowest_rotation, coordinate.high});
+                               rate, min_rotation_rate),
+                   {rate, min_rotation_rate, coordinate.high});
 }
 
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
   const double ratio = moments.maxCoeff() / moments.minCoeff();
-  if (moments.minCoeff() > 0 && ratio <= most_moment_ratio) return moments;
-  throw UsageError(
+  if (moments.minCoeff() > 0 && ratio <= max_moment_ratio) return moments;
+  throw InvalidArgument(
       what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the largest "
                         "must be at most {:.6g} times the smallest",
-                        moments[0], moments[1], moments[2], most_moment_ratio));
+                        moments[0], moments[1], moments[2], max_moment_ratio));
 }
 
 int check_whole(const Limit& limit, const std::string& what, double value) {

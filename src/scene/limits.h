@@ -29,7 +29,7 @@ inline constexpr Limit density{1e-9, 1e6};       // g/cm^3
 inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
 inline constexpr Limit step{1e-15, 1e6};         // s
-inline constexpr Limit tolerance{least_tolerance, 1,
+inline constexpr Limit tolerance{min_tolerance, 1,
                                  "the limit of double precision"};  // of the error estimate E
 inline constexpr Limit duration{1e-15, 1e9};                        // s
 inline constexpr Limit fps{1e-9, 1000};                             // 1/s
@@ -49,23 +49,23 @@ inline constexpr Limit trail_length{1e-15, 1e6};  // s of motion
 
 /// The largest allowed ratio of principal moments. The axes are known to 1e-15 times that ratio,
 /// and beyond about 1e15 the smallest moment is not determined at all.
-inline constexpr double most_moment_ratio = 1e12;
+inline constexpr double max_moment_ratio = 1e12;
 
 /// The slowest rotation in rad/s: the square of a slower one would underflow in the energy.
-inline constexpr double slowest_rotation = 1e-100;
+inline constexpr double min_rotation_rate = 1e-100;
 
-inline constexpr std::size_t most_compared = 4;
-inline constexpr int most_parts = 1000;
-inline constexpr double most_frames = 10'000'000;
+inline constexpr std::size_t max_compared = 4;
+inline constexpr int max_parts = 1000;
+inline constexpr double max_frames = 10'000'000;
 
 /// Returns `value`, or throws OutOfRange "WHAT: is VALUE, but must be ...".
 double check(const Limit& limit, const std::string& what, double value);
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value);
 /// Checks an angular velocity in rad/s: each component is a coordinate, and the magnitude is zero
-/// or at least slowest_rotation. Throws UsageError.
+/// or at least min_rotation_rate. Throws InvalidArgument.
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega);
 /// Checks the principal moments of one body in g cm^2, whose ratio is limited too. Throws
-/// UsageError.
+/// InvalidArgument.
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
 int check_whole(const Limit& limit, const std::string& what, double value);
 

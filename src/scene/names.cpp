@@ -49,9 +49,9 @@ std::string name_of(Feature feature) { return name_in(features, feature); }
 
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what) {
   for (const std::string& name : names) find_method(name, what);
-  if (names.size() > limits::most_compared) {
-    throw UsageError(what, fmt::format("has {} methods, but at most {} are drawn side by side",
-                                       names.size(), limits::most_compared));
+  if (names.size() > limits::max_compared) {
+    throw InvalidArgument(what, fmt::format("has {} methods, but at most {} are drawn side by side",
+                                            names.size(), limits::max_compared));
   }
   return names;
 }

@@ -8,7 +8,7 @@
 namespace twrench {
 
 // The names by which scene files and the command line select options. Each conversion from a name
-// throws UsageError about `what`, suggesting the nearest name.
+// throws InvalidArgument about `what`, suggesting the nearest name.
 
 Theme theme_of(const std::string& name, const std::string& what);
 View view_of(const std::string& name, const std::string& what);

@@ -12,11 +12,11 @@ namespace twrench {
 
 int Scene::frame_count() const {
   const double frames = std::round(motion.duration * film.fps / film.speed);
-  if (frames < 1.0 || frames > limits::most_frames) {
+  if (frames < 1.0 || frames > limits::max_frames) {
     throw OutOfRange(
         "film",
-        fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::most_frames),
-        {frames, 1, limits::most_frames}, "change the duration, the frame rate or the speed");
+        fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::max_frames),
+        {frames, 1, limits::max_frames}, "change the duration, the frame rate or the speed");
   }
   return static_cast<int>(frames);
 }

@@ -124,7 +124,7 @@ struct Overlay {
   bool shows(Feature feature) const { return show.contains(feature); }
 };
 
-/// Sets the background to "transparent" or a colour. Throws UsageError about `what`.
+/// Sets the background to "transparent" or a colour. Throws InvalidArgument about `what`.
 void set_background(Look& look, const std::string& text, const std::string& what);
 
 /// Everything that determines a video. The values have defaults that a scene file or the command
@@ -147,8 +147,8 @@ struct Scene {
   /// View and overlays.
   Overlay overlay;
 
-  /// Returns the number of frames, round(duration * fps / speed). Throws UsageError unless it is 1
-  /// to 10^7.
+  /// Returns the number of frames, round(duration * fps / speed). Throws InvalidArgument unless it
+  /// is 1 to 10^7.
   int frame_count() const;
 };
 
@@ -165,11 +165,11 @@ std::vector<std::string> builtin_scene_names();
 
 /// Loads a scene. `name_or_path` is a path if it ends in ".toml" (in upper or lower case), contains
 /// a folder, or is an existing file but no built-in name; otherwise it names a built-in scene.
-/// Throws UsageError for an unknown name (suggesting the nearest) or an invalid scene (with file,
-/// line and key), FileError if the file cannot be read.
+/// Throws InvalidArgument for an unknown name (suggesting the nearest) or an invalid scene (with
+/// file, line and key), FileError if the file cannot be read.
 Scene load_scene(const std::string& name_or_path);
 
-/// Parses a scene from TOML text; `source` names it in errors. Throws UsageError.
+/// Parses a scene from TOML text; `source` names it in errors. Throws InvalidArgument.
 Scene parse_scene(std::string_view toml, const std::string& source);
 
 }  // namespace twrench

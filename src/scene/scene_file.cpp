@@ -42,9 +42,9 @@ Eigen::Matrix3d read_orientation(TomlTable& part) {
   part.vector("axis", limits::coordinate, axis);
   part.vector("rotation", limits::coordinate, rotation);
   if (part.has("axis") && part.has("rotation")) {
-    throw UsageError(part.place("rotation"), "cannot be combined with axis");
+    throw InvalidArgument(part.place("rotation"), "cannot be combined with axis");
   }
-  if (axis.isZero(0.0)) throw UsageError(part.place("axis"), "must not be zero");
+  if (axis.isZero(0.0)) throw InvalidArgument(part.place("axis"), "must not be zero");
   return part.has("axis") ? frame_with_z_along(axis) : so3::exp(rotation);
 }
 
@@ -58,9 +58,9 @@ Part read_part(TomlTable& table) {
 Body read_body(TomlTable& file) {
   Body body;
   file.tables("part", [&](TomlTable& part) {
-    if (body.parts.size() == limits::most_parts) {
-      throw UsageError(part.place("shape"),
-                       fmt::format("a body has at most {} parts", limits::most_parts));
+    if (body.parts.size() == limits::max_parts) {
+      throw InvalidArgument(part.place("shape"),
+                            fmt::format("a body has at most {} parts", limits::max_parts));
     }
     body.parts.push_back(read_part(part));
   });
@@ -69,8 +69,8 @@ Body read_body(TomlTable& file) {
                                          table.required_vector("moments", limits::moment));
   });
   if (body.parts.empty() != body.moments.has_value()) {
-    throw UsageError(file.place("part"),
-                     "the body must be given by either [[part]] tables or [body] moments");
+    throw InvalidArgument(file.place("part"),
+                          "the body must be given by either [[part]] tables or [body] moments");
   }
   if (!body.moments) limits::check_moments(file.place("part"), mass_properties(body.parts).moments);
   return body;
@@ -157,8 +157,8 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   try {
     root = toml::parse(text, source);
   } catch (const toml::parse_error& error) {
-    throw UsageError(fmt::format("{}:{}", source, error.source().begin.line),
-                     std::string(error.description()));
+    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
+                          std::string(error.description()));
   }
   Scene scene;
   scene.name = std::filesystem::path(source).stem().string();

@@ -22,14 +22,14 @@ double TomlTable::number_in(const toml::node& node, const std::string& what) con
   // Not value<double>(), which returns nothing for an integer that no double represents exactly.
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
   if (const auto* real = node.as_floating_point()) return real->get();
-  throw UsageError(what, "must be a number");
+  throw InvalidArgument(what, "must be a number");
 }
 
 std::vector<double> TomlTable::numbers(const toml::node& node, const std::string& key,
                                        std::size_t count) {
   const toml::array* array = node.as_array();
   if (array == nullptr || array->size() != count) {
-    throw UsageError(place(key), fmt::format("must be an array of {} numbers", count));
+    throw InvalidArgument(place(key), fmt::format("must be an array of {} numbers", count));
   }
   std::vector<double> values;
   for (const toml::node& entry : *array) values.push_back(number_in(entry, place(key)));
@@ -37,7 +37,7 @@ std::vector<double> TomlTable::numbers(const toml::node& node, const std::string
 }
 
 void TomlTable::require(const std::string& key) const {
-  if (!has(key)) throw UsageError(place(key), "is missing");
+  if (!has(key)) throw InvalidArgument(place(key), "is missing");
 }
 
 void TomlTable::number(const std::string& key, const limits::Limit& limit, double& value) {
@@ -54,7 +54,7 @@ void TomlTable::whole(const std::string& key, const limits::Limit& limit, int& v
 
 void TomlTable::text(const std::string& key, std::string& value) {
   if (const toml::node* node = find(key)) {
-    if (!node->is_string()) throw UsageError(place(key), "must be a string");
+    if (!node->is_string()) throw InvalidArgument(place(key), "must be a string");
     value = node->as_string()->get();
   }
 }
@@ -99,7 +99,7 @@ std::vector<std::string> TomlTable::required_texts(const std::string& key) {
   require(key);
   const toml::array* array = find(key)->as_array();
   if (array == nullptr || (!array->empty() && !array->is_homogeneous(toml::node_type::string))) {
-    throw UsageError(place(key), "must be an array of strings");
+    throw InvalidArgument(place(key), "must be an array of strings");
   }
   std::vector<std::string> texts;
   for (const toml::node& entry : *array) texts.push_back(entry.as_string()->get());
@@ -108,7 +108,7 @@ std::vector<std::string> TomlTable::required_texts(const std::string& key) {
 
 void TomlTable::table(const std::string& key, const std::function<void(TomlTable&)>& read) {
   if (const toml::node* node = find(key)) {
-    if (!node->is_table()) throw UsageError(place(key), "must be a table");
+    if (!node->is_table()) throw InvalidArgument(place(key), "must be a table");
     TomlTable sub(*node->as_table(), source_, path_.empty() ? key : path_ + "." + key);
     read(sub);
     sub.finish();
@@ -119,7 +119,7 @@ void TomlTable::tables(const std::string& key, const std::function<void(TomlTabl
   const toml::node* node = find(key);
   if (node == nullptr) return;
   if (!node->is_array_of_tables()) {
-    throw UsageError(place(key), fmt::format("must be an array of tables, [[{}]]", key));
+    throw InvalidArgument(place(key), fmt::format("must be an array of tables, [[{}]]", key));
   }
   std::size_t index = 0;
   for (const toml::node& entry : *node->as_array()) {

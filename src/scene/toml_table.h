@@ -13,8 +13,8 @@
 namespace twrench {
 
 /// A TOML table that is read key by key into values that already hold their defaults. Every
-/// mistake, including a key that is never requested (reported by finish()), is a UsageError that
-/// names file, line, key and what is allowed.
+/// mistake, including a key that is never requested (reported by finish()), is a InvalidArgument
+/// that names file, line, key and what is allowed.
 class TomlTable {
  public:
   /// `path` names the table in messages: "motion", "part[2]"; empty for the whole file.
@@ -44,7 +44,7 @@ class TomlTable {
   /// Returns "FILE:LINE: KEY", the start of a message about that key.
   std::string place(const std::string& key) const;
 
-  /// Throws UsageError if the table has a key that was not requested.
+  /// Throws InvalidArgument if the table has a key that was not requested.
   void finish() const;
 
  private:

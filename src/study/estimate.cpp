@@ -8,12 +8,12 @@
 
 namespace twrench {
 
-double local_error(const FreeBody& body, const OwnStep& step) {
+double local_error(const FreeBody& body, const AcceptedStep& step) {
   static const Method& exact = find_method("exact");
   return (step.after - take_step(body, exact, step.before, step.length).X).norm();
 }
 
-void EstimateCheck::visit(const OwnStep& step) {
+void EstimateCheck::visit(const AcceptedStep& step) {
   constexpr double round_off = 1e-14;
   const double error = local_error(body_, step);
   largest_error_ = std::max(largest_error_, error);

@@ -8,7 +8,7 @@ namespace twrench {
 
 /// Returns the true local error of a step: the Frobenius distance between its end and the exact
 /// motion started from its beginning.
-double local_error(const FreeBody& body, const OwnStep& step);
+double local_error(const FreeBody& body, const AcceptedStep& step);
 
 /// The quality of an embedded pair's error estimate E: the true local errors of accepted steps
 /// compared with it. NaN if no step has an error above round-off.
@@ -23,7 +23,7 @@ class EstimateCheck {
  public:
   explicit EstimateCheck(const FreeBody& body) : body_(body) {}
 
-  void visit(const OwnStep& step);
+  void visit(const AcceptedStep& step);
   EstimateQuality quality() const;
 
  private:

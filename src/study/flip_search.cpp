@@ -13,7 +13,7 @@ double FlipSearch::component(const Eigen::Matrix3d& X) const {
   return body_.principal().axes.col(1).dot(angular_velocity(body_, method_, X));
 }
 
-void FlipSearch::visit(const OwnStep& step) {
+void FlipSearch::visit(const AcceptedStep& step) {
   const double before = component(step.before), after = component(step.after);
   if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
   if (sign_ * after < 0.0) {
@@ -22,7 +22,7 @@ void FlipSearch::visit(const OwnStep& step) {
   }
 }
 
-double FlipSearch::root(const OwnStep& step, double at_start, double at_end) const {
+double FlipSearch::root(const AcceptedStep& step, double at_start, double at_end) const {
   const auto f = [&](double length) {
     return component(take_step(body_, method_, step.before, length).X);
   };

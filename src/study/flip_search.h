@@ -14,14 +14,14 @@ class FlipSearch {
   FlipSearch(const FreeBody& body, const Method& method) : body_(body), method_(method) {}
 
   /// Processes the next step; steps must arrive in order.
-  void visit(const OwnStep& step);
+  void visit(const AcceptedStep& step);
 
   /// Returns the times found so far in s, ascending.
   const std::vector<double>& times() const { return times_; }
 
  private:
   double component(const Eigen::Matrix3d& X) const;
-  double root(const OwnStep& step, double at_start, double at_end) const;
+  double root(const AcceptedStep& step, double at_start, double at_end) const;
 
   const FreeBody& body_;
   const Method& method_;

@@ -45,7 +45,7 @@ double median(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-std::optional<double> fitted_exponent(std::span<const Point> points) {
+std::optional<double> fitted_exponent(std::span<const PowerLawPoint> points) {
   std::vector<double> slopes;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {

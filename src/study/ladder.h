@@ -22,13 +22,13 @@ std::vector<double> tolerance_ladder();
 /// number is even.
 double median(std::vector<double> values);
 
-struct Point {
+struct PowerLawPoint {
   double x, y;  ///< Both positive.
 };
 
 /// Returns the exponent p of y = c x^p through the points: the median of the slopes of all pairs on
 /// logarithmic scales (Theil and Sen), which is robust against outliers. Nothing for fewer than two
 /// points.
-std::optional<double> fitted_exponent(std::span<const Point> points);
+std::optional<double> fitted_exponent(std::span<const PowerLawPoint> points);
 
 }  // namespace twrench

@@ -51,7 +51,7 @@ void look_on_the_way(const FreeBody& body, const Method& method, const StepContr
   EstimateCheck estimate(body);
   std::int64_t steps = 0;
   run.drift_in_time.assign(time_parts, 0.0);
-  const auto visit = [&](const OwnStep& step) {
+  const auto visit = [&](const AcceptedStep& step) {
     ++steps;
     const double t = step.t + step.length;
     const Diagnostics d =
@@ -83,8 +83,8 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
     const std::array<double, 1> early{exact.early}, end{exact.duration};
     const auto error = [&](const Sample& s) { return (s.X - motion.at(s.t).X).norm(); };
     Trajectory result;
-    run.cpu_seconds = cpu_seconds([&] { result = trajectory(body, method, control, end); });
-    run.early_error = error(trajectory(body, method, control, early).samples[0]);
+    run.cpu_seconds = cpu_seconds([&] { result = integrate(body, method, control, end); });
+    run.early_error = error(integrate(body, method, control, early).samples[0]);
     run.error = error(result.samples[0]);
     run.steps = result.steps;
     run.evaluations = result.evaluations;
@@ -98,7 +98,7 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
 /// The order, from the errors above round-off and within the asymptotic range.
 std::optional<double> order_of(const std::vector<StudyRun>& runs) {
   constexpr double round_off = 1e-12, asymptotic = 0.1;
-  std::vector<Point> points;
+  std::vector<PowerLawPoint> points;
   for (const StudyRun& run : runs) {
     if (run.failure.empty() && run.early_error > round_off && run.early_error < asymptotic) {
       points.push_back({run.step, run.early_error});
@@ -108,7 +108,7 @@ std::optional<double> order_of(const std::vector<StudyRun>& runs) {
 }
 
 std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
-  std::vector<Point> points;
+  std::vector<PowerLawPoint> points;
   for (const StudyRun& run : runs) {
     if (run.failure.empty() && run.estimate && std::isfinite(run.estimate->median_ratio)) {
       points.push_back({run.step, run.estimate->median_ratio});
@@ -135,10 +135,10 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
 
 }  // namespace
 
-Study study(const FreeBody& body, const StudyPlan& plan) {
+Study run_study(const FreeBody& body, const StudyPlan& plan) {
   constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
   require_positive("duration", plan.duration);
-  if (plan.steps.empty()) throw UsageError("steps", "there must be one at least");
+  if (plan.steps.empty()) throw InvalidArgument("steps", "there must be one at least");
   const ExactMotion motion(body);
   Study result{plan.duration,
                early_time(plan.duration, body.omega().norm()),

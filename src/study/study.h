@@ -90,7 +90,7 @@ struct Study {
 
 /// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
 /// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
-/// UsageError where there are no steps.
-Study study(const FreeBody& body, const StudyPlan& plan);
+/// InvalidArgument where there are no steps.
+Study run_study(const FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench

@@ -26,39 +26,39 @@ std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
   return flips;
 }
 
-std::vector<double> seen_flips(const Take& take, double duration) {
-  if (!take.flips) return {};
-  if (take.method->exact()) {
-    return ExactMotion(take.body).flip_times(duration);
+std::vector<double> seen_flips(const Solution& solution, double duration) {
+  if (!solution.flips) return {};
+  if (solution.method->exact()) {
+    return ExactMotion(solution.body).flip_times(duration);
   }
-  FlipSearch search(take.body, *take.method);
-  visit_steps(take.body, *take.method, take.control, duration,
-              [&](const OwnStep& step) { search.visit(step); });
+  FlipSearch search(solution.body, *solution.method);
+  visit_steps(solution.body, *solution.method, solution.control, duration,
+              [&](const AcceptedStep& step) { search.visit(step); });
   return search.times();
 }
 
-Take take_of(const Scene& scene, const std::string& method) {
-  Take take{&find_method(method),
-            scene.motion.control,
-            FreeBody(mass_properties(scene.body).inertia, scene.motion.omega),
-            0.0,
-            {},
-            {},
-            {}};
-  take.initial_energy = energy(take.body.inertia(), take.body.omega());
+Solution take_of(const Scene& scene, const std::string& method) {
+  Solution solution{&find_method(method),
+                    scene.motion.control,
+                    FreeBody(mass_properties(scene.body).inertia, scene.motion.omega),
+                    0.0,
+                    {},
+                    {},
+                    {}};
+  solution.initial_energy = energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
     times.push_back(scene.motion.duration * i / whole_intervals);
   }
-  take.whole = trajectory(take.body, *take.method, take.control, times).samples;
-  take.flips = flips_of(take.body);
-  take.flip_times = seen_flips(take, scene.motion.duration);
-  return take;
+  solution.whole = integrate(solution.body, *solution.method, solution.control, times).samples;
+  solution.flips = flips_of(solution.body);
+  solution.flip_times = seen_flips(solution, scene.motion.duration);
+  return solution;
 }
 
-std::optional<double> next_flip(const Take& take, double t) {
-  if (!take.flips) return std::nullopt;
-  const auto& [interval, first, asymptotic, swing] = *take.flips;
+std::optional<double> next_flip(const Solution& solution, double t) {
+  if (!solution.flips) return std::nullopt;
+  const auto& [interval, first, asymptotic, swing] = *solution.flips;
   if (t < first) return std::isfinite(first) ? std::optional(first) : std::nullopt;
   if (!std::isfinite(interval)) return std::nullopt;
   return first + interval * (std::floor((t - first) / interval) + 1);
@@ -89,14 +89,14 @@ Timeline::Timeline(const Scene& scene, std::vector<int> frames)
   const auto methods =
       scene.overlay.compare.empty() ? std::vector{scene.motion.method} : scene.overlay.compare;
   for (const std::string& method : methods) {
-    takes_.push_back(take_of(scene, method));
-    records_.push_back(record(takes_.back()));
+    solutions_.push_back(take_of(scene, method));
+    records_.push_back(record(solutions_.back()));
   }
 }
 
-Timeline::Record Timeline::record(const Take& take) const {
+Timeline::Record Timeline::record(const Solution& solution) const {
   const auto sampled = [&](const std::vector<double>& times) {
-    return trajectory(take.body, *take.method, take.control, times).samples;
+    return integrate(solution.body, *solution.method, solution.control, times).samples;
   };
   std::vector<double> own, blurred, grid;
   const int count = scene_.look.motion_blur;
@@ -123,27 +123,28 @@ std::vector<Sample> Timeline::trail(const Record& record, std::size_t index) con
   return trail;
 }
 
-Moment Timeline::moment(std::size_t index) const {
-  Moment moment{frames_[index], frames_[index] / scene_.film.fps, {}};
-  for (std::size_t i = 0; i < takes_.size(); ++i) {
-    const Take& take = takes_[i];
+FrameState Timeline::frame_state(std::size_t index) const {
+  FrameState state{frames_[index], frames_[index] / scene_.film.fps, {}};
+  for (std::size_t i = 0; i < solutions_.size(); ++i) {
+    const Solution& solution = solutions_[i];
     const Record& record = records_[i];
-    Instant instant{record.frames[index],
-                    diagnose(take.body, take.initial_energy, record.frames[index]),
-                    0,
-                    next_flip(take, record.frames[index].t),
-                    {},
-                    {}};
-    instant.flips = static_cast<std::size_t>(
-        std::ranges::upper_bound(take.flip_times, instant.sample.t) - take.flip_times.begin());
+    SolutionState instant{record.frames[index],
+                          diagnose(solution.body, solution.initial_energy, record.frames[index]),
+                          0,
+                          next_flip(solution, record.frames[index].t),
+                          {},
+                          {}};
+    instant.flips =
+        static_cast<std::size_t>(std::ranges::upper_bound(solution.flip_times, instant.sample.t) -
+                                 solution.flip_times.begin());
     if (scene_.overlay.shows(Feature::trail)) instant.trail = trail(record, index);
     const auto count = static_cast<std::size_t>(scene_.look.motion_blur);
     for (std::size_t k = 0; count > 1 && k < count; ++k) {
       instant.blur.push_back(record.blur[index * count + k].X);
     }
-    moment.instants.push_back(std::move(instant));
+    state.solutions.push_back(std::move(instant));
   }
-  return moment;
+  return state;
 }
 
 }  // namespace twrench

@@ -12,7 +12,7 @@
 namespace twrench {
 
 /// One motion of the video as computed by one method: everything that does not depend on the frame.
-struct Take {
+struct Solution {
   /// The method that computes the motion.
   const Method* method;
   /// Its step size or tolerance.
@@ -30,7 +30,7 @@ struct Take {
 };
 
 /// The state of one motion in one frame.
-struct Instant {
+struct SolutionState {
   /// The sample at the frame's time.
   Sample sample;
   /// How far the sample deviates from the conserved quantities.
@@ -46,13 +46,13 @@ struct Instant {
 };
 
 /// The frame state: one instant of each motion, in the order of the motions.
-struct Moment {
+struct FrameState {
   /// Number of the frame in the video.
   int frame = 0;
   /// Time in the video in s.
-  double film_time = 0.0;
+  double video_time = 0.0;
   /// The state of each motion.
-  std::vector<Instant> instants;
+  std::vector<SolutionState> solutions;
 };
 
 /// Returns the duration in s of motion that the trail covers: the scene's value, or the time in
@@ -67,11 +67,11 @@ class Timeline {
   /// one per method. Throws as trajectory() does.
   Timeline(const Scene& scene, std::vector<int> frames);
 
-  const std::vector<Take>& takes() const { return takes_; }
+  const std::vector<Solution>& solutions() const { return solutions_; }
   std::size_t size() const { return frames_.size(); }
 
   /// Returns the state of the frame with number frames[index].
-  Moment moment(std::size_t index) const;
+  FrameState frame_state(std::size_t index) const;
 
  private:
   /// The samples of one motion: at the frames, for their motion blur, and on the grid of the
@@ -82,7 +82,7 @@ class Timeline {
     std::vector<Sample> grid;  ///< Samples at grid_step_ times grid_numbers_.
   };
 
-  Record record(const Take& take) const;
+  Record record(const Solution& solution) const;
   std::vector<Sample> trail(const Record& record, std::size_t index) const;
 
   Scene scene_;
@@ -90,7 +90,7 @@ class Timeline {
   double trail_length_;
   double grid_step_;                        ///< Spacing in s.
   std::vector<std::int64_t> grid_numbers_;  ///< Ascending.
-  std::vector<Take> takes_;
+  std::vector<Solution> solutions_;
   std::vector<Record> records_;
 };
 

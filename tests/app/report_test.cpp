@@ -5,10 +5,10 @@
 #include <string>
 
 #include "canvas/error.h"
-#include "figure/gnuplot.h"
 #include "gl/error.h"
 #include "motion/error.h"
-#include "movie/error.h"
+#include "plot/gnuplot.h"
+#include "video/error.h"
 
 namespace twrench {
 namespace {
@@ -35,7 +35,7 @@ Said report_of(const Thrown& thrown) {
 
 TEST(Report, EachKindOfErrorHasItsExitCode) {
   using enum ExitCode;
-  EXPECT_EQ(report_of(UsageError("a", "b")).code, usage);
+  EXPECT_EQ(report_of(InvalidArgument("a", "b")).code, usage);
   EXPECT_EQ(report_of(OutOfRange("a", "b", {2, 0, 1})).code, usage);
   EXPECT_EQ(report_of(MotionError("a", "b", MotionError::Reason::diverged)).code, usage);
   EXPECT_EQ(report_of(OverwriteError("a", "b")).code, usage);
@@ -43,16 +43,16 @@ TEST(Report, EachKindOfErrorHasItsExitCode) {
   EXPECT_EQ(report_of(MissingGlyph("a", "b", U'x')).code, usage);
   EXPECT_EQ(report_of(gl::GlError("a", "b")).code, no_gl);
   EXPECT_EQ(report_of(EncoderError("a", "b")).code, encoder);
-  EXPECT_EQ(report_of(FigureError("a", "b")).code, encoder);
+  EXPECT_EQ(report_of(PlotError("a", "b")).code, encoder);
   EXPECT_EQ(report_of(FileError("a", "b")).code, file);
   EXPECT_EQ(report_of(FramesError("a", "b", FramesError::Reason::missing)).code, file);
   EXPECT_EQ(report_of(std::runtime_error("a")).code, internal);
 }
 
 TEST(Report, IsALineAndARemedyBelow) {
-  EXPECT_EQ(report_of(UsageError("--fps", "is 0", "give more")).text,
+  EXPECT_EQ(report_of(InvalidArgument("--fps", "is 0", "give more")).text,
             "twrench: error: --fps: is 0\n  give more\n");
-  EXPECT_EQ(report_of(UsageError("--fps", "is 0")).text, "twrench: error: --fps: is 0\n");
+  EXPECT_EQ(report_of(InvalidArgument("--fps", "is 0")).text, "twrench: error: --fps: is 0\n");
 }
 
 TEST(Report, RemediesOfMotionsNameTheOptions) {

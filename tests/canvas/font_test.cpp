@@ -17,7 +17,7 @@ namespace {
 std::string refusal(std::vector<std::uint8_t> file) {
   try {
     Font(std::move(file), "F");
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     return error.what();
   }
   return "none";
@@ -26,7 +26,7 @@ std::string refusal(std::vector<std::uint8_t> file) {
 std::string refusal_to_load(const std::string& name) {
   try {
     load_typeface(name);
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     return error.what();
   }
   return "none";
@@ -98,7 +98,7 @@ bool draw_with(std::vector<std::uint8_t> file) {
     Image image(200, 40, 4);
     Canvas(image, 0, 0).text(typeset(font, "The Dzhanibekov e\u0301 10⁻³ سلام"), 20, {0, 30}, {});
     return true;
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_THAT(error.what(), testing::StartsWith("F: "));
     return false;
   }

@@ -40,7 +40,7 @@ TEST(Backend, IsTheOneAskedFor) {
 
 TEST(Backend, ADeviceOfEglMeansEgl) {
   EXPECT_EQ(open_context({Backend::automatic, "software"}).context->backend(), "egl");
-  EXPECT_THROW(open_context({Backend::osmesa, "software"}), UsageError);
+  EXPECT_THROW(open_context({Backend::osmesa, "software"}), InvalidArgument);
 }
 
 TEST(Backend, SaysWhatItFellBackTo) {
@@ -59,7 +59,7 @@ TEST(EglContext, ListsItsDevicesWhereThereIsNoneOfTheName) {
   try {
     make_egl_context("17");
     FAIL() << "no exception";
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_STREQ(error.what(), "EGL device 17: EGL has no device of that name");
     EXPECT_THAT(error.remedy(), HasSubstr("its devices: 0"));
   }

@@ -30,7 +30,7 @@ TEST_P(FramebufferTest, ReadsFromTheTopLeft) {
   const Framebuffer framebuffer(gl, 5, 3, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 5, 3}, 0, 1);
   fill(framebuffer, {1, 2, 1, 1}, 1, 0);  // the second pixel of the top row
-  const Image image = framebuffer.begin_read({0, 0, 5, 3}).take();
+  const Image image = framebuffer.begin_read({0, 0, 5, 3}).finish();
   EXPECT_EQ(image.width, 5);
   EXPECT_EQ(image.height, 3);
   EXPECT_EQ(image.channels, 4);
@@ -43,7 +43,7 @@ TEST_P(FramebufferTest, ReadsAnAreaAlone) {
   const Framebuffer framebuffer(gl, 8, 8, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 8, 8}, 0, 1);
   fill(framebuffer, {3, 5, 1, 1}, 1, 0);
-  const Image image = framebuffer.begin_read({3, 4, 2, 2}).take();
+  const Image image = framebuffer.begin_read({3, 4, 2, 2}).finish();
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
   EXPECT_THAT(pixel(image, 0, 0), ElementsAre(255, 0, 0, 255));
@@ -56,7 +56,7 @@ TEST_F(FramebufferTest, RefusesASizePastTheLimit) {
   try {
     const Framebuffer framebuffer(gl, 1'000'000, 10, 1, ReadMode::at_once);
     FAIL() << "no exception";
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_THAT(error.what(),
                 HasSubstr("size 1000000x10: this OpenGL implementation draws at most"));
     EXPECT_THAT(error.remedy(), HasSubstr("choose a size of at most"));

@@ -56,7 +56,7 @@ class ReadbackTest : public GlTest, public testing::WithParamInterface<int> {
   std::vector<std::uint8_t> expected(float shade, const Rectangle& area) const {
     const Drawn at_once(gl, GetParam(), ReadMode::at_once);
     at_once.draw(shade);
-    return at_once.begin_read(area).take().pixels;
+    return at_once.begin_read(area).finish().pixels;
   }
 };
 
@@ -68,9 +68,9 @@ TEST_P(ReadbackTest, GivesTheSameBytesThroughABuffer) {
   for (const Rectangle& area : areas) {
     buffered.draw(0.5F);
     Readback readback = buffered.begin_read(area);
-    EXPECT_FALSE(readback.is_there());
+    EXPECT_FALSE(readback.is_ready());
     const auto pixels = expected(0.5F, area);  // read while the other is in transfer
-    const Image image = readback.take();
+    const Image image = readback.finish();
     EXPECT_EQ(image.width, area.width);
     EXPECT_EQ(image.height, area.height);
     EXPECT_EQ(image.pixels, pixels) << area.width << "x" << area.height;
@@ -89,9 +89,9 @@ TEST_P(ReadbackTest, KeepsSeveralOnTheirWayApart) {
     Readback two = buffered.begin_read(second);
     buffered.draw(0.8F);
     Readback three = buffered.begin_read(third);
-    EXPECT_EQ(three.take().pixels, expected(0.8F, third));
-    EXPECT_EQ(one.take().pixels, expected(0.2F, first));
-    EXPECT_EQ(two.take().pixels, expected(0.5F, second));
+    EXPECT_EQ(three.finish().pixels, expected(0.8F, third));
+    EXPECT_EQ(one.finish().pixels, expected(0.2F, first));
+    EXPECT_EQ(two.finish().pixels, expected(0.5F, second));
   }
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
@@ -102,7 +102,7 @@ TEST_P(ReadbackTest, MayBeLeftUntaken) {
   buffered.draw(0.2F);
   { const Readback left = buffered.begin_read(area); }
   buffered.draw(0.6F);
-  EXPECT_EQ(buffered.begin_read(area).take().pixels, expected(0.6F, area));
+  EXPECT_EQ(buffered.begin_read(area).finish().pixels, expected(0.6F, area));
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, ReadbackTest, testing::Values(1, 4));
@@ -125,7 +125,7 @@ TEST_F(PixelBuffersTest, AreUsedAgain) {
 
 TEST_F(PixelBuffersTest, ComeBackFromAReadbackThatIsTaken) {
   const Framebuffer framebuffer(gl, 4, 4, 1, ReadMode::at_once);
-  framebuffer.begin_read({0, 0, 4, 4}).take();  // from now on it is bound for reading
+  framebuffer.begin_read({0, 0, 4, 4}).finish();  // from now on it is bound for reading
   PixelBuffers buffers(gl);
   PixelBuffers::Sized one = buffers.get(64);
   const GLuint id = one.buffer.id();
@@ -133,7 +133,7 @@ TEST_F(PixelBuffersTest, ComeBackFromAReadbackThatIsTaken) {
   Readback readback(gl, {0, 0, 4, 4}, &buffers);
   const PixelBuffers::Sized other = buffers.get(64);
   EXPECT_NE(other.buffer.id(), id) << "which is in use";
-  readback.take();
+  readback.finish();
   EXPECT_EQ(buffers.get(64).buffer.id(), id);
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
@@ -156,14 +156,14 @@ TEST_F(ReadModeTest, IsAtOnceInSoftwareAlone) {
 
 TEST_F(ReadModeTest, DecidesWhetherPixelsAreThere) {
   const Drawn at_once(gl, 1, ReadMode::at_once);
-  EXPECT_TRUE(at_once.begin_read({0, 0, 4, 4}).is_there());
+  EXPECT_TRUE(at_once.begin_read({0, 0, 4, 4}).is_ready());
 }
 
 TEST_F(ReadModeTest, TellsOfPixelsThatAreLost) {
   const Drawn buffered(gl, 1, ReadMode::buffered);
   Readback readback = buffered.begin_read({0, 0, 4, 4});
   gl.UnmapBuffer = [](GLenum) -> GLboolean { return GL_FALSE; };
-  EXPECT_THROW(readback.take(), GlError);
+  EXPECT_THROW(readback.finish(), GlError);
 }
 
 }  // namespace

@@ -142,18 +142,18 @@ TEST(Png, BytesDependOnTheImageAloneWhereverItIsCompressed) {
 /// Frames of a film: what is the same in all, but for an area that is elsewhere in each.
 struct FilmFrame {
   Image image;
-  Area changed;
+  Area damage;
 };
 
 std::vector<FilmFrame> film_frames(int height, int channels) {
   std::vector<FilmFrame> frames;
   for (int k = 0; k < 6; ++k) {
     FilmFrame frame{sample_image(150, height, channels, 7), {20 * k, k * height / 7, 30, 20}};
-    for (int y = frame.changed.y; y < std::min(frame.changed.y + 20, height); ++y) {
+    for (int y = frame.damage.y; y < std::min(frame.damage.y + 20, height); ++y) {
       std::fill_n(
           frame.image.pixels.begin() +
               static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * frame.image.row_bytes()) +
-              frame.changed.x * channels,
+              frame.damage.x * channels,
           30 * channels, static_cast<std::uint8_t>(40 * k));
     }
     frames.push_back(std::move(frame));
@@ -166,11 +166,11 @@ TEST(Png, OfAFilmIsTheSameBytesAsAlone) {
     for (const int channels : {3, 4}) {
       const auto frames = film_frames(height, channels);
       std::vector<std::vector<std::uint8_t>> together(frames.size());
-      StillBands bands;
+      StaticBands bands;
       std::vector<std::jthread> threads;
       for (std::size_t k = 0; k < frames.size(); ++k) {
         threads.emplace_back([&, k] {
-          together[k] = encode_png(frames[k].image, {{&frames[k].changed, 1}, bands});
+          together[k] = encode_png(frames[k].image, {{&frames[k].damage, 1}, bands});
         });
       }
       threads.clear();  // joins
@@ -182,7 +182,7 @@ TEST(Png, OfAFilmIsTheSameBytesAsAlone) {
 }
 
 TEST(Png, OfAFilmHasItsStillRowsFromTheFirstFrameThatHasThem) {
-  StillBands bands;
+  StaticBands bands;
   const Image first = sample_image(50, 96, 3, 1), other = sample_image(50, 96, 3, 2);
   const Area above{10, 3, 5, 28}, below{30, 32, 5, 1};  // the rows from 64 on are still in both
   encode_png(first, {{&below, 1}, bands});
@@ -204,10 +204,10 @@ TEST(Png, CompressesASmoothFrameWell) {
 
 TEST(Png, EncodingRefusesSizesOutOfRange) {
   Image image;
-  EXPECT_THROW(encode_png(image), UsageError);
+  EXPECT_THROW(encode_png(image), InvalidArgument);
   image.width = max_image_side + 1;
   image.height = 1;
-  EXPECT_THROW(encode_png(image), UsageError);
+  EXPECT_THROW(encode_png(image), InvalidArgument);
 }
 
 }  // namespace

@@ -74,12 +74,12 @@ TEST(FreeBody, WithAMomentThatIsNotPositiveCannotBeMade) {
 TEST(FreeBody, OfAnInertiaThatIsNotSymmetricCannotBeMade) {
   Matrix3d inertia = Vector3d(1, 2, 3).asDiagonal();
   inertia(1, 0) = 1e-9;
-  const auto error = refusal<UsageError>(inertia, Vector3d::UnitX());
+  const auto error = refusal<InvalidArgument>(inertia, Vector3d::UnitX());
   ASSERT_TRUE(error);
   EXPECT_EQ(error->quantity(), "inertia");
   EXPECT_NE(std::string(error->what()).find("symmetric"), std::string::npos) << error->what();
   inertia(1, 0) = 1e-16;
-  EXPECT_FALSE(refusal<UsageError>(inertia, Vector3d::UnitX())) << "that is round-off";
+  EXPECT_FALSE(refusal<InvalidArgument>(inertia, Vector3d::UnitX())) << "that is round-off";
 }
 
 TEST(FreeBody, OfWhatIsNotFiniteCannotBeMade) {
@@ -87,7 +87,7 @@ TEST(FreeBody, OfWhatIsNotFiniteCannotBeMade) {
     for (int i = 0; i < 9; ++i) {
       Matrix3d inertia = Matrix3d::Identity();
       inertia(i / 3, i % 3) = bad;
-      const auto error = refusal<UsageError>(inertia, Vector3d::UnitX());
+      const auto error = refusal<InvalidArgument>(inertia, Vector3d::UnitX());
       ASSERT_TRUE(error) << inertia;
       EXPECT_EQ(error->quantity(), "inertia");
     }
@@ -102,10 +102,11 @@ TEST(FreeBody, OfWhatIsNotFiniteCannotBeMade) {
 }
 
 TEST(FreeBody, WhoseConstantsOverflowCannotBeMade) {
-  const auto momentum = refusal<UsageError>(1e200 * Matrix3d::Identity(), 1e200 * Vector3d::Ones());
+  const auto momentum =
+      refusal<InvalidArgument>(1e200 * Matrix3d::Identity(), 1e200 * Vector3d::Ones());
   ASSERT_TRUE(momentum);
   EXPECT_EQ(momentum->quantity(), "omega");
-  const auto inverse = refusal<UsageError>(1e-310 * Matrix3d::Identity(), Vector3d::Zero());
+  const auto inverse = refusal<InvalidArgument>(1e-310 * Matrix3d::Identity(), Vector3d::Zero());
   ASSERT_TRUE(inverse);
   EXPECT_EQ(inverse->quantity(), "inertia");
 }

@@ -9,21 +9,21 @@
 namespace twrench {
 namespace {
 
-double sum(const Row& row) {
+double sum(const TableauRow& row) {
   double total = 0;
   for (const double x : row) total += x;
   return total;
 }
 
 /// The nodes c_k = sum_j a_kj.
-Row nodes(const Tableau& tableau) {
-  Row c{};
+TableauRow nodes(const Tableau& tableau) {
+  TableauRow c{};
   for (std::size_t k = 0; k < c.size(); ++k) c[k] = sum(tableau.a[k]);
   return c;
 }
 
 /// sum_k b_k c_k^power, which is 1/(power + 1) for a tableau of order power + 1.
-double quadrature(const Row& weights, const Row& c, int power) {
+double quadrature(const TableauRow& weights, const TableauRow& c, int power) {
   double total = 0;
   for (std::size_t k = 0; k < c.size(); ++k) total += weights[k] * std::pow(c[k], power);
   return total;
@@ -51,7 +51,7 @@ TEST(Method, TableausAreExplicit) {
 
 TEST(Method, QuadratureConditionsHoldToTheTableausOrder) {
   for (const Method& method : runge_kutta_methods()) {
-    const Row c = nodes(tableau_of(method));
+    const TableauRow c = nodes(tableau_of(method));
     for (int power = 0; power < tableau_of(method).order; ++power) {
       EXPECT_NEAR(quadrature(tableau_of(method).weights, c, power), 1.0 / (power + 1), 1e-15)
           << method.name << " c^" << power;
@@ -62,8 +62,8 @@ TEST(Method, QuadratureConditionsHoldToTheTableausOrder) {
 // Eq. (39): the second row of weights is of order 5, and the nodes are Fehlberg's.
 TEST(Method, FehlbergsPair) {
   const Tableau& tableau = tableau_of(find_method("rkf45"));
-  const Row expected{0, 1.0 / 4, 3.0 / 8, 12.0 / 13, 1, 1.0 / 2};
-  const Row c = nodes(tableau);
+  const TableauRow expected{0, 1.0 / 4, 3.0 / 8, 12.0 / 13, 1, 1.0 / 2};
+  const TableauRow c = nodes(tableau);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(c[k], expected[k], 1e-14);
   for (int power = 0; power < 5; ++power) {
     EXPECT_NEAR(quadrature(tableau.embedded, c, power), 1.0 / (power + 1), 1e-15);
@@ -75,7 +75,7 @@ TEST(Method, FehlbergsPair) {
 TEST(Method, CoupledConditionsOfTheFourthOrderTableaus) {
   for (const char* name : {"rk4", "rkf45"}) {
     const Tableau& t = tableau_of(find_method(name));
-    const Row c = nodes(t);
+    const TableauRow c = nodes(t);
     double bac = 0, bcac = 0, bacc = 0, baac = 0;
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < 6; ++j) {
@@ -96,7 +96,7 @@ TEST(Method, UnknownNameOffersTheNearest) {
   try {
     find_method("rk45");
     FAIL();
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_STREQ(error.what(), "method: unknown name 'rk45'");
     EXPECT_NE(error.remedy().find("did you mean 'rk"), std::string::npos) << error.remedy();
   }

@@ -32,7 +32,7 @@ TEST_P(EveryPropagator, SamplesAreThoseOfTheTrajectoryInEitherDirection) {
     const auto propagator = make_propagator(body_, GetParam(), control_, direction);
     std::vector<double> times;
     for (int i = 1; i < 20; ++i) times.push_back(sign * 0.37 * i);
-    const Trajectory all = trajectory(body_, GetParam(), control_, times);
+    const Trajectory all = integrate(body_, GetParam(), control_, times);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const Sample sample = propagator->sample_at(times[i]);
       EXPECT_EQ(sample.X, all.samples[i].X) << times[i];
@@ -49,7 +49,7 @@ TEST_P(EveryPropagator, ItsStepsFollowOneAnother) {
     Matrix3d X = Matrix3d::Identity();
     for (int i = 0; i < 20; ++i) {
       const double t = propagator->t();
-      const OwnStep step = propagator->next_step();
+      const AcceptedStep step = propagator->next_step();
       EXPECT_EQ(step.t, t);
       EXPECT_EQ(step.before, X);
       EXPECT_EQ(step.length > 0, direction == Direction::forward);
@@ -69,8 +69,8 @@ TEST_P(EveryPropagator, RefusesATimeThatCannotBe) {
       EXPECT_EQ(error.quantity(), "t");
     }
     const std::vector<double> times{0, t};
-    EXPECT_THROW(trajectory(body_, GetParam(), control_, times), OutOfRange);
-    const auto fail = [](const OwnStep&) { FAIL() << "a step was taken"; };
+    EXPECT_THROW(integrate(body_, GetParam(), control_, times), OutOfRange);
+    const auto fail = [](const AcceptedStep&) { FAIL() << "a step was taken"; };
     EXPECT_THROW(visit_steps(body_, GetParam(), control_, t, fail), OutOfRange);
   }
   EXPECT_NO_THROW(propagator->sample_at(1)) << "nothing has changed";
@@ -80,8 +80,8 @@ TEST_P(EveryPropagator, RefusesToGoBack) {
   if (GetParam().exact()) GTEST_SKIP() << "it goes to each time at once";
   const auto propagator = make_propagator(body_, GetParam(), control_);
   propagator->sample_at(50);
-  EXPECT_THROW(propagator->sample_at(0.05), UsageError);
-  EXPECT_THROW(propagator->sample_at(-50), UsageError);
+  EXPECT_THROW(propagator->sample_at(0.05), InvalidArgument);
+  EXPECT_THROW(propagator->sample_at(-50), InvalidArgument);
   EXPECT_NO_THROW(propagator->sample_at(50));
 }
 
@@ -124,7 +124,7 @@ TEST(Propagator, OutlivesWhatItWasMadeFrom) {
   auto body = std::make_unique<FreeBody>(reference_case("wrench-a").body);
   auto method = std::make_unique<Method>(find_method("rkmk4"));
   const std::vector<double> times{3};
-  const Matrix3d X = trajectory(*body, *method, {}, times).samples[0].X;
+  const Matrix3d X = integrate(*body, *method, {}, times).samples[0].X;
   const auto propagator = make_propagator(*body, *method, {});
   body.reset();
   method.reset();

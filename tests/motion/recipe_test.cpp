@@ -33,7 +33,7 @@ constexpr Method rkmk3{"rkmk3",
 double error_with(double step) {
   const FreeBody wrench = reference_case("wrench-a").body;
   const std::array times{20.0};
-  const Trajectory motion = trajectory(wrench, rkmk3, {.step = step}, times);
+  const Trajectory motion = integrate(wrench, rkmk3, {.step = step}, times);
   return (motion.samples.front().X - ExactMotion(wrench).at(times[0]).X).norm();
 }
 
@@ -47,7 +47,7 @@ TEST(MethodRecipe, GivesAMethodOfItsOrder) {
 
 TEST(MethodRecipe, GivesAMethodThatStaysOnTheGroup) {
   const std::array times{96.0};
-  const Trajectory motion = trajectory(reference_case("wrench-a").body, rkmk3, {}, times);
+  const Trajectory motion = integrate(reference_case("wrench-a").body, rkmk3, {}, times);
   const Eigen::Matrix3d& X = motion.samples.front().X;
   EXPECT_LE((X.transpose() * X - Eigen::Matrix3d::Identity()).norm(), 1e-10);
 }

@@ -20,7 +20,7 @@ double error_at_end(const Method& method, int steps) {
   StepControl control;
   control.step = t / steps;
   const double times[] = {t};
-  const Sample end = trajectory(sphere, method, control, times).samples[0];
+  const Sample end = integrate(sphere, method, control, times).samples[0];
   return (end.X - so3::exp(t * Vector3d::UnitX())).norm();
 }
 

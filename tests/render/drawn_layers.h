@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "render/element.h"
+#include "render/compose/element.h"
 
 namespace twrench {
 
 /// Returns what an element draws, once all its pixels have arrived.
-inline std::vector<Layer> drawn_layers(Element& element, const Moment& moment) {
+inline std::vector<Layer> drawn_layers(Element& element, const FrameState& state) {
   std::vector<Layer> layers;
-  for (PendingLayer& layer : element.draw(moment)) layers.push_back(layer.get());
+  for (PendingLayer& layer : element.draw(state)) layers.push_back(layer.get());
   return layers;
 }
 

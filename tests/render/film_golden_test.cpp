@@ -49,8 +49,8 @@ TEST_P(GoldenFilm, IsDrawn) {
   scene.camera.elevation = golden.elevation;
   const Timeline timeline(scene, {golden.frame});
   const auto context = gl::make_test_context();
-  Renderer renderer(*context, scene, timeline.takes());
-  expect_golden(golden.name, renderer.draw(timeline.moment(0)).image);
+  Renderer renderer(*context, scene, timeline.solutions());
+  expect_golden(golden.name, renderer.draw(timeline.frame_state(0)).image);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(goldens()), [](const auto& param) {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "gl/test_context.h"
-#include "render/layer.h"
+#include "render/compose/layer.h"
 #include "render/renderer.h"
 #include "render/t_wrench.h"
 
@@ -23,16 +23,16 @@ struct Film {
 };
 
 /// The frame with its damaged areas restored: the static background, if the rest is unchanged.
-Image without_changes(const Frame& frame, const Image& still) {
+Image without_changes(const Frame& frame, const Image& background) {
   Image image = frame.image;
   const auto channels = static_cast<std::size_t>(image.channels);
-  for (const Area& area : frame.changed) {
+  for (const Area& area : frame.damage) {
     for (int y = area.y; y < area.y + area.height; ++y) {
       const auto first =
           static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * image.row_bytes() +
                                       static_cast<std::size_t>(area.x) * channels);
-      std::copy_n(still.pixels.begin() + first, static_cast<std::size_t>(area.width) * channels,
-                  image.pixels.begin() + first);
+      std::copy_n(background.pixels.begin() + first,
+                  static_cast<std::size_t>(area.width) * channels, image.pixels.begin() + first);
     }
   }
   return image;
@@ -62,23 +62,24 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
   const auto context = gl::make_test_context();
   std::vector<Frame> expected;
   {
-    Renderer renderer(*context, film, timeline.takes(), gl::ReadMode::at_once);
-    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.moment(i)));
+    Renderer renderer(*context, film, timeline.solutions(), gl::ReadMode::at_once);
+    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.frame_state(i)));
     ASSERT_NE(expected[0].image.pixels, expected[1].image.pixels);
   }
   for (const gl::ReadMode mode : {gl::ReadMode::at_once, gl::ReadMode::buffered}) {
-    Renderer renderer(*context, film, timeline.takes(), mode);
-    Image still = renderer.still();
-    if (film.look.transparent) make_straight(still, {0, 0, still.width, still.height});
+    Renderer renderer(*context, film, timeline.solutions(), mode);
+    Image background = renderer.static_background();
+    if (film.look.transparent)
+      unpremultiply(background, {0, 0, background.width, background.height});
     std::vector<PendingFrame> begun;
-    for (std::size_t i = 0; i < 3; ++i) begun.push_back(renderer.begin(timeline.moment(i)));
+    for (std::size_t i = 0; i < 3; ++i) begun.push_back(renderer.begin(timeline.frame_state(i)));
     const auto expect = [&](std::size_t i) {
       const Frame frame = begun[i].get();
       EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
-      EXPECT_EQ(without_changes(frame, still).pixels, still.pixels) << i;
+      EXPECT_EQ(without_changes(frame, background).pixels, background.pixels) << i;
     };
     expect(1);
-    begun.push_back(renderer.begin(timeline.moment(3)));
+    begun.push_back(renderer.begin(timeline.frame_state(3)));
     for (const std::size_t i : {3U, 0U, 2U}) expect(i);
   }
 }
@@ -89,14 +90,14 @@ TEST_P(FramesInFlight, AreTheSameInTheMemoryOfOthers) {
   const auto context = gl::make_test_context();
   std::vector<Frame> expected;
   {
-    Renderer renderer(*context, film, timeline.takes());
-    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.moment(i)));
+    Renderer renderer(*context, film, timeline.solutions());
+    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.frame_state(i)));
   }
-  Renderer renderer(*context, film, timeline.takes());
+  Renderer renderer(*context, film, timeline.solutions());
   for (const std::size_t i : {2U, 0U, 3U, 1U, 1U, 2U}) {
-    Frame frame = renderer.draw(timeline.moment(i));
+    Frame frame = renderer.draw(timeline.frame_state(i));
     EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
-    EXPECT_EQ(frame.changed, expected[i].changed) << i;
+    EXPECT_EQ(frame.damage, expected[i].damage) << i;
     renderer.reuse(std::move(frame));
   }
 }
@@ -105,11 +106,11 @@ TEST(FramesGivenBack, LendTheirMemory) {
   const Scene film = t_wrench();
   const Timeline timeline(film, {0, 250});
   const auto context = gl::make_test_context();
-  Renderer renderer(*context, film, timeline.takes());
-  Frame first = renderer.draw(timeline.moment(0));
+  Renderer renderer(*context, film, timeline.solutions());
+  Frame first = renderer.draw(timeline.frame_state(0));
   const std::uint8_t* const memory = first.image.pixels.data();
   renderer.reuse(std::move(first));
-  EXPECT_EQ(renderer.draw(timeline.moment(1)).image.pixels.data(), memory);
+  EXPECT_EQ(renderer.draw(timeline.frame_state(1)).image.pixels.data(), memory);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FramesInFlight,
@@ -123,8 +124,10 @@ TEST(FramesAhead, AreAsManyAsHidePixelsOnTheirWay) {
   const Scene film = t_wrench();
   const Timeline timeline(film, {0});
   const auto context = gl::make_test_context();
-  EXPECT_EQ(Renderer(*context, film, timeline.takes()).frames_ahead(), 0) << "drawn in software";
-  EXPECT_EQ(Renderer(*context, film, timeline.takes(), gl::ReadMode::buffered).frames_ahead(), 1);
+  EXPECT_EQ(Renderer(*context, film, timeline.solutions()).frames_ahead(), 0)
+      << "drawn in software";
+  EXPECT_EQ(Renderer(*context, film, timeline.solutions(), gl::ReadMode::buffered).frames_ahead(),
+            1);
 }
 
 }  // namespace

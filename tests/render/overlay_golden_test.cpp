@@ -6,11 +6,11 @@
 #include <functional>
 #include <ostream>
 
-#include "render/component_panel.h"
+#include "render/compose/label_painter.h"
 #include "render/drawn_layers.h"
 #include "render/golden.h"
-#include "render/hud.h"
-#include "render/label_painter.h"
+#include "render/hud/component_panel.h"
+#include "render/hud/hud.h"
 #include "render/overlay_scene.h"
 
 namespace twrench {
@@ -50,42 +50,42 @@ std::vector<OverlayGolden> goldens() {
 }
 
 /// The frame state in the middle of the video, modified by `change`.
-Moment middle(const OverlayScene& film, const std::function<void(Instant&)>& change) {
-  Moment moment = film.timeline.moment(0);
-  for (std::size_t i = 0; i < moment.instants.size(); ++i) {
-    const Take& take = film.timeline.takes()[i];
-    Instant& instant = moment.instants[i];
-    instant.sample = take.whole[take.whole.size() / 2];
-    instant.diagnostics = diagnose(take.body, take.initial_energy, instant.sample);
+FrameState middle(const OverlayScene& film, const std::function<void(SolutionState&)>& change) {
+  FrameState state = film.timeline.frame_state(0);
+  for (std::size_t i = 0; i < state.solutions.size(); ++i) {
+    const Solution& solution = film.timeline.solutions()[i];
+    SolutionState& instant = state.solutions[i];
+    instant.sample = solution.whole[solution.whole.size() / 2];
+    instant.diagnostics = diagnose(solution.body, solution.initial_energy, instant.sample);
     // Round-off differs between machines.
-    if (take.method->name == "exact") instant.diagnostics = {0, -1.2e-15, 3.4e-16, 0};
-    if (take.method->name == "strang") instant.diagnostics.orthogonality_error = 0;
-    if (take.method->name == "rk4") instant.diagnostics.orthogonality_error = 5e-15;
-    if (take.method->name == "lie-euler") instant.diagnostics.orthogonality_error = 6e-15;
+    if (solution.method->name == "exact") instant.diagnostics = {0, -1.2e-15, 3.4e-16, 0};
+    if (solution.method->name == "strang") instant.diagnostics.orthogonality_error = 0;
+    if (solution.method->name == "rk4") instant.diagnostics.orthogonality_error = 5e-15;
+    if (solution.method->name == "lie-euler") instant.diagnostics.orthogonality_error = 6e-15;
     instant.flips = 2;
     change(instant);
   }
-  return moment;
+  return state;
 }
 
 Image drawn(
-    const Scene& scene, const std::function<void(Instant&)>& change = [](Instant&) {}) {
+    const Scene& scene, const std::function<void(SolutionState&)>& change = [](SolutionState&) {}) {
   const OverlayScene film(scene);
-  const auto& takes = film.timeline.takes();
-  const Moment moment = middle(film, change);
+  const auto& solutions = film.timeline.solutions();
+  const FrameState state = middle(film, change);
   Image image(scene.film.width, scene.film.height, 3);
   // Visible through a panel that darkens or brightens it.
   image.pixels.assign(image.pixels.size(), 110);
   const auto lay = [&](const std::vector<Layer>& layers) {
-    for (const Layer& layer : layers) lay_over(image, layer);
+    for (const Layer& layer : layers) composite_over(image, layer);
   };
   if (film.layout.components) {
-    ComponentPanel panel(film.scene, takes, film.layout, film.typeface, film.colors);
-    lay(drawn_layers(panel, moment));
+    ComponentPanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
+    lay(drawn_layers(panel, state));
   }
-  Hud hud(film.scene, takes, film.layout, film.typeface, film.colors);
-  lay(drawn_layers(hud, moment));
-  const LabelPainter painter(film.typeface.regular, film.layout.text.figure, film.colors.panel,
+  Hud hud(film.scene, solutions, film.layout, film.typeface, film.colors);
+  lay(drawn_layers(hud, state));
+  const LabelPainter painter(film.typeface.regular, film.layout.text.readout, film.colors.panel,
                              {0, 0, image.width, image.height}, hud.extents());
   const Area& focus = film.layout.panes[0].focus;
   const Eigen::Vector2d end(focus.x + focus.width / 2.0, focus.y + focus.height / 2.0);
@@ -114,9 +114,11 @@ TEST_P(OverlayGoldenImage, IsDrawn) {
 // What the thresholds must detect.
 TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
   const Image golden = read_png(golden_path(GetParam().name));
-  EXPECT_FALSE(same_words(drawn(GetParam().scene, [](Instant& i) { i.sample.t += 0.1; }), golden));
+  EXPECT_FALSE(
+      same_words(drawn(GetParam().scene, [](SolutionState& i) { i.sample.t += 0.1; }), golden));
   EXPECT_FALSE(same_words(
-      drawn(GetParam().scene, [](Instant& i) { i.diagnostics.energy_drift = 7e-3; }), golden));
+      drawn(GetParam().scene, [](SolutionState& i) { i.diagnostics.energy_drift = 7e-3; }),
+      golden));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
@@ -128,8 +130,8 @@ INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
 
 TEST(ComponentsInTheGoldens, ShowATransposedPose) {
   const Scene scene = goldens()[0].scene;
-  EXPECT_FALSE(
-      same_words(drawn(scene, [](Instant& i) { i.sample.X.transposeInPlace(); }), drawn(scene)));
+  EXPECT_FALSE(same_words(drawn(scene, [](SolutionState& i) { i.sample.X.transposeInPlace(); }),
+                          drawn(scene)));
 }
 
 }  // namespace

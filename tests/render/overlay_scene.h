@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "canvas/font.h"
-#include "render/layer.h"
-#include "render/layout.h"
+#include "render/compose/layer.h"
+#include "render/compose/layout.h"
+#include "render/look/theme.h"
 #include "render/t_wrench.h"
-#include "render/theme.h"
 #include "timeline/timeline.h"
 
 namespace twrench {
@@ -16,7 +16,7 @@ namespace twrench {
 struct OverlayScene {
   explicit OverlayScene(const Scene& film, int frame = 0)
       : scene(film),
-        layout(layout_of(scene)),
+        layout(compute_layout(scene)),
         timeline(scene, {frame}),
         typeface(load_typeface(scene.overlay.font)) {}
 

@@ -17,16 +17,16 @@ class PoseRenderer {
  public:
   PoseRenderer(gl::Context& context, const Scene& scene, const std::set<Feature>& features = {})
       : timeline_(showing(scene, features), {0}),
-        renderer_(context, showing(scene, features), timeline_.takes()) {}
+        renderer_(context, showing(scene, features), timeline_.solutions()) {}
 
   /// With motion blur, as if it moved on from X as it does from its first pose.
   Image draw(const Eigen::Matrix3d& X) {
-    Moment moment = timeline_.moment(0);
-    for (Eigen::Matrix3d& pose : moment.instants[0].blur) {
-      pose = pose * moment.instants[0].sample.X.transpose() * X;
+    FrameState state = timeline_.frame_state(0);
+    for (Eigen::Matrix3d& pose : state.solutions[0].blur) {
+      pose = pose * state.solutions[0].sample.X.transpose() * X;
     }
-    moment.instants[0].sample.X = X;
-    return renderer_.draw(moment).image;
+    state.solutions[0].sample.X = X;
+    return renderer_.draw(state).image;
   }
 
   Camera camera() const { return renderer_.camera(0); }

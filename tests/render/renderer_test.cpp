@@ -187,11 +187,11 @@ TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
     for (const View view : {View::wrench, View::momentum, View::poinsot, View::quad}) {
       scene.overlay.view = view;
       const Timeline timeline(scene, {0});
-      Renderer renderer(*context, scene, timeline.takes());
-      const Frame frame = renderer.draw(timeline.moment(0));
+      Renderer renderer(*context, scene, timeline.solutions());
+      const Frame frame = renderer.draw(timeline.frame_state(0));
       EXPECT_EQ(frame.image.width, width);
       EXPECT_EQ(frame.image.height, height);
-      for (const Area& area : frame.changed) {
+      for (const Area& area : frame.damage) {
         EXPECT_EQ(common(area, {0, 0, width, height}), area) << width << "x" << height;
       }
     }

@@ -10,10 +10,10 @@
 #include <string>
 #include <variant>
 
-#include "render/mesh.h"
-#include "render/neighbours.h"
-#include "render/reach.h"
-#include "render/trail_point.h"
+#include "render/body/bounding_radius.h"
+#include "render/body/mesh.h"
+#include "render/body/occluders.h"
+#include "render/overlay/trail_point.h"
 #include "scene/scene_json.h"
 
 namespace twrench {
@@ -126,7 +126,7 @@ TYPED_TEST(ShapeRecipe, LiesInItsBounds) {
   const double bound = bounding_radius(this->part.shape);
   EXPECT_LE(farthest, bound * (1 + 1e-6));
   EXPECT_GE(farthest, bound * 0.96);
-  EXPECT_LE(farthest_of_all, reach({&this->part, 1}) * (1 + 1e-6));
+  EXPECT_LE(farthest_of_all, bounding_radius(std::span<const Part>(&this->part, 1)) * (1 + 1e-6));
 }
 
 // What shades other parts in its stead, and the end that draws a trail, lie about it.

@@ -7,14 +7,14 @@
 #include <numbers>
 
 #include "gl/test_context.h"
-#include "render/body_overlay.h"
+#include "render/body/bounding_radius.h"
 #include "render/drawn_layers.h"
-#include "render/momentum_view.h"
-#include "render/poinsot_view.h"
-#include "render/reach.h"
+#include "render/overlay/body_overlay.h"
+#include "render/overlay/trail_point.h"
 #include "render/t_wrench.h"
-#include "render/trail_point.h"
-#include "render/wrench_view.h"
+#include "render/views/body_view.h"
+#include "render/views/momentum_view.h"
+#include "render/views/poinsot_view.h"
 
 namespace twrench {
 namespace {
@@ -37,9 +37,9 @@ class SpaceViews : public testing::Test {
   gl::Framebuffer framebuffer{gl, 320, 180, 4, gl::ReadMode::at_once};
   Layout::Pane pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
 
-  Image drawn_picture(Element& element, const Moment& moment) const {
+  Image drawn_picture(Element& element, const FrameState& state) const {
     Image picture(framebuffer.width(), framebuffer.height(), 4);
-    for (const Layer& layer : drawn_layers(element, moment)) lay_over(picture, layer);
+    for (const Layer& layer : drawn_layers(element, state)) composite_over(picture, layer);
     return picture;
   }
 };
@@ -64,13 +64,13 @@ TEST(TrailPoint, ExistsWhereAllEndsAreAlike) {
 TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
   Scene scene = with({Feature::momentum, Feature::omega, Feature::plane});
   const Timeline timeline(scene, {0, 100, 300, 500, 900});
-  const double radius = reach(visible_parts(scene.body));
-  const BodyOverlay overlay(scene, timeline.takes()[0], radius);
-  const Vector3d up = timeline.takes()[0].body.momentum().normalized();
+  const double radius = bounding_radius(visible_parts(scene.body));
+  const BodyOverlay overlay(scene, timeline.solutions()[0], radius);
+  const Vector3d up = timeline.solutions()[0].body.momentum().normalized();
   EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
   EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.moment(i).instants[0].sample;
+    const Sample sample = timeline.frame_state(i).solutions[0].sample;
     EXPECT_NEAR(overlay.omega_tip(sample).dot(up), overlay.plane_height(), 1e-6 * radius);
     EXPECT_LT(overlay.omega_tip(sample).cross(sample.X * sample.omega).norm(), 1e-12 * radius);
   }
@@ -82,9 +82,9 @@ TEST(BodyOverlay, BoundsALongOmega) {
   scene.motion.omega = {20, 1, 0};
   scene.motion.duration = 1;
   const Timeline timeline(scene, {0, 5});
-  const BodyOverlay overlay(scene, timeline.takes()[0], 3);
+  const BodyOverlay overlay(scene, timeline.solutions()[0], 3);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    EXPECT_LT(overlay.omega_tip(timeline.moment(i).instants[0].sample).norm(), 4.6);
+    EXPECT_LT(overlay.omega_tip(timeline.frame_state(i).solutions[0].sample).norm(), 4.6);
   }
 }
 
@@ -93,18 +93,19 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     Scene scene = with({Feature::momentum, Feature::labels});
     scene.camera.azimuth = azimuth;
     const Timeline timeline(scene, {0});
-    WrenchView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
-    const Moment moment = timeline.moment(0);
+    BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+    const FrameState state = timeline.frame_state(0);
     const Camera camera = view.camera(0);
-    const BodyOverlay overlay(scene, timeline.takes()[0], reach(visible_parts(scene.body)));
+    const BodyOverlay overlay(scene, timeline.solutions()[0],
+                              bounding_radius(visible_parts(scene.body)));
     const Vector3d tip = overlay.momentum_tip();
-    const auto labels = view.labels(moment);
+    const auto labels = view.labels(state);
     ASSERT_EQ(labels.size(), 1) << azimuth;
     EXPECT_EQ(labels[0].text, "L");
     EXPECT_LT((labels[0].anchor - pixel_of(camera, pane.area, tip)).norm(), 1e-9);
     // Within the head, which has the colour of L.
     const Vector2d inside = pixel_of(camera, pane.area, 0.97 * tip);
-    const Image picture = drawn_picture(view, moment);
+    const Image picture = drawn_picture(view, state);
     const auto x = static_cast<int>(inside.x()), y = static_cast<int>(inside.y());
     ASSERT_TRUE(x >= 0 && y >= 0 && x < picture.width && y < picture.height) << azimuth;
     const std::uint8_t* p = &picture.pixels[static_cast<std::size_t>(4 * (y * picture.width + x))];
@@ -122,8 +123,8 @@ TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
     scene.overlay.show.clear();
     if (omega) scene.overlay.show.insert(Feature::omega);
     const Timeline timeline(scene, {0});
-    WrenchView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
-    return drawn_picture(view, timeline.moment(0));
+    BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+    return drawn_picture(view, timeline.frame_state(0));
   };
   const Image with_omega = pictures(true), without = pictures(false);
   EXPECT_EQ(with_omega.pixels, without.pixels);
@@ -134,9 +135,9 @@ TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
 TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
   Scene scene = with({});
   const Timeline timeline(scene, {0, 200, 400});
-  const MomentumView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
+  const MomentumView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.moment(i).instants[0].sample;
+    const Sample sample = timeline.frame_state(i).solutions[0].sample;
     const Vector3d place = view.place_of(sample);
     EXPECT_NEAR(place.norm(), 1, 1e-9);
     // The wrench's axis of least moment, y, points up, and the intermediate one, x, towards the
@@ -153,9 +154,9 @@ TEST_F(SpaceViews, ShowTheSpheresAxesWholeInPanesOfAnyShape) {
     const Timeline timeline(scene, {0, 300, 600});
     for (const auto& [width, height] : {std::pair(20, 180), {100, 180}, {170, 180}, {320, 60}}) {
       const Area all{0, 0, width, height};
-      const MomentumView view(gl, framebuffer, scene, timeline.takes(), 0, {all, all});
+      const MomentumView view(gl, framebuffer, scene, timeline.solutions(), 0, {all, all});
       for (std::size_t i = 0; i < timeline.size(); ++i) {
-        EXPECT_EQ(view.labels(timeline.moment(i)).size(), 4U) << width << "x" << height;
+        EXPECT_EQ(view.labels(timeline.frame_state(i)).size(), 4U) << width << "x" << height;
       }
     }
   }
@@ -165,9 +166,9 @@ TEST_F(SpaceViews, RollTheEllipsoidOnThePlane) {
   Scene scene = with({});
   scene.motion.omega = {1, 0.2, -0.1};
   const Timeline timeline(scene, {0, 77, 200, 400, 901});
-  const PoinsotView view(gl, framebuffer, scene, timeline.takes(), 0, pane);
+  const PoinsotView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.moment(i).instants[0].sample;
+    const Sample sample = timeline.frame_state(i).solutions[0].sample;
     const Vector3d contact = view.contact(sample);
     const Matrix3d unit_from_view = view.ellipsoid(sample.X).inverse();
     EXPECT_NEAR(contact.y(), 1, 1e-7) << "on the plane";
@@ -176,7 +177,7 @@ TEST_F(SpaceViews, RollTheEllipsoidOnThePlane) {
     EXPECT_LT(normal.normalized().cross(Vector3d::UnitY()).norm(), 1e-7) << "touching";
   }
   // Without slipping: the body's point at the contact is at rest.
-  const ExactMotion motion(timeline.takes()[0].body);
+  const ExactMotion motion(timeline.solutions()[0].body);
   const double t = 7, h = 1e-4;
   const Sample now = motion.at(t);
   const Vector3d point = view.ellipsoid(now.X).inverse() * view.contact(now);
@@ -203,20 +204,20 @@ TEST_F(SpaceViews, DrawEveryBody) {
     scene.motion.duration = 2;
     scene.overlay.trail_length = 1e-9;  // a single point
     const Timeline timeline(scene, {0, 15});
-    const Moment moment = timeline.moment(1);
+    const FrameState state = timeline.frame_state(1);
     std::vector<std::unique_ptr<SpaceView>> views;
     views.push_back(
-        std::make_unique<WrenchView>(gl, framebuffer, scene, timeline.takes(), 0, pane));
+        std::make_unique<BodyView>(gl, framebuffer, scene, timeline.solutions(), 0, pane));
     views.push_back(
-        std::make_unique<MomentumView>(gl, framebuffer, scene, timeline.takes(), 0, pane));
+        std::make_unique<MomentumView>(gl, framebuffer, scene, timeline.solutions(), 0, pane));
     views.push_back(
-        std::make_unique<PoinsotView>(gl, framebuffer, scene, timeline.takes(), 0, pane));
+        std::make_unique<PoinsotView>(gl, framebuffer, scene, timeline.solutions(), 0, pane));
     for (const auto& view : views) {
       EXPECT_TRUE(view->camera(0).view.allFinite()) << odd.name;
-      view->still();
-      for (const Layer& layer : drawn_layers(*view, moment))
+      view->static_layers();
+      for (const Layer& layer : drawn_layers(*view, state))
         EXPECT_GT(layer.image.width, 0) << odd.name;
-      for (const Label& label : view->labels(moment)) {
+      for (const Label& label : view->labels(state)) {
         EXPECT_TRUE(label.anchor.allFinite() && label.away.allFinite()) << odd.name;
       }
     }
@@ -228,13 +229,13 @@ TEST_F(SpaceViews, KeepTheArrowsInViewOfACameraThatGoesAround) {
   scene.camera.orbit = 1;
   const Timeline timeline(scene, {0});
   const Layout::Pane square{{0, 0, 180, 180}, {0, 0, 180, 180}};
-  const WrenchView view(gl, framebuffer, scene, timeline.takes(), 0, square);
+  const BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, square);
   const double distance = view.camera(0).distance;
   for (int i = 0; i < 30; ++i) {
-    Moment moment = timeline.moment(0);
-    moment.film_time = 0.2 * i;
-    EXPECT_EQ(view.labels(moment).size(), 1) << moment.film_time;
-    EXPECT_EQ(view.camera(moment.film_time).distance, distance) << "no breathing";
+    FrameState state = timeline.frame_state(0);
+    state.video_time = 0.2 * i;
+    EXPECT_EQ(view.labels(state).size(), 1) << state.video_time;
+    EXPECT_EQ(view.camera(state.video_time).distance, distance) << "no breathing";
   }
 }
 
@@ -242,10 +243,10 @@ TEST_F(SpaceViews, ShowEachTakeItsOwn) {
   Scene scene = with({Feature::omega, Feature::labels});
   scene.overlay.compare = {"exact", "lie-euler"};
   const Timeline timeline(scene, {600});
-  const Moment moment = timeline.moment(0);
-  const WrenchView one(gl, framebuffer, scene, timeline.takes(), 0, pane);
-  const WrenchView other(gl, framebuffer, scene, timeline.takes(), 1, pane);
-  EXPECT_GT((one.labels(moment).at(0).anchor - other.labels(moment).at(0).anchor).norm(), 2);
+  const FrameState state = timeline.frame_state(0);
+  const BodyView one(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  const BodyView other(gl, framebuffer, scene, timeline.solutions(), 1, pane);
+  EXPECT_GT((one.labels(state).at(0).anchor - other.labels(state).at(0).anchor).norm(), 2);
 }
 
 }  // namespace

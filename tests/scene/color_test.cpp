@@ -16,7 +16,7 @@ TEST(Color, Parses) {
 
 TEST(Color, RefusesWhatIsNone) {
   for (const char* text : {"", "#", "red", "#12345", "#1234567", "1a2b3c", "#12345g", "#-12345"}) {
-    EXPECT_THROW(parse_color(text, "x"), UsageError) << text;
+    EXPECT_THROW(parse_color(text, "x"), InvalidArgument) << text;
   }
 }
 

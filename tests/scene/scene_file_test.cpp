@@ -169,7 +169,7 @@ TEST_P(SceneMistake, IsToldWithItsPlace) {
   try {
     parse_scene(GetParam().text, "bad.toml");
     FAIL() << GetParam().text;
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_THAT(error.what(), HasSubstr(GetParam().place));
     EXPECT_THAT(error.what(), HasSubstr(GetParam().why));
   }
@@ -245,7 +245,7 @@ TEST(SceneFile, UnknownSceneOffersTheNearest) {
   try {
     load_scene("dzanibekov");
     FAIL();
-  } catch (const UsageError& error) {
+  } catch (const InvalidArgument& error) {
     EXPECT_THAT(error.remedy(), HasSubstr("did you mean 'dzhanibekov'?"));
   }
 }
@@ -259,10 +259,10 @@ TEST(Scene, FrameCountIsBounded) {
   Scene scene = load_scene("sphere");
   scene.motion.duration = 1e9;
   scene.film.speed = 0.001;
-  EXPECT_THROW(scene.frame_count(), UsageError);
+  EXPECT_THROW(scene.frame_count(), InvalidArgument);
   scene.motion.duration = 1e-6;
   scene.film.speed = 1;
-  EXPECT_THROW(scene.frame_count(), UsageError);
+  EXPECT_THROW(scene.frame_count(), InvalidArgument);
 }
 
 }  // namespace

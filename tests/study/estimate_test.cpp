@@ -20,7 +20,7 @@ EstimateQuality quality(const FreeBody& body, std::string_view method, double to
   const double speed = body.omega().norm();
   EstimateCheck check(body);
   visit_steps(body, find_method(method), {.step = 0.1 / speed, .tolerance = tolerance}, 20 / speed,
-              [&](const OwnStep& step) { check.visit(step); });
+              [&](const AcceptedStep& step) { check.visit(step); });
   return check.quality();
 }
 

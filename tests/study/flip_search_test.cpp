@@ -19,7 +19,7 @@ std::vector<double> flips_seen(const FreeBody& body, std::string_view method, do
   const Method& m = find_method(method);
   FlipSearch search(body, m);
   visit_steps(body, m, {.step = step, .tolerance = 1e-13}, t_end,
-              [&](const OwnStep& s) { search.visit(s); });
+              [&](const AcceptedStep& s) { search.visit(s); });
   return search.times();
 }
 

@@ -38,7 +38,7 @@ TEST(Median, OfOddAndEvenCounts) {
 }
 
 TEST(FittedExponent, OfAPowerLawWithAStrayPoint) {
-  std::vector<Point> points;
+  std::vector<PowerLawPoint> points;
   for (const double h : {0.4, 0.2, 0.1, 0.05, 0.025, 0.0125}) {
     points.push_back({h, 7 * std::pow(h, 3)});
   }
@@ -48,7 +48,7 @@ TEST(FittedExponent, OfAPowerLawWithAStrayPoint) {
 
 TEST(FittedExponent, NeedsTwoPoints) {
   EXPECT_FALSE(fitted_exponent({}));
-  const std::vector<Point> one{{1, 1}}, same_step{{1, 1}, {1, 2}};
+  const std::vector<PowerLawPoint> one{{1, 1}}, same_step{{1, 1}, {1, 2}};
   EXPECT_FALSE(fitted_exponent(one));
   EXPECT_FALSE(fitted_exponent(same_step));
 }

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 /// One successful run, of a pair, and one that failed.
 Study small_study() {
   StudyPlan plan{{&find_method("rkmk45"), &find_method("rkmk4")}, {50}, {1e-8}, 0.1, 60};
-  return study(reference_case("wrench-a").body, plan);
+  return run_study(reference_case("wrench-a").body, plan);
 }
 
 TEST(StudyReport, TextHasEverythingForPeople) {
@@ -32,7 +32,7 @@ TEST(StudyReport, TextHasEverythingForPeople) {
 
 TEST(StudyReport, TextOfAMotionWithoutFlips) {
   StudyPlan plan{{&find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
-  const std::string text = study_text(study(reference_case("sphere").body, plan), "sphere");
+  const std::string text = study_text(run_study(reference_case("sphere").body, plan), "sphere");
   EXPECT_THAT(text, HasSubstr("Flips: none"));
   EXPECT_THAT(text, testing::Not(HasSubstr("Flip times")));
 }
@@ -40,7 +40,7 @@ TEST(StudyReport, TextOfAMotionWithoutFlips) {
 TEST(StudyReport, TextOfTheSeparatrix) {
   StudyPlan plan{{&find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
   const FreeBody body(Eigen::Vector3d(1, 4, 6).asDiagonal(), {2, 0, 1});
-  const std::string text = study_text(study(body, plan), "separatrix");
+  const std::string text = study_text(run_study(body, plan), "separatrix");
   EXPECT_THAT(text, HasSubstr("Flips: at most one"));
   EXPECT_THAT(text, testing::Not(HasSubstr("inf")));
 }

@@ -23,7 +23,7 @@ TEST(Study, SeesTheOrderOfEveryMethod) {
   StudyPlan plan = plan_for({}, 96);
   plan.tolerances = tolerance_ladder();
   for (const Method& method : methods()) plan.methods.push_back(&method);
-  for (const MethodStudy& m : study(wrench(), plan).methods) {
+  for (const MethodStudy& m : run_study(wrench(), plan).methods) {
     if (m.method->order.value_or(9) > 8) {  // none, or too steep to measure
       EXPECT_FALSE(m.order);
       continue;
@@ -38,10 +38,10 @@ TEST(Study, ErrorIsThatAgainstTheReference) {
   const Sample& end = c.samples[4];  // t = 50
   StudyPlan plan = plan_for({"midpoint"}, end.t);
   plan.steps = {0.05};
-  const Study result = study(c.body, plan);
+  const Study result = run_study(c.body, plan);
   const StudyRun& run = result.methods[0].runs[0];
   const std::vector<double> times{end.t, 10};
-  const auto samples = trajectory(c.body, find_method("midpoint"), {.step = 0.05}, times).samples;
+  const auto samples = integrate(c.body, find_method("midpoint"), {.step = 0.05}, times).samples;
   EXPECT_NEAR(run.error, (samples[0].X - end.X).norm(), 1e-12);
   EXPECT_EQ(result.early, 10);
   EXPECT_NEAR(run.early_error, (samples[1].X - c.samples[2].X).norm(), 1e-12);
@@ -54,7 +54,7 @@ TEST(Study, ErrorIsThatAgainstTheReference) {
 TEST(Study, TellsWhatAMethodConserves) {
   StudyPlan plan = plan_for({"euler", "lie-euler", "implicit-trapezoid"}, 20);
   plan.steps = {0.05};
-  const Study result = study(wrench(), plan);
+  const Study result = run_study(wrench(), plan);
   const StudyRun &euler = result.methods[0].runs[0], &group = result.methods[1].runs[0],
                  &trapezoid = result.methods[2].runs[0];
   EXPECT_GT(euler.orthogonality_error, 1e-2);
@@ -70,7 +70,7 @@ TEST(Study, TellsWhatAMethodConserves) {
 TEST(Study, HoldsFlipsAgainstThePrediction) {
   StudyPlan plan = plan_for({"rk4", "exact"}, 96);
   plan.steps = {0.1};
-  const Study result = study(wrench(), plan);
+  const Study result = run_study(wrench(), plan);
   ASSERT_EQ(result.flip_times.size(), 4U);
   const StudyRun &rk4 = result.methods[0].runs[0], &exact = result.methods[1].runs[0];
   ASSERT_EQ(rk4.flips.size(), 4U);
@@ -80,7 +80,7 @@ TEST(Study, HoldsFlipsAgainstThePrediction) {
 }
 
 TEST(Study, EstimateOfTheEmbeddedPairs) {
-  const Study result = study(wrench(), plan_for({"rkf45", "rkmk45", "rk4"}, 20));
+  const Study result = run_study(wrench(), plan_for({"rkf45", "rkmk45", "rk4"}, 20));
   EXPECT_NEAR(result.methods[0].estimate_exponent.value(), -2, 0.1);
   EXPECT_NEAR(result.methods[1].estimate_exponent.value(), 0, 0.1);
   EXPECT_FALSE(result.methods[2].estimate_exponent);
@@ -93,7 +93,7 @@ TEST(Study, EstimateOfTheEmbeddedPairs) {
 TEST(Study, ARefusedStepIsARunWithItsReason) {
   StudyPlan plan = plan_for({"rkmk4", "lie-euler"}, 1000);
   plan.steps = {50, 0.1};
-  const Study result = study(wrench(), plan);
+  const Study result = run_study(wrench(), plan);
   const MethodStudy& m = result.methods[0];
   EXPECT_NE(m.runs[0].failure.find("longer than a turn of the body"), std::string::npos);
   EXPECT_EQ(m.runs[1].failure, "");
@@ -104,8 +104,8 @@ TEST(Study, ARefusedStepIsARunWithItsReason) {
 TEST(Study, RefusesAPlanThatCannotBe) {
   const auto refused = [](const StudyPlan& plan) -> std::string {
     try {
-      study(wrench(), plan);
-    } catch (const UsageError& error) {
+      run_study(wrench(), plan);
+    } catch (const InvalidArgument& error) {
       return error.quantity();
     }
     return "nothing";
@@ -126,7 +126,7 @@ TEST(Study, RefusesAPlanThatCannotBe) {
 TEST(Study, ABodyAtRestHasNoErrorAndNoFlips) {
   const FreeBody rest(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
   StudyPlan plan = plan_for({"rk4", "rkmk45", "euler"}, 10);
-  const Study result = study(rest, plan);
+  const Study result = run_study(rest, plan);
   EXPECT_FALSE(result.flips);
   for (const MethodStudy& m : result.methods) {
     EXPECT_FALSE(m.order);

@@ -22,19 +22,19 @@ std::vector<int> all_frames(const Scene& scene) {
   return frames;
 }
 
-void expect_same(const Moment& a, const Moment& b) {
+void expect_same(const FrameState& a, const FrameState& b) {
   EXPECT_EQ(a.frame, b.frame);
-  EXPECT_EQ(a.film_time, b.film_time);
-  ASSERT_EQ(a.instants.size(), b.instants.size());
-  for (std::size_t i = 0; i < a.instants.size(); ++i) {
-    EXPECT_EQ(a.instants[i].sample.X, b.instants[i].sample.X);
-    EXPECT_EQ(a.instants[i].flips, b.instants[i].flips);
-    EXPECT_EQ(a.instants[i].next_flip, b.instants[i].next_flip);
-    EXPECT_EQ(a.instants[i].blur, b.instants[i].blur);
-    ASSERT_EQ(a.instants[i].trail.size(), b.instants[i].trail.size());
-    for (std::size_t k = 0; k < a.instants[i].trail.size(); ++k) {
-      EXPECT_EQ(a.instants[i].trail[k].t, b.instants[i].trail[k].t);
-      EXPECT_EQ(a.instants[i].trail[k].X, b.instants[i].trail[k].X);
+  EXPECT_EQ(a.video_time, b.video_time);
+  ASSERT_EQ(a.solutions.size(), b.solutions.size());
+  for (std::size_t i = 0; i < a.solutions.size(); ++i) {
+    EXPECT_EQ(a.solutions[i].sample.X, b.solutions[i].sample.X);
+    EXPECT_EQ(a.solutions[i].flips, b.solutions[i].flips);
+    EXPECT_EQ(a.solutions[i].next_flip, b.solutions[i].next_flip);
+    EXPECT_EQ(a.solutions[i].blur, b.solutions[i].blur);
+    ASSERT_EQ(a.solutions[i].trail.size(), b.solutions[i].trail.size());
+    for (std::size_t k = 0; k < a.solutions[i].trail.size(); ++k) {
+      EXPECT_EQ(a.solutions[i].trail[k].t, b.solutions[i].trail[k].t);
+      EXPECT_EQ(a.solutions[i].trail[k].X, b.solutions[i].trail[k].X);
     }
   }
 }
@@ -46,8 +46,8 @@ TEST(Timeline, AMomentDoesNotDependOnTheOtherFrames) {
   const Timeline whole(scene, all_frames(scene));
   const Timeline some(scene, {0, 7, 8, 500, 959});
   for (std::size_t i = 0; i < some.size(); ++i) {
-    const Moment moment = some.moment(i);
-    expect_same(moment, whole.moment(static_cast<std::size_t>(moment.frame)));
+    const FrameState state = some.frame_state(i);
+    expect_same(state, whole.frame_state(static_cast<std::size_t>(state.frame)));
   }
 }
 
@@ -55,30 +55,30 @@ TEST(Timeline, CountsFlipsAndForetellsTheNext) {
   const Scene scene = turning_over();
   const Timeline timeline(scene, all_frames(scene));
   // First flip at 11.8154 s, then every 23.6307 s; a frame is 0.1 s.
-  EXPECT_EQ(timeline.moment(118).instants[0].flips, 0U);
-  EXPECT_NEAR(timeline.moment(118).instants[0].next_flip.value(), 11.815362623, 1e-8);
-  EXPECT_EQ(timeline.moment(119).instants[0].flips, 1U);
-  EXPECT_NEAR(timeline.moment(119).instants[0].next_flip.value(), 35.446087870, 1e-8);
-  EXPECT_EQ(timeline.moment(959).instants[0].flips, 4U);
+  EXPECT_EQ(timeline.frame_state(118).solutions[0].flips, 0U);
+  EXPECT_NEAR(timeline.frame_state(118).solutions[0].next_flip.value(), 11.815362623, 1e-8);
+  EXPECT_EQ(timeline.frame_state(119).solutions[0].flips, 1U);
+  EXPECT_NEAR(timeline.frame_state(119).solutions[0].next_flip.value(), 35.446087870, 1e-8);
+  EXPECT_EQ(timeline.frame_state(959).solutions[0].flips, 4U);
 }
 
 TEST(Timeline, KnowsNoFlipsAboutAStableAxis) {
   Scene scene = turning_over();
   scene.motion.omega = {0.05, 1.0, 0.0};
   const Timeline timeline(scene, {500});
-  EXPECT_FALSE(timeline.moment(0).instants[0].next_flip.has_value());
-  EXPECT_EQ(timeline.moment(0).instants[0].flips, 0U);
+  EXPECT_FALSE(timeline.frame_state(0).solutions[0].next_flip.has_value());
+  EXPECT_EQ(timeline.frame_state(0).solutions[0].flips, 0U);
 }
 
 TEST(Timeline, TrailsReachBackAsFarAsTheyShould) {
   Scene scene = turning_over();
   scene.overlay.trail_length = 5;
   const Timeline timeline(scene, {0, 10, 300});
-  EXPECT_EQ(timeline.moment(0).instants[0].trail.size(), 1U);
-  const std::vector<Sample> early = timeline.moment(1).instants[0].trail;
+  EXPECT_EQ(timeline.frame_state(0).solutions[0].trail.size(), 1U);
+  const std::vector<Sample> early = timeline.frame_state(1).solutions[0].trail;
   EXPECT_EQ(early.front().t, 0);
   EXPECT_EQ(early.back().t, 1);
-  const std::vector<Sample> late = timeline.moment(2).instants[0].trail;
+  const std::vector<Sample> late = timeline.frame_state(2).solutions[0].trail;
   EXPECT_NEAR(late.front().t, 25, 0.1);
   EXPECT_GE(late.front().t, 25);
   EXPECT_EQ(late.back().t, 30);
@@ -90,7 +90,7 @@ TEST(Timeline, TrailsReachBackAsFarAsTheyShould) {
 TEST(Timeline, LeavesOutTrailsThatAreNotShown) {
   Scene scene = turning_over();
   scene.overlay.show.erase(Feature::trail);
-  EXPECT_TRUE(Timeline(scene, {300}).moment(0).instants[0].trail.empty());
+  EXPECT_TRUE(Timeline(scene, {300}).frame_state(0).solutions[0].trail.empty());
 }
 
 TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
@@ -98,9 +98,9 @@ TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
   scene.look.motion_blur = 2;
   scene.motion.method = "exact";
   const Timeline timeline(scene, {100});
-  const Instant instant = timeline.moment(0).instants[0];
+  const SolutionState instant = timeline.frame_state(0).solutions[0];
   ASSERT_EQ(instant.blur.size(), 2U);
-  const ExactMotion motion(timeline.takes()[0].body);
+  const ExactMotion motion(timeline.solutions()[0].body);
   EXPECT_EQ(instant.blur[0], motion.at(10 - 0.0125).X);
   EXPECT_EQ(instant.blur[1], motion.at(10 + 0.0125).X);
 }
@@ -108,15 +108,15 @@ TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
 TEST(Timeline, ShowsEachComparedMethodsOwnDrift) {
   Scene scene = turning_over();
   scene.overlay.compare = {"lie-euler", "exact"};
-  const Moment moment = Timeline(scene, {600}).moment(0);
-  EXPECT_GT(std::abs(moment.instants[0].diagnostics.energy_drift), 1e-4);
-  EXPECT_LT(std::abs(moment.instants[1].diagnostics.energy_drift), 1e-13);
+  const FrameState state = Timeline(scene, {600}).frame_state(0);
+  EXPECT_GT(std::abs(state.solutions[0].diagnostics.energy_drift), 1e-4);
+  EXPECT_LT(std::abs(state.solutions[1].diagnostics.energy_drift), 1e-13);
 }
 
 TEST(Timeline, TellsOfABodyAtRest) {
   Scene scene = turning_over();
   scene.motion.omega.setZero();
-  const Instant instant = Timeline(scene, {100}).moment(0).instants[0];
+  const SolutionState instant = Timeline(scene, {100}).frame_state(0).solutions[0];
   EXPECT_EQ(instant.sample.X, Eigen::Matrix3d::Identity());
   EXPECT_FALSE(instant.next_flip.has_value());
 }

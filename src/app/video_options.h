@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "video/encode_frames.h"
+
+namespace twrench {
+
+/// The options for the destination and container of a video.
+struct VideoOptions {
+  /// Adds --output and --container. `standard` is the default output shown in the help, if any.
+  void add_to(CLI::App& command, const std::string& standard);
+
+  bool is_streamed() const { return output == "-"; }
+
+  /// Returns the container given by name or by the file extension. Throws InvalidArgument.
+  Container container(const std::filesystem::path& film) const;
+
+  /// Throws InvalidArgument if the video should go to standard output but cannot: it is a terminal,
+  /// or `progress` uses it.
+  void require_free_output(const std::string& progress) const;
+
+  std::string output;          ///< a file, "-", or empty
+  std::string container_name;  ///< May be empty.
+};
+
+}  // namespace twrench

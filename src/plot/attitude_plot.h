@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/free_body.h"
+#include "plot/gnuplot.h"
+
+namespace twrench {
+
+/// A motion to plot.
+struct AttitudeCurve {
+  /// Name in the key of the plot.
+  std::string title;
+  /// Samples in order of time.
+  std::vector<Sample> samples;
+  /// Times of the flips to mark, in s.
+  std::vector<double> flips;
+};
+
+/// Returns the nine components of X against time, one panel each, with one colour per curve. There
+/// must be at least one curve.
+Plot nine_panels(std::span<const AttitudeCurve> curves);
+
+/// Returns one panel per column of X with its three components, and one row of panels per curve.
+Plot column_panels(std::span<const AttitudeCurve> curves);
+
+}  // namespace twrench

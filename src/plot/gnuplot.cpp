@@ -1,0 +1,113 @@
+#include "plot/gnuplot.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "base/child_process.h"
+#include "base/file.h"
+#include "base/pending_file.h"
+
+namespace twrench {
+namespace {
+
+constexpr std::size_t longest_figure = 1U << 30U;  // Bytes.
+
+/// An output format of gnuplot.
+struct Format {
+  std::string_view ending;
+  std::string_view terminal;
+  std::string_view last_bytes;  ///< the end of a complete file, ignoring white space
+};
+
+constexpr std::array<Format, 3> formats{{{".svg", "svg", "</svg>"},
+                                         {".pdf", "pdfcairo", "%%EOF"},
+                                         {".png", "pngcairo", "IEND\xae\x42\x60\x82"}}};
+
+const Format& format_of(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const Format& format : formats) {
+    if (ending == format.ending) return format;
+  }
+  throw InvalidArgument(fmt::format("plot {}", path), "its name must end in .svg, .pdf or .png");
+}
+
+/// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
+/// reproducible.
+ChildProcess start(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"gnuplot", "--default-settings"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return start_program<PlotError>(command, "install it: apt-get install gnuplot-nox");
+}
+
+/// The same size in all formats, each in its own units; PNG has twice the resolution.
+std::string terminal(const Format& format, const Plot& plot) {
+  const std::string start =
+      fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
+  if (format.ending == ".svg") {
+    return start + fmt::format("{},{} font 'DejaVu Sans,13' background '#ffffff'\n", plot.width,
+                               plot.height);
+  }
+  if (format.ending == ".pdf") {
+    return start + fmt::format("{:.4f}in,{:.4f}in font 'DejaVu Sans,8' fontscale 1\n",
+                               plot.width / 96.0, plot.height / 96.0);
+  }
+  return start + fmt::format(
+                     "{},{} font 'DejaVu Sans,10.5' fontscale 2 linewidth 2 pointscale 2 "
+                     "background '#ffffff'\n",
+                     2 * plot.width, 2 * plot.height);
+}
+
+/// gnuplot does not check its own writes.
+bool is_complete(const std::filesystem::path& path, const Format& format) {
+  const std::vector<std::uint8_t> bytes = read_file(path, longest_figure);
+  std::size_t size = bytes.size();
+  while (size > 0 && bytes[size - 1] == '\n') --size;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), size);
+  return text.ends_with(format.last_bytes);
+}
+
+}  // namespace
+
+std::string gnuplot_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte >= 0x20 && byte != '"' && byte != '\\' && byte != '`';
+    result += plain ? std::string(1, c) : fmt::format("\\{:03o}", byte);
+  }
+  return result + '"';
+}
+
+void require_gnuplot(const std::string& path) {
+  const Format& format = format_of(path);
+  ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
+  if (gnuplot.wait() == 0) return;
+  throw PlotError(fmt::format("gnuplot cannot write {}", path), last_words(gnuplot.error_output()),
+                  "install a build that can: apt-get install gnuplot-nox");
+}
+
+void draw_plot(const std::string& path, const Plot& plot) {
+  const Format& format = format_of(path);
+  PendingFile file(path);
+  const std::string script = terminal(format, plot) +
+                             fmt::format("set output {}\n", gnuplot_string(file.path().string())) +
+                             plot.script + "\nunset output\n";
+  ChildProcess gnuplot = start({});
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
+  gnuplot.write({bytes, script.size()});
+  if (const int status = gnuplot.wait(); status != 0) {
+    throw PlotError("cannot draw " + path, fmt::format("gnuplot ended with exit status {}: {}",
+                                                       status, last_words(gnuplot.error_output())));
+  }
+  if (!file.is_direct() && !is_complete(file.path(), format)) {
+    throw FileError("cannot write " + path, "gnuplot left it incomplete",
+                    "check whether the disk is full");
+  }
+  file.commit();
+}
+
+}  // namespace twrench

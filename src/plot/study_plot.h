@@ -1,0 +1,12 @@
+#pragma once
+
+#include "plot/gnuplot.h"
+#include "study/study.h"
+
+namespace twrench {
+
+/// Returns three diagrams: error against step size (order), error against CPU time
+/// (work-precision), and energy drift against time, each method at the middle of its ladder.
+Plot study_plot(const Study& study);
+
+}  // namespace twrench

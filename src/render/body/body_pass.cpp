@@ -1,0 +1,280 @@
+#include "render/body/body_pass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <span>
+#include <string>
+
+#include "embedded/shaders.h"
+#include "render/body/facets.h"
+#include "render/body/shader_constants.h"
+#include "render/space/glm_from_eigen.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Matrix3d;
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+/// More would cost more at every pixel than they add to the picture.
+constexpr std::size_t max_occluders = 3;
+
+std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
+  std::size_t most = 0;
+  for (const auto& capsules : neighbours) most = std::max(most, capsules.size());
+  return most;
+}
+
+std::vector<float> part_radii(std::span<const Part> parts, double unit) {
+  std::vector<float> radii;
+  for (const Part& part : parts)
+    radii.push_back(static_cast<float>(capsule_of(part).radius / unit));
+  return radii;
+}
+
+/// In indices, where the side of each part begins; the end of the part if it is not a cylinder.
+std::vector<std::size_t> side_begins(const Mesh& mesh) {
+  std::vector<std::size_t> begins;
+  for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
+    begins.push_back(mesh.sides[part] ? mesh.sides[part]->begin : mesh.part_ends[part]);
+  }
+  return begins;
+}
+
+/// Unit vectors in body axes; 0 for parts that are not cylinders.
+std::vector<Vector3d> part_axes(std::span<const Part> parts) {
+  std::vector<Vector3d> axes;
+  for (const Part& part : parts) {
+    const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+    axes.push_back(is_cylinder ? Vector3d(part.body_from_part.col(2)) : Vector3d::Zero());
+  }
+  return axes;
+}
+
+bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
+
+/// Whether the body has a diffuse term is compiled in, not tested at each pixel: llvmpipe executes
+/// both branches of an if, and the second doubles the work.
+gl::Program body_program(const gl::Functions& gl, const Material& material, const Studio& studio,
+                         std::size_t occluder_count) {
+  const auto file = [](const char* name) {
+    return gl::ShaderFile{name, embedded::shaders().at(name)};
+  };
+  const std::string constants = shader_constants(material, studio) +
+                                fmt::format("const int occluder_count = {};\n", occluder_count);
+  const bool alone = occluder_count == 0;
+  const std::array vertex{gl::ShaderFile{"constants", constants},
+                          file(alone ? "unoccluded.vert" : "occluders.vert"), file("body.vert")};
+  const std::array fragment{gl::ShaderFile{"constants", constants},
+                            file(alone ? "unoccluded.glsl" : "occluders.glsl"),
+                            file("studio.glsl"),
+                            file("tone.glsl"),
+                            file(scatters(material) ? "matte.glsl" : "metal.glsl"),
+                            file("body.frag")};
+  return {gl, vertex, fragment};
+}
+
+template <typename Values>
+void upload(const gl::Functions& gl, GLenum target, const Values& values, GLenum usage) {
+  const auto bytes = std::as_bytes(std::span(values));
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
+}
+
+/// GL takes an offset as a pointer.
+const void* pointer(std::size_t offset) {
+  return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
+/// Sets a float attribute of vertices of `stride` bytes each.
+void set_attribute(const gl::Functions& gl, BodyAttribute attribute, GLint size, std::size_t stride,
+                   std::size_t offset) {
+  gl.EnableVertexAttribArray(attribute);
+  gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                         pointer(offset));
+}
+
+/// The shader's `picture` uniform without displacement.
+constexpr glm::vec3 as_drawn(1, 1, 0);
+
+/// Returns the matrix that transforms normals with the surface: the cofactor matrix, which for a
+/// rotation is the rotation itself, and which is correct for a pose that has left SO(3) too.
+Matrix3d normal_matrix(const Matrix3d& m) {
+  Matrix3d cofactors;
+  cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+  return cofactors;
+}
+
+Matrix4d camera_from_stage(const Camera& camera, double radius) {
+  Matrix4d result = Matrix4d::Identity();
+  result.topLeftCorner<3, 3>() *= radius;
+  result(2, 3) = -camera.distance;
+  return result;
+}
+
+}  // namespace
+
+BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double tolerance,
+                   double radius, const Material& material, const Studio& studio)
+    : gl_(&gl),
+      mesh_(body_mesh(parts, tolerance)),
+      side_begins_(side_begins(mesh_)),
+      occluders_(find_occluders(parts, max_occluders)),
+      occluder_count_(most_of_any(occluders_)),
+      part_radii_(part_radii(parts, radius)),
+      part_axes_(part_axes(parts)),
+      program_(body_program(gl, material, studio, occluder_count_)),
+      array_(gl),
+      edge_quad_array_(gl),
+      vertices_(gl),
+      indices_(gl),
+      visible_indices_(gl),
+      offsets_(gl),
+      edge_quads_(gl),
+      edge_quad_indices_(gl),
+      radius_(radius) {
+  gl.BindVertexArray(array_.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  upload(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, GL_STATIC_DRAW);
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  upload(gl, GL_ARRAY_BUFFER, mesh_.vertices, GL_STATIC_DRAW);
+  set_attribute(gl, position_attribute, 3, sizeof(Vertex), offsetof(Vertex, position));
+  set_attribute(gl, normal_attribute, 3, sizeof(Vertex), offsetof(Vertex, normal));
+  gl.BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
+  upload(gl, GL_ARRAY_BUFFER, std::vector<float>(mesh_.vertices.size()), GL_STREAM_DRAW);
+  set_attribute(gl, offset_attribute, 1, sizeof(float), 0);
+
+  gl.BindVertexArray(edge_quad_array_.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, edge_quad_indices_.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, edge_quads_.id());
+  set_attribute(gl, position_attribute, 3, sizeof(EdgeQuadVertex),
+                offsetof(EdgeQuadVertex, position));
+  set_attribute(gl, normal_attribute, 3, sizeof(EdgeQuadVertex), offsetof(EdgeQuadVertex, normal));
+  set_attribute(gl, offset_attribute, 1, sizeof(EdgeQuadVertex), offsetof(EdgeQuadVertex, offset));
+}
+
+void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
+  set_stage(camera, X, Affine3d::Identity());
+  program_.set("picture", as_drawn);
+  gl_->FrontFace(GL_CCW);
+  draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
+}
+
+void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double height) const {
+  Affine3d mirror = Affine3d::Identity();  // in space, in stage units
+  mirror(1, 1) = -1;
+  mirror(1, 3) = 2 * height / radius_;
+  const Affine3d stage_from_space(camera.camera_from_space());
+  set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
+  program_.set("picture", as_drawn);
+  gl_->FrontFace(GL_CW);  // a mirror reverses the winding
+  draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
+}
+
+void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const Area& pane) {
+  if (!silhouette_) silhouette_.emplace(mesh_);
+  const Matrix3d body_from_camera = (camera.camera_from_space() * X).inverse();
+  const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
+  const glm::vec3 eye = glm_from_eigen((camera.distance * body_from_camera.col(2)).eval());
+  silhouette_->find(eye, static_cast<float>(scale));
+  const Facets seen = visible_facets(mesh_, eye);
+  lift_ = 1 + scale * seen.depth;
+  gl_->BindVertexArray(array_.id());
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, visible_indices_.id());
+  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
+  gl_->BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
+  upload(*gl_, GL_ARRAY_BUFFER, silhouette_->offsets(), GL_STREAM_DRAW);
+  set_stage(camera, X, Affine3d::Identity());
+  program_.set("picture", glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
+  gl_->FrontFace(GL_CCW);
+  draw_parts(array_, visible_indices_, {seen.side_begins, seen.part_ends},
+             stage_from_body(camera, X), lift_);
+}
+
+void BodyPass::draw_edge_quads(const Camera& camera, const Matrix3d& X) const {
+  program_.use();
+  gl_->BindVertexArray(edge_quad_array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, edge_quads_.id());
+  upload(*gl_, GL_ARRAY_BUFFER, silhouette_->edge_quads(), GL_STREAM_DRAW);
+  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, silhouette_->indices(), GL_STREAM_DRAW);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->DepthMask(GL_FALSE);
+  draw_parts(edge_quad_array_, edge_quad_indices_,
+             {silhouette_->part_ends(), silhouette_->part_ends()}, stage_from_body(camera, X),
+             lift_);
+  gl_->DepthMask(GL_TRUE);
+}
+
+Matrix3d BodyPass::stage_from_body(const Camera& camera, const Matrix3d& X) const {
+  return camera.camera_from_space() * X / radius_;
+}
+
+/// The body stays in stage coordinates, in its light; the camera sees the stage transformed by
+/// `seen_from_stage`, which is its own inverse.
+void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
+                         const Affine3d& seen_from_stage) const {
+  program_.use();
+  program_.set(
+      "eye", glm_from_eigen((seen_from_stage * Vector3d(0, 0, camera.distance / radius_)).eval()));
+  program_.set("clip_from_stage",
+               glm_from_eigen((camera.projection * camera_from_stage(camera, radius_) *
+                               seen_from_stage.matrix())
+                                  .eval()));
+  program_.set("stage_from_body", glm_from_eigen(stage_from_body(camera, X)));
+  program_.set("stage_normal_from_body",
+               glm_from_eigen(normal_matrix(camera.camera_from_space() * X)));
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->Enable(GL_CULL_FACE);
+}
+
+/// Draws triangles of `array`, given in indices. With `lift` in pixels, parts that touch parts
+/// drawn before are lifted over them and fade where they enter them; not with 0.
+void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indices,
+                          const Ranges& ranges, const Matrix3d& stage_from_body,
+                          double lift) const {
+  gl_->BindVertexArray(array.id());
+  gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  std::size_t begin = 0;
+  const auto draw_to = [&](std::size_t end, const Vector3d& side_axis) {
+    if (begin == end) return;
+    program_.set("side_axis", glm_from_eigen((radius_ * stage_from_body * side_axis).eval()));
+    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                      pointer(begin * sizeof(std::uint32_t)));
+    begin = end;
+  };
+  for (std::size_t part = 0; part < ranges.part_ends.size(); ++part) {
+    set_occluders(occluders_[part], stage_from_body, lift > 0);
+    const bool meets = std::ranges::any_of(occluders_[part], &Capsule::meets);
+    program_.set("part_lift", meets ? static_cast<float>(lift) : 0.0F);
+    program_.set("part_radius", part_radii_[part]);
+    draw_to(ranges.side_begins[part], Vector3d::Zero());
+    draw_to(ranges.part_ends[part], part_axes_[part]);
+  }
+  gl_->Disable(GL_BLEND);
+}
+
+void BodyPass::set_occluders(const std::vector<Capsule>& capsules, const Matrix3d& stage_from_body,
+                             bool smooth) const {
+  if (occluder_count_ == 0) return;
+  // Unused occluder slots: too small and far away to be visible.
+  std::vector<glm::vec4> from(occluder_count_, glm::vec4(0, 0, -1e4F, 1e-6F));
+  std::vector<glm::vec4> to(occluder_count_, glm::vec4(0, 1, -1e4F, 0));
+  for (std::size_t i = 0; i < capsules.size(); ++i) {
+    const auto end = [&](const Vector3d& place) {
+      return glm_from_eigen((stage_from_body * place).eval());
+    };
+    from[i] = glm::vec4(end(capsules[i].from), capsules[i].radius / radius_);
+    to[i] = glm::vec4(end(capsules[i].to), smooth && capsules[i].meets ? 1 : 0);
+  }
+  program_.set("occluders_from", from);
+  program_.set("occluders_to", to);
+}
+
+}  // namespace twrench

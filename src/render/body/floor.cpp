@@ -1,0 +1,274 @@
+#include "render/body/floor.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/space/screen_area.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::ArrayXf;
+using Eigen::Matrix3d;
+using Eigen::Matrix3f;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr int rows_of_grid = 180;
+constexpr double gap = 0.06;      // between the floor and the space that the body sweeps, in radii
+constexpr double pool = 1.3;      // in radii: where the light has fallen to a quarter
+constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
+// Between the spheres of a part: the shadow of a wire is invisible.
+constexpr double most_gaps = 60;
+
+/// The pool's light at that distance from its middle, in units of its width: a lamp's falloff.
+double falloff(double distance) {
+  const double share = 1 / (1 + distance * distance);
+  return share * share;
+}
+
+/// In units of 1/255: half steps up and down in a 2 x 2 pattern, as for the background.
+float dither(int x, int y) {
+  static constexpr std::array pattern{-0.375F, 0.125F, 0.375F, -0.125F};
+  return pattern[static_cast<std::size_t>(2 * (y % 2) + x % 2)];
+}
+
+/// Filters with (1 2 1) / 4 along `count` cells that are `stride` apart.
+template <typename Cell>
+void blur_line(Cell* line, int count, std::ptrdiff_t stride) {
+  Cell before = line[0];
+  for (int i = 0; i < count; ++i) {
+    const Cell here = line[i * stride];
+    const Cell& after = line[std::min(i + 1, count - 1) * stride];
+    line[i * stride] = 0.25F * (before + after) + 0.5F * here;
+    before = here;
+  }
+}
+
+/// From 0 at a side to 1 at some distance from it, both as fractions of the pane.
+double ramp(double distance) {
+  constexpr double way = 0.15;
+  const double share = std::clamp(distance / way, 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
+/// A position between the centres of two cells of a line.
+struct Between {
+  int first, second;
+  float share;  ///< of the second
+};
+
+/// `place` is in cells from the start of the line.
+Between between(double place, int count) {
+  const double within = std::clamp(place - 0.5, 0.0, count - 1.0);
+  const int first = static_cast<int>(within);
+  return {first, std::min(first + 1, count - 1), static_cast<float>(within - first)};
+}
+
+void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
+  if (color[3] < 0.25F) return;
+  const Eigen::Array4f rounded = (color + 0.5F + dither(x, y)).max(0).min(255);
+  for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint8_t>(rounded[c]);
+}
+
+}  // namespace
+
+Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
+             const Area& picture, std::span<const Part> parts, double radius)
+    : style_(style),
+      pane_(pane),
+      inner_{pane.x > picture.x, pane.x + pane.width<picture.x + picture.width, pane.y> picture.y,
+             pane.y + pane.height < picture.y + picture.height},
+      radius_(radius),
+      height_(-(1 + gap) * radius),
+      columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
+      rows_(std::min(rows_of_grid, pane.height)),
+      framebuffer_(gl, columns_, rows_, 4, mode),
+      balls_(balls_of(parts)),
+      grid_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+/// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
+/// capsule.
+std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
+  std::vector<Ball> balls;
+  for (const Part& part : parts) {
+    const auto [from, to, radius, meets] = capsule_of(part);
+    const double apart = std::numbers::pi / 2 * radius;
+    const int gaps = static_cast<int>(std::lround(std::min((to - from).norm() / apart, most_gaps)));
+    for (int i = 0; i <= gaps; ++i) {
+      balls.push_back({from + (gaps > 0 ? double(i) / gaps : 0.5) * (to - from), radius});
+    }
+  }
+  return balls;
+}
+
+/// Returns the matrix that maps (column, row, 1) on a grid over the pane to (x, z, 1) / w: the
+/// visible point of the floor in radii, with w > 0 in front of the eye.
+Matrix3d Floor::floor_from_grid(const Camera& camera, int width, int height) const {
+  const Eigen::Matrix4d clip_from_space = camera.projection * camera.view;
+  Matrix3d clip_from_floor;
+  int row = 0;
+  for (const int i : {0, 1, 3}) {
+    clip_from_floor.row(row++) << radius_ * clip_from_space(i, 0), radius_ * clip_from_space(i, 2),
+        height_ * clip_from_space(i, 1) + clip_from_space(i, 3);
+  }
+  Matrix3d device_from_grid;
+  device_from_grid << 2.0 / width, 0, -1, 0, -2.0 / height, 1, 0, 0, 1;
+  return clip_from_floor.inverse() * device_from_grid;
+}
+
+/// The opacity of the floor at a position in the pane, given as fractions of its width and height.
+float Floor::fade(double x, double y) const {
+  const double across = (inner_.left ? ramp(x) : 1) * (inner_.right ? ramp(1 - x) : 1);
+  const double down = (inner_.top ? ramp(y) : 1) * (inner_.bottom ? ramp(1 - y) : 1);
+  return static_cast<float>(across * down);
+}
+
+Layer Floor::light(const Camera& camera) const {
+  Layer layer{{pane_.width, pane_.height, 4}, pane_.x, pane_.y};
+  const Matrix3d floor_from_pane = floor_from_grid(camera, pane_.width, pane_.height);
+  const Eigen::Array3d color(style_.light.red, style_.light.green, style_.light.blue);
+  std::uint8_t* out = layer.image.pixels.data();
+  for (int y = 0; y < pane_.height; ++y) {
+    for (int x = 0; x < pane_.width; ++x, out += 4) {
+      const Vector3d place = floor_from_pane * Vector3d(x + 0.5, y + 0.5, 1);
+      if (place.z() <= 0) continue;
+      const double share = falloff(place.head<2>().norm() / (pool * place.z())) *
+                           fade((x + 0.5) / pane_.width, (y + 0.5) / pane_.height);
+      for (int c = 0; c < 3; ++c) {
+        out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + dither(x, y));
+      }
+    }
+  }
+  return layer;
+}
+
+const Floor::Cell* Floor::row_of(int row, int width) const {
+  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
+}
+
+Floor::Cell* Floor::row_of(int row, int width) {
+  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
+}
+
+/// The cells of the grid in which the body's shadow may be visible.
+Area Floor::seen(const Camera& camera) const {
+  ScreenArea screen({0, 0, columns_, rows_}, rows_);
+  screen.begin_shape();
+  constexpr int points = 32;
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / points;
+    const double r = far_away * radius_;
+    const Eigen::Vector4d place(r * std::cos(angle), height_, r * std::sin(angle), 1);
+    screen.add((camera.projection * (camera.view * place)).cast<float>());
+  }
+  return screen.bounds();
+}
+
+gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
+                                     const Area& area) {
+  const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
+  framebuffer_.clear({&rectangle, 1});
+  framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
+  body.draw_mirrored(camera, X, height_);
+  return framebuffer_.begin_read(rectangle);
+}
+
+void Floor::set_reflection(const Image& image) {
+  grid_.resize(image.pixels.size() / 4);
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    const std::uint8_t* p = &image.pixels[4 * i];
+    grid_[i] = Cell(p[0], p[1], p[2], p[3]);
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int y = 0; y < image.height; ++y) blur_line(row_of(y, image.width), image.width, 1);
+    for (int x = 0; x < image.width; ++x) blur_line(grid_.data() + x, image.height, image.width);
+  }
+}
+
+/// Adds the fraction of the light from above, a cos^4 lobe about the vertical, that the spheres
+/// block at each point: for a sphere seen under the half angle a at theta from the vertical,
+/// approximately 5 cos^4(theta) (1 - cos a).
+void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area) {
+  const Matrix3f floor_from_cell = floor_from_grid(camera, columns_, rows_).cast<float>();
+  const ArrayXf column =
+      static_cast<float>(area.x) +
+      ArrayXf::LinSpaced(area.width, 0.5F, static_cast<float>(area.width) - 0.5F);
+  for (int y = 0; y < area.height; ++y) {
+    const Vector3f row_part =
+        floor_from_cell * Vector3f(0, static_cast<float>(area.y + y) + 0.5F, 1);
+    const ArrayXf closeness = floor_from_cell(2, 0) * column + row_part.z();
+    const ArrayXf w = 1 / closeness.max(1e-6F);
+    const ArrayXf x = (floor_from_cell(0, 0) * column + row_part.x()) * w;
+    const ArrayXf z = (floor_from_cell(1, 0) * column + row_part.y()) * w;
+    ArrayXf open = ArrayXf::Ones(area.width);
+    for (const Ball& ball : balls_) {
+      const Vector3f centre = ((X * ball.centre - Vector3d(0, height_, 0)) / radius_).cast<float>();
+      if (centre.y() <= 0) continue;
+      const auto r = static_cast<float>(ball.radius / radius_);
+      const ArrayXf squared = (x - centre.x()).square() + (z - centre.z()).square() +
+                              std::max(centre.y() * centre.y(), r * r);
+      const ArrayXf cosine_squared = centre.y() * centre.y() / squared;
+      open *= (1 - 5 * cosine_squared.square() * (1 - (1 - r * r / squared).sqrt())).max(0);
+    }
+    const auto pool_squared = static_cast<float>(pool * pool);
+    const ArrayXf reflected = static_cast<float>(style_.reflection) *
+                              (closeness > 0).cast<float>() /
+                              (1 + (x.square() + z.square()) / pool_squared).square();
+    Cell* cell = row_of(y, area.width);
+    for (int i = 0; i < area.width; ++i) {
+      const float shadow = 255 * static_cast<float>(style_.shadow) * (1 - open[i]);
+      cell[i] *= reflected[i];
+      cell[i][3] += (1 - cell[i][3] / 255) * shadow;
+      cell[i] *= fade((area.x + i + 0.5) / columns_, (area.y + y + 0.5) / rows_);
+    }
+  }
+}
+
+PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
+  const Area area = seen(camera);
+  return made_of(begin_reflection(camera, X, body, area), [=, this](const Image& reflection) {
+    set_reflection(reflection);
+    add_shadow(camera, X, area);
+    return enlarged(area);
+  });
+}
+
+/// Interpolates the cells' colours between their centres over the pixels of `area`.
+Layer Floor::enlarged(const Area& area) const {
+  const double across = static_cast<double>(pane_.width) / columns_;
+  const double down = static_cast<double>(pane_.height) / rows_;
+  const auto pixel = [](double place) { return static_cast<int>(std::floor(place)); };
+  const int left = pixel(area.x * across);
+  const int top = pixel(area.y * down);
+  Layer layer{
+      {pixel((area.x + area.width) * across) - left, pixel((area.y + area.height) * down) - top, 4},
+      pane_.x + left,
+      pane_.y + top};
+  std::vector<Between> columns;
+  columns.reserve(static_cast<std::size_t>(layer.image.width));
+  for (int x = 0; x < layer.image.width; ++x) {
+    columns.push_back(between((left + x + 0.5) / across - area.x, area.width));
+  }
+  std::vector<Cell> line(static_cast<std::size_t>(area.width));
+  std::uint8_t* out = layer.image.pixels.data();
+  for (int y = 0; y < layer.image.height; ++y) {
+    const Between row = between((top + y + 0.5) / down - area.y, area.height);
+    const Cell* upper = row_of(row.first, area.width);
+    const Cell* lower = row_of(row.second, area.width);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      line[i] = upper[i] + row.share * (lower[i] - upper[i]);
+    }
+    for (int x = 0; x < layer.image.width; ++x, out += 4) {
+      const auto& [first, second, share] = columns[static_cast<std::size_t>(x)];
+      const Cell& cell = line[static_cast<std::size_t>(first)];
+      write(cell + share * (line[static_cast<std::size_t>(second)] - cell), x, y, out);
+    }
+  }
+  return layer;
+}
+
+}  // namespace twrench

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "gl/framebuffer.h"
+#include "image/area.h"
+#include "render/body/body_pass.h"
+#include "render/compose/pending_layer.h"
+#include "render/look/theme.h"
+#include "render/space/camera.h"
+
+namespace twrench {
+
+/// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
+/// the point below its centre that fades out before the horizon, with the body's shadow and a faint
+/// reflection. Shadow and reflection are computed at about a sixth of the picture's resolution,
+/// because they are soft.
+class Floor {
+ public:
+  /// The floor fills the pane of a picture of that size, below parts with that bounding radius
+  /// about the origin, in cm. It fades out where another pane adjoins, so that floors do not meet
+  /// in a line.
+  Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
+        const Area& picture, std::span<const Part> parts, double radius);
+
+  /// Returns the pool of light, which is the same from every camera at this height that looks at
+  /// the origin.
+  Layer light(const Camera& camera) const;
+
+  /// Returns the shadow and the reflection of the body in the pose X. The floor must outlive the
+  /// layer.
+  PendingLayer draw(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body);
+
+ private:
+  /// A sphere that casts shadow; a part is approximated by a row of them.
+  struct Ball {
+    Eigen::Vector3d centre;  ///< Centre in cm, body axes.
+    double radius;           ///< Radius in cm.
+  };
+
+  /// Whether another pane may adjoin each side of the pane.
+  struct Sides {
+    bool left, right, top, bottom;
+  };
+
+  /// Premultiplied red, green, blue and alpha of a grid cell, 0 to 255.
+  using Cell = Eigen::Array4f;
+
+  static std::vector<Ball> balls_of(std::span<const Part> parts);
+  Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
+  Area seen(const Camera& camera) const;
+  float fade(double x, double y) const;
+  gl::Readback begin_reflection(const Camera& camera, const Eigen::Matrix3d& X,
+                                const BodyPass& body, const Area& area);
+  void set_reflection(const Image& image);
+  void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const Area& area);
+  const Cell* row_of(int row, int width) const;
+  Cell* row_of(int row, int width);
+  Layer enlarged(const Area& area) const;
+
+  FloorStyle style_;
+  Area pane_;
+  Sides inner_;
+  double radius_;  ///< Bounding radius in cm.
+  double height_;  ///< Height of the floor, y in space, in cm; negative.
+  int columns_, rows_;
+  gl::Framebuffer framebuffer_;  ///< Of the grid's size.
+  std::vector<Ball> balls_;
+  std::vector<Cell> grid_;  ///< The layer in progress, row by row from the top left.
+};
+
+}  // namespace twrench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "body/shape.h"
+
+namespace twrench {
+
+/// All points within `radius` of a segment. Lengths in cm, body axes.
+struct Capsule {
+  /// Ends of the segment.
+  Eigen::Vector3d from, to;
+  /// Radius about the segment.
+  double radius;
+  /// Whether it is a cylinder that touches the part it occludes and is drawn before it.
+  bool meets = false;
+};
+
+/// Returns a capsule that approximates the part for soft shading: about its longest axis, with ends
+/// inset by half a radius.
+Capsule capsule_of(const Part& part);
+
+/// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
+/// close enough to shade it: nearest first, at most `most`.
+std::vector<std::vector<Capsule>> find_occluders(std::span<const Part> parts, std::size_t most);
+
+}  // namespace twrench

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "render/compose/label.h"
+#include "render/compose/pending_layer.h"
+#include "timeline/timeline.h"
+
+namespace twrench {
+
+/// An element of the picture: a view of the body, a panel, a text block.
+class Element {
+ public:
+  virtual ~Element() = default;
+
+  /// Returns the static layers, which are the same in every frame; called once.
+  virtual std::vector<Layer> static_layers() { return {}; }
+
+  /// Returns the layers that change, in the order in which they are composited. Layers lie entirely
+  /// inside the picture and are as small as their contents. Other elements may draw before a layer
+  /// is resolved; the element outlives its layers.
+  virtual std::vector<PendingLayer> draw(const FrameState& state) = 0;
+
+  /// Returns the labels of its contents, which are drawn over all elements.
+  virtual std::vector<Label> labels(const FrameState& /*state*/) const { return {}; }
+};
+
+/// An element that shows objects in space.
+class SpaceView : public Element {
+ public:
+  /// Returns the camera at `video_time` seconds of video, since it may move.
+  virtual Camera camera(double video_time) const = 0;
+};
+
+}  // namespace twrench

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "render/space/camera.h"
+#include "scene/color.h"
+
+namespace twrench {
+
+/// The name of an object in space, drawn next to it.
+struct Label {
+  /// UTF-8.
+  std::string text;
+  /// The end of the object, in pixels from the top left of the picture.
+  Eigen::Vector2d anchor;
+  /// Unit vector, y down, in which direction there is room for the text.
+  Eigen::Vector2d away;
+  /// Colour of the text.
+  Color color;
+};
+
+/// Returns the label at the end of an object that extends from `from` to `to` in space, for a
+/// camera whose picture fills `pane`; nothing if the end is outside.
+std::optional<Label> label_at(const std::string& text, const Camera& camera, const Area& pane,
+                              const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                              const Color& color);
+
+}  // namespace twrench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "image/area.h"
+#include "image/image.h"
+
+namespace twrench {
+
+/// An image to be composited over another: RGBA with premultiplied alpha.
+struct Layer {
+  /// The pixels.
+  Image image;
+  /// Position of its top left pixel.
+  int x = 0, y = 0;
+
+  Area area() const { return {x, y, image.width, image.height}; }
+};
+
+/// Returns a transparent layer for the part of `picture` within `reach` px of `area`.
+Layer layer_around(const Area& area, int margin, const Area& picture);
+
+/// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
+/// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
+Area composite_over(Image& image, const Layer& layer);
+
+/// Converts premultiplied to unpremultiplied alpha in `area`.
+void unpremultiply(Image& image, const Area& area);
+
+}  // namespace twrench

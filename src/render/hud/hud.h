@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "render/compose/element.h"
+#include "render/hud/text_block.h"
+
+namespace twrench {
+
+/// Returns the colour that identifies a method in a comparison.
+Color solution_color(const OverlayColors& colors, std::size_t solution);
+
+/// The text of the video: title, method, and the readouts of time, drift and flips.
+class Hud : public Element {
+ public:
+  /// All but `scene` and `takes` outlive it. Throws MissingGlyph where the typeface lacks a
+  /// character of the title or, without one, of the scene's name.
+  Hud(const Scene& scene, const std::vector<Solution>& solutions, const Layout& layout,
+      const Typeface& typeface, const OverlayColors& colors);
+
+  std::vector<PendingLayer> draw(const FrameState& state) override;
+
+  /// Returns the areas of the text blocks, which labels must keep clear of.
+  std::vector<Area> extents() const;
+
+ private:
+  std::vector<TextBlock> blocks_;
+};
+
+}  // namespace twrench

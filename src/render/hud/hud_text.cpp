@@ -1,0 +1,75 @@
+#include "render/hud/hud_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace twrench::hud_text {
+namespace {
+
+constexpr const char* figure_space = "\u2007";
+constexpr const char* thin_space = "\u2009";
+
+std::string raised(int exponent) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(exponent)) {
+    text += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+  }
+  return text;
+}
+
+/// Returns "1.2e-15" as "1.2×10⁻¹⁵".
+std::string typographic(const std::string& number) {
+  const std::size_t e = number.find('e');
+  if (e == std::string::npos) return number;
+  return number.substr(0, e) + "×10" + raised(std::stoi(number.substr(e + 1)));
+}
+
+/// Groups the digits before the decimal point by three if there are many, with spaces as wide as a
+/// digit.
+std::string grouped(const std::string& number) {
+  std::string text;
+  const std::size_t whole = std::min(number.find('.'), number.size());
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (whole > 4 && i > 0 && i < whole && (whole - i) % 3 == 0) text += thin_space;
+    text += number[i] == ' ' ? std::string(figure_space) : std::string(1, number[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string seconds(double t, double longest, double resolution) {
+  const double wanted = std::ceil(-std::log10(resolution) - 1e-9);
+  const auto decimals = static_cast<int>(std::clamp(wanted, 0.0, 3.0));
+  const std::size_t width = fmt::format("{:.{}f}", longest, decimals).size();
+  return grouped(fmt::format("{:{}.{}f}", t, width, decimals)) + " s";
+}
+
+std::string error(double value) {
+  if (value == 0) return "0";
+  return typographic(fmt::format("{:.1e}", std::abs(value)));
+}
+
+std::string drift(double value) {
+  if (value == 0) return "0";
+  return (value < 0 ? "−" : "+") + error(value);
+}
+
+std::string setting(double value) {
+  const std::string text = fmt::format("{:.4g}", value);
+  return text.starts_with("1e") ? "10" + raised(std::stoi(text.substr(2))) : typographic(text);
+}
+
+std::string method(const Solution& solution) {
+  const std::string name(solution.method->name);
+  if (std::holds_alternative<ClosedForm>(solution.method->scheme)) return name + ", closed form";
+  if (solution.method->adaptive())
+    return name + ", tolerance " + setting(solution.control.tolerance);
+  return name + ", step " + setting(solution.control.step) + " s";
+}
+
+}  // namespace twrench::hud_text

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "timeline/timeline.h"
+
+// Formatting of numbers and names for the HUD, as UTF-8 for typeset().
+namespace twrench::hud_text {
+
+/// Formats seconds between 0 and `longest` with constant width: leading digits are padded with
+/// "\u2007". Shows as many decimals as `resolution` (in s) requires, at most three.
+std::string seconds(double t, double longest, double resolution);
+
+/// Formats a relative error with its sign, for example "+1.2×10⁻¹⁵"; "0" for zero.
+std::string drift(double value);
+
+/// Formats the magnitude of an error, without a sign.
+std::string error(double value);
+
+/// Formats a setting as briefly as possible: "0.01", "10⁻¹⁰", "2.5×10⁻⁷".
+std::string setting(double value);
+
+/// Returns, for example, "rkmk45, tolerance 10⁻¹⁰".
+std::string method(const Solution& solution);
+
+}  // namespace twrench::hud_text

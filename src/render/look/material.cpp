@@ -1,0 +1,28 @@
+#include "render/look/material.h"
+
+#include <cmath>
+
+#include "render/look/theme.h"
+#include "render/space/glm_from_eigen.h"
+
+namespace twrench {
+
+double linear_from_srgb(double value) {
+  const double s = value / 255;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+Material material(const Look& look) {
+  const ThemeStyle& style = style_of(look.theme);
+  const Color srgb = look.color.value_or(style.metal);
+  const double metallic = look.metallic.value_or(style.metallic);
+  const Eigen::Vector3d color(linear_from_srgb(srgb.red), linear_from_srgb(srgb.green),
+                              linear_from_srgb(srgb.blue));
+  constexpr double dielectric = 0.04;  // F0 of a refractive index of 1.5
+  const Eigen::Vector3d reflectance =
+      metallic * color + (1 - metallic) * Eigen::Vector3d::Constant(dielectric);
+  return {glm_from_eigen(((1 - metallic) * color).eval()), glm_from_eigen(reflectance),
+          static_cast<float>(look.roughness.value_or(style.roughness))};
+}
+
+}  // namespace twrench

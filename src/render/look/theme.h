@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "render/look/studio.h"
+#include "scene/scene.h"
+
+namespace twrench {
+
+/// The colours of overlays. Text in `text` or `dim` is legible anywhere on the theme's background
+/// and on a panel; the distinguishing colours are legible as text on a panel and, except in the
+/// brightest pool of light, on the background: the contrast is at least 4.5 (WCAG 2.1, 1.4.3). They
+/// are distinguishable with every type of colour vision.
+struct OverlayColors {
+  /// Text.
+  Color text;
+  /// For secondary content: units, grid lines, the future of a curve.
+  Color dim;
+  /// Panels behind text and curves.
+  Color panel;
+  /// 0 to 1.
+  double panel_opacity;
+  /// The body's x, y and z axes.
+  std::array<Color, 3> axis;
+  /// The angular momentum L.
+  Color momentum;
+  /// The angular velocity.
+  Color omega;
+  /// The trail of a point.
+  Color trail;
+  /// The invariable plane.
+  Color plane;
+  /// The components of X row by row: a column has its axis' hue, a row its lightness. Curves of one
+  /// row are distinguishable.
+  std::array<Color, 9> curve;
+};
+
+/// The background: a vertical gradient, and stars.
+struct Backdrop {
+  /// Colour at the top of the picture.
+  Color above;
+  /// Colour at the bottom of the picture.
+  Color below;
+  /// Darkening of the sides, 0 to 1.
+  double vignette;
+  /// Number of stars.
+  int stars;
+};
+
+/// The floor of a theme.
+struct FloorStyle {
+  /// Light added in the middle of the pool. It is gray because on a dark floor the 8-bit chroma
+  /// planes of a video would turn changes of hue into visible contours.
+  Color light;
+  /// Fraction of the light that the deepest shadow removes, 0 to 1.
+  double shadow;
+  /// Visible fraction of the body's mirror image, 0 to 1.
+  double reflection;
+};
+
+/// Everything that a theme determines.
+struct ThemeStyle {
+  /// Colour of the body, metal or paint, unless the scene sets it.
+  Color metal;
+  /// Metalness of the body, 0 (paint) to 1 (metal).
+  double metallic;
+  /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).
+  double roughness;
+  /// Lights.
+  Studio studio;
+  /// Background.
+  Backdrop backdrop;
+  /// Nothing if the body floats in space.
+  std::optional<FloorStyle> floor;
+  /// Colours of overlays.
+  OverlayColors overlay;
+};
+
+const ThemeStyle& style_of(Theme theme);
+
+}  // namespace twrench

@@ -1,0 +1,356 @@
+#include "render/overlay/draw_list.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/shape.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii of its shaft
+constexpr std::uint32_t around_arrow = 28;
+constexpr std::uint32_t around_disc = 96;
+
+const glm::vec3 everywhere(0, 0, 1e6F);  // edge of items that are not lines
+
+glm::vec4 paint_of(const Ink& ink) {
+  const double scale = ink.opacity / 255;
+  const Vector4d p(scale * ink.color.red, scale * ink.color.green, scale * ink.color.blue,
+                   ink.opacity);
+  const Eigen::Vector4f f = p.cast<float>();
+  return {f.x(), f.y(), f.z(), f.w()};
+}
+
+/// A light from above the camera's right shoulder, a weaker one from its left, and a highlight;
+/// less glossy than the body's metal. All vectors are unit vectors in camera axes.
+Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
+  static const Vector3d key = Vector3d(0.45, 0.75, 0.5).normalized();
+  static const Vector3d fill = Vector3d(-0.8, 0.1, 0.6).normalized();
+  const double light =
+      0.52 + 0.45 * std::max(normal.dot(key), 0.0) + 0.18 * std::max(normal.dot(fill), 0.0);
+  const double gleam = 0.35 * std::pow(std::max(normal.dot((key + to_eye).normalized()), 0.0), 40);
+  const auto channel = [&](int value) {
+    const double base = std::min(light * value, 255.0);
+    return static_cast<int>(std::lround(base + gleam * (255 - base)));
+  };
+  return {{channel(ink.color.red), channel(ink.color.green), channel(ink.color.blue)}, ink.opacity};
+}
+
+}  // namespace
+
+void DrawList::begin(const Camera& camera, const Area& pane) {
+  clip_from_space_ = camera.projection * camera.view;
+  camera_from_space_ = camera.camera_from_space();
+  eye_ = -camera_from_space_.transpose() * camera.view.col(3).head<3>();
+  half_size_ = 0.5 * Vector2d(pane.width, pane.height);
+  scale_ = camera.projection(1, 1) * half_size_.y();
+  vertices_.clear();
+  things_.clear();
+  indices_.clear();
+  edge_quad_indices_.clear();
+}
+
+Vector4d DrawList::clip(const Vector3d& place) const {
+  return clip_from_space_ * place.homogeneous();
+}
+
+double DrawList::pixels(const Vector3d& place) const {
+  const double depth = clip_from_space_.row(3) * place.homogeneous();
+  return depth > 0 ? scale_ / depth : 0;
+}
+
+std::uint32_t DrawList::add(const Vector4d& clip, const Ink& ink, const glm::vec3& edge) {
+  const Eigen::Vector4f c = clip.cast<float>();
+  vertices_.push_back({{c.x(), c.y(), c.z(), c.w()}, paint_of(ink), edge});
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+std::uint32_t DrawList::add_lit(const Vector3d& place, const Vector3d& normal, const Ink& ink) {
+  const Vector3d to_eye = camera_from_space_ * (eye_ - place).normalized();
+  return add(clip(place), lit(ink, camera_from_space_ * normal, to_eye), everywhere);
+}
+
+void DrawList::band(std::uint32_t first, std::uint32_t second, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = (i + 1) % count;
+    indices_.insert(indices_.end(),
+                    {first + i, first + next, second + i, second + i, first + next, second + next});
+  }
+}
+
+/// Whether the line may go straight from `last`, which it left along `heading`, past `here`: it
+/// deviates from the arc by a sagitta of length * angle / 8, and its colour hardly changes.
+bool DrawList::may_skip(const Projected& last, const Vector2d& heading, const Projected& here,
+                        const Projected& next) {
+  constexpr double least_step = 0.5, most_astray = 0.1, most_change = 0.08;  // px, px, opacity
+  const Vector2d way = here.pixel - last.pixel, onward = next.pixel - here.pixel;
+  if (way.norm() < least_step) return true;
+  const double sine = heading.x() * onward.y() - heading.y() * onward.x();
+  return heading.dot(onward) > 0 && way.norm() * std::abs(sine) < 8 * most_astray * onward.norm() &&
+         std::abs(here.point->ink.opacity - last.point->ink.opacity) < most_change;
+}
+
+void DrawList::line(std::span<const Point> points) {
+  begin_thing();
+  run_.clear();
+  for (const Point& point : points) {
+    const Vector4d c = clip(point.place);
+    if (c.w() > 1e-6 * std::abs(c.z())) {
+      run_.push_back({&point, c, half_size_.cwiseProduct(c.head<2>()) / c.w()});
+    } else {
+      add_run();
+    }
+  }
+  add_run();
+}
+
+void DrawList::add_run() {
+  const Projected* last = nullptr;
+  Vector2d heading(1, 0), across(0, 1);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const Projected& here = run_[i];
+    const Projected& next = run_[std::min(i + 1, run_.size() - 1)];
+    if (last != nullptr && i + 1 < run_.size() && may_skip(*last, heading, here, next)) continue;
+    // The direction at a point is that from the previous to the next one.
+    const Vector2d along = next.pixel - run_[i > 0 ? i - 1 : 0].pixel;
+    if (along.norm() > 1e-3) across = Vector2d(-along.y(), along.x()).normalized();
+    add_ends(here, across);
+    if (last != nullptr) {
+      const auto n = static_cast<std::uint32_t>(vertices_.size());
+      indices_.insert(indices_.end(), {n - 4, n - 3, n - 2, n - 2, n - 3, n - 1});
+    }
+    heading = (next.pixel - here.pixel).stableNormalized();
+    last = &here;
+  }
+  run_.clear();
+}
+
+/// Adds the two sides of a line at a point.
+void DrawList::add_ends(const Projected& here, const Vector2d& across) {
+  const double width = here.point->width, half = 0.5 * std::max(width, 1.0);
+  const Ink& ink = here.point->ink;
+  for (const double side : {1.0, -1.0}) {
+    const double half_extent =
+        side * (half + 1);  // the ramp's half pixel, and half a pixel of margin
+    Vector4d corner = here.clip;
+    corner.head<2>() += (half_extent * corner.w() * across).cwiseQuotient(half_size_);
+    add(corner, {ink.color, ink.opacity * std::min(width, 1.0)},
+        {static_cast<float>(half_extent), 0, static_cast<float>(half)});
+  }
+}
+
+void DrawList::dot(const Vector3d& place, double radius, const Ink& ink) {
+  const Vector4d c = clip(place);
+  if (!(c.w() > 1e-6 * std::abs(c.z()))) return;
+  begin_thing();
+  const double half_extent = radius + 1;
+  const auto n = static_cast<std::uint32_t>(vertices_.size());
+  for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+    Vector4d corner = c;
+    corner.head<2>() += (half_extent * c.w() * Vector2d(x, y)).cwiseQuotient(half_size_);
+    const auto r = static_cast<float>(half_extent);
+    add(corner, ink,
+        {r * static_cast<float>(x), r * static_cast<float>(y), static_cast<float>(radius)});
+  }
+  indices_.insert(indices_.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
+}
+
+/// The side of a cone, or of a part of one, with its axis along z of its frame.
+struct DrawList::Cone {
+  Matrix3d frame;
+  Vector3d from;  ///< centre of its base
+  double length;
+  double base, top;  ///< radii
+
+  Vector3d at(double angle, double height, double radius) const {
+    return from + frame * Vector3d(radius * std::cos(angle), radius * std::sin(angle), height);
+  }
+  /// Outward unit normal at that angle.
+  Vector3d normal(double angle) const {
+    const Vector3d n(length * std::cos(angle), length * std::sin(angle), base - top);
+    return frame * n.normalized();
+  }
+};
+
+void DrawList::cone(const Cone& cone, const Ink& ink) {
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  for (const auto& [height, radius] : {std::pair(0.0, cone.base), {cone.length, cone.top}}) {
+    const double scale = pixels(cone.from + height * cone.frame.col(2));
+    const double shrunk = std::max(radius - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
+    for (std::uint32_t i = 0; i < around_arrow; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around_arrow;
+      add_lit(cone.at(angle, height, shrunk), cone.normal(angle), ink);
+    }
+  }
+  band(first, first + around_arrow, around_arrow);
+  add_side_edge_quads(cone, ink);
+}
+
+/// The base of a cone, seen from outside.
+void DrawList::base(const Cone& cone, const Ink& ink) {
+  const double scale = pixels(cone.from);
+  const double shrunk = std::max(cone.base - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
+  const std::uint32_t middle = add_lit(cone.from, -cone.frame.col(2), ink);
+  for (std::uint32_t i = 0; i < around_arrow; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around_arrow;
+    add_lit(cone.at(angle, 0, shrunk), -cone.frame.col(2), ink);
+    indices_.insert(indices_.end(), {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
+  }
+  add_rim_edge_quads(cone, ink);
+}
+
+/// The silhouette of the side consists of the two lines whose normal n is perpendicular to the line
+/// of sight: n . (eye - p) = 0, in the cone's frame cos(a) e_x + sin(a) e_y = base - slope e_z.
+void DrawList::add_side_edge_quads(const Cone& cone, const Ink& ink) {
+  const Vector3d eye = cone.frame.transpose() * (eye_ - cone.from);
+  const double slope = (cone.base - cone.top) / cone.length;
+  const double cosine = (cone.base - slope * eye.z()) / std::hypot(eye.x(), eye.y());
+  if (!(std::abs(cosine) < 1)) return;  // seen end-on
+  const Vector4d inside = clip(cone.from + 0.5 * cone.length * cone.frame.col(2));
+  for (const double sign : {-1.0, 1.0}) {
+    const double angle = std::atan2(eye.y(), eye.x()) + sign * std::acos(cosine);
+    const Vector3d normal = cone.normal(angle);
+    const std::uint32_t low = add_lit(cone.at(angle, 0, cone.base), normal, ink);
+    const std::uint32_t high = add_lit(cone.at(angle, cone.length, cone.top), normal, ink);
+    add_edge_quad(low, high, inside, edge_quad_indices_);
+  }
+}
+
+/// The rim of the base is part of the silhouette if exactly one of base and side is visible.
+void DrawList::add_rim_edge_quads(const Cone& cone, const Ink& ink) {
+  const Vector3d& axis = cone.frame.col(2);
+  const bool base_seen = axis.dot(eye_ - cone.from) < 0;
+  const Vector4d inside = clip(cone.from);
+  for (std::uint32_t i = 0; i < around_arrow; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around_arrow;
+    const double next = 2 * std::numbers::pi * (i + 1) / around_arrow;
+    const Vector3d normal = cone.normal(0.5 * (angle + next));
+    const Vector3d place = cone.at(angle, 0, cone.base);
+    if ((normal.dot(eye_ - place) > 0) == base_seen) continue;
+    const Vector3d shown = base_seen ? Vector3d(-axis) : normal;
+    const std::uint32_t first = add_lit(place, shown, ink);
+    const std::uint32_t second = add_lit(cone.at(next, 0, cone.base), shown, ink);
+    add_edge_quad(first, second, inside, edge_quad_indices_);
+  }
+}
+
+Vector2d DrawList::pixel(std::uint32_t vertex) const {
+  const glm::vec4& c = vertices_[vertex].clip;
+  return half_size_.cwiseProduct(Vector2d(c.x, c.y)) / c.w;
+}
+
+std::uint32_t DrawList::add_moved(std::uint32_t vertex, const Vector2d& pixels, float coverage) {
+  Vertex moved = vertices_[vertex];
+  moved.clip.x += static_cast<float>(pixels.x() / half_size_.x()) * moved.clip.w;
+  moved.clip.y += static_cast<float>(pixels.y() / half_size_.y()) * moved.clip.w;
+  constexpr float most = 8;  // of coverage, in the middle of a line of which this is one side
+  moved.edge = {most - coverage, 0, most - 0.5F};
+  vertices_.push_back(moved);
+  return static_cast<std::uint32_t>(vertices_.size() - 1);
+}
+
+void DrawList::add_edge_quad(std::uint32_t first, std::uint32_t second, const Vector4d& inside,
+                             std::vector<std::uint32_t>& indices) {
+  if (vertices_[first].clip.w <= 0 || vertices_[second].clip.w <= 0 || inside.w() <= 0) return;
+  const Vector2d along = pixel(second) - pixel(first);
+  Vector2d across = Vector2d(-along.y(), along.x()).stableNormalized();
+  const Vector2d middle = half_size_.cwiseProduct(inside.head<2>()) / inside.w();
+  if (across.dot(0.5 * (pixel(first) + pixel(second)) - middle) < 0) across = -across;
+  const auto n = static_cast<std::uint32_t>(vertices_.size());
+  for (const std::uint32_t end : {first, second}) {
+    add_moved(end, -0.75 * across, 1.25F);  // slightly over the shrunk surface, which has facets
+    add_moved(end, 0.5 * across, 0);
+  }
+  indices.insert(indices.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
+}
+
+void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink) {
+  const double length = (to - from).norm();
+  if (!(length > 0)) return;
+  begin_thing();
+  const double scale = std::min(1.0, length / (head_length * radius));
+  const double head = head_length * radius * scale, shaft = length - head;
+  const Matrix3d frame = frame_with_z_along(to - from);
+  const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0};
+  if (shaft > 0) cone({frame, from, shaft, radius, radius}, ink);
+  cone(tip, ink);
+  base(tip, ink);
+}
+
+void DrawList::disc(const Vector3d& centre, const Vector3d& normal, double radius,
+                    const Ink& middle, const Ink& rim) {
+  begin_thing();
+  const Matrix3d frame = frame_with_z_along(normal);
+  const std::uint32_t hub = add(clip(centre), middle, everywhere);
+  for (std::uint32_t i = 0; i < around_disc; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around_disc;
+    const Vector3d out = frame * Vector3d(std::cos(angle), std::sin(angle), 0);
+    add(clip(centre + radius * out), rim, everywhere);
+    indices_.insert(indices_.end(), {hub, hub + 1 + i, hub + 1 + (i + 1) % around_disc});
+  }
+}
+
+/// On the unit sphere the near side is a cap about the direction to the eye at distance d, up to
+/// the angle whose cosine is 1 / d.
+void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
+  const Vector3d eye = space_from_unit.inverse() * eye_;
+  if (!(eye.norm() > 1)) return;
+  begin_thing();
+  const Matrix3d frame = frame_with_z_along(eye);
+  const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
+  const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
+  const auto rings = static_cast<std::uint32_t>(std::clamp(1.1 * std::sqrt(size), 8.0, 32.0));
+  const std::uint32_t around = 4 * rings;  // facets deviate from the silhouette by 0.15 pixels
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    const double from_pole = std::acos(1 / eye.norm()) * i / rings;
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const double longitude = 2 * std::numbers::pi * j / around;
+      const Vector3d unit =
+          frame * Vector3d(std::sin(from_pole) * std::cos(longitude),
+                           std::sin(from_pole) * std::sin(longitude), std::cos(from_pole));
+      const Vector3d normal = (normal_from_unit * unit).normalized();
+      const Vector3d place = space_from_unit * unit;
+      const double facing = std::clamp(normal.dot((eye_ - place).normalized()), 0.0, 1.0);
+      const double glass = std::pow(1 - facing, 3);
+      add_lit(place, normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass});
+    }
+    if (i > 0) band(first + i * around, first + (i - 1) * around, around);
+  }
+  soften_rim(first + rings * around, around);
+}
+
+/// Draws a closed ring of vertices about the origin in to where the edge_quads begin that are added
+/// along where it was. Not where some of it is behind the eye: there are no edge_quads there.
+void DrawList::soften_rim(std::uint32_t first, std::uint32_t count) {
+  const Vector4d inside = clip(Vector3d::Zero());
+  const auto rim = std::span(vertices_).subspan(first, count);
+  const auto is_behind = [](const Vertex& vertex) { return vertex.clip.w <= 0; };
+  if (inside.w() <= 0 || std::ranges::any_of(rim, is_behind)) return;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    add_edge_quad(first + i, first + (i + 1) % count, inside, indices_);
+  }
+  const auto edge_quads = first + count;
+  for (std::uint32_t i = 0; i < count; ++i)
+    vertices_[first + i].clip = vertices_[edge_quads + 4 * i].clip;
+}
+
+void DrawList::add_to(ScreenArea& area) const {
+  auto next = things_.begin();
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for (; next != things_.end() && *next == i; ++next) area.begin_shape();
+    const glm::vec4& clip = vertices_[i].clip;
+    area.add({clip.x, clip.y, clip.z, clip.w});
+  }
+}
+
+}  // namespace twrench

@@ -1,0 +1,60 @@
+#include "render/overlay/trail_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// From the shape's centre to its ends along its own axes.
+struct Ends {
+  std::vector<Vector3d> operator()(const Cylinder& c) const {
+    return {Vector3d(0, 0, c.length / 2), Vector3d(0, 0, -c.length / 2)};
+  }
+  std::vector<Vector3d> operator()(const Box& b) const { return along_axes(b.size / 2); }
+  std::vector<Vector3d> operator()(const Ellipsoid& e) const { return along_axes(e.radii); }
+
+  static std::vector<Vector3d> along_axes(const Vector3d& size) {
+    std::vector<Vector3d> ends;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {1.0, -1.0})
+        ends.emplace_back(side * size[axis] * Vector3d::Unit(axis));
+    }
+    return ends;
+  }
+};
+
+std::vector<Vector3d> ends_of(const std::vector<Part>& parts) {
+  std::vector<Vector3d> ends;
+  for (const Part& part : parts) {
+    for (const Vector3d& end : std::visit(Ends{}, part.shape)) {
+      ends.emplace_back(part.position + part.body_from_part * end);
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+Vector3d trail_point(const Scene& scene) {
+  if (scene.overlay.trail_point) {
+    return *scene.overlay.trail_point - mass_properties(scene.body).centre_of_mass;
+  }
+  constexpr double same = 1e-6, outside = 1.03;
+  std::vector<Vector3d> ends = ends_of(visible_parts(scene.body));
+  std::ranges::stable_sort(ends, std::greater<>(), [](const Vector3d& v) { return v.norm(); });
+  const auto alone = [&](std::size_t i) {
+    const auto near = [&](std::size_t k) {
+      return std::abs(ends[k].norm() - ends[i].norm()) < same * ends[i].norm();
+    };
+    return !(i > 0 && near(i - 1)) && !(i + 1 < ends.size() && near(i + 1));
+  };
+  std::size_t chosen = 0;
+  while (chosen < ends.size() && !alone(chosen)) ++chosen;
+  return outside * ends[chosen < ends.size() ? chosen : 0];
+}
+
+}  // namespace twrench

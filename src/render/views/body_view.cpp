@@ -1,0 +1,217 @@
+#include "render/views/body_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+#include "render/body/bounding_radius.h"
+#include "render/body/gap_closing.h"
+#include "render/look/theme.h"
+#include "render/views/exposure.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix4d;
+
+Framing framing_at(const CameraPath& path, const Layout::Pane& pane, double radius,
+                   double video_time) {
+  return {direction_of(path.azimuth + path.orbit * video_time, path.elevation), path.field_of_view,
+          static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance};
+}
+
+/// Returns the path, moved away as far as needed to keep the overlay in view at all times.
+CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverlay& overlay) {
+  CameraPath path = scene.camera;
+  constexpr int places = 32;  // along the path of a moving camera
+  const double film = scene.motion.duration / scene.film.speed;
+  double distance = 1;
+  for (int i = 0; i < (path.orbit == 0 ? 1 : places); ++i) {
+    const double time = std::min(film, 2 * std::numbers::pi / std::abs(path.orbit)) * i / places;
+    const Framing framing =
+        framing_at(path, pane, overlay.bounding_radius(), path.orbit == 0 ? 0 : time);
+    distance = std::max(distance, distance_to_see(framing, overlay.extent()));
+  }
+  path.distance *= distance;
+  return path;
+}
+
+/// An exposure of pictures some of which are in transfer.
+class PendingExposure {
+ public:
+  PendingExposure(int width, int height) : exposure_(width, height) {}
+  PendingExposure(PendingExposure&&) = default;
+
+  void add(gl::Readback picture) {
+    on_their_way_.push_back(std::move(picture));
+    while (!is_ready() && (on_their_way_.front().is_ready() || on_their_way_.size() > most)) {
+      add_first();
+    }
+  }
+
+  bool is_ready() const { return on_their_way_.empty(); }
+
+  /// Returns the mean of all.
+  Image finish() {
+    while (!is_ready()) add_first();
+    return exposure_.mean();
+  }
+
+ private:
+  static constexpr std::size_t most = 8;  // enough to keep a card busy while one is waited for
+
+  void add_first() {
+    exposure_.add(on_their_way_.front().finish());
+    on_their_way_.pop_front();
+  }
+
+  Exposure exposure_;
+  std::deque<gl::Readback> on_their_way_;
+};
+
+/// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
+/// the middle of the picture.
+double tolerance(const Camera& camera, int height) {
+  return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
+}
+
+/// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
+/// for each rectangle.
+int band_height(const gl::Framebuffer& framebuffer) {
+  return framebuffer.read_mode() == gl::ReadMode::at_once ? 32 : framebuffer.height();
+}
+
+}  // namespace
+
+BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
+                   const std::vector<Solution>& solutions, std::size_t solution,
+                   const Layout::Pane& pane)
+    : framebuffer_(framebuffer),
+      band_height_(band_height(framebuffer)),
+      solution_(solution),
+      pane_(pane),
+      radius_(bounding_radius(visible_parts(scene.body))),
+      overlay_(scene, solutions[solution], radius_),
+      path_(path_of(scene, pane, overlay_)),
+      body_(gl, close_gaps(visible_parts(scene.body)), tolerance(camera(0), pane.area.height),
+            radius_, material(scene.look), style_of(scene.look.theme).studio),
+      multisampled_(scene.look.samples > 1),
+      draw_list_pass_(gl) {
+  const auto& floor = style_of(scene.look.theme).floor;
+  if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
+      scene.camera.elevation >= 0) {
+    const Area picture{0, 0, framebuffer.width(), framebuffer.height()};
+    floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, picture,
+                   visible_parts(scene.body), radius_);
+    floor_lit_ = !scene.look.background;
+  }
+}
+
+Camera BodyView::camera(double video_time) const {
+  return widened(frame_sphere(framing_at(path_, pane_, overlay_.bounding_radius(), video_time)),
+                 pane_.focus, pane_.area);
+}
+
+std::vector<Layer> BodyView::static_layers() {
+  std::vector<Layer> layers;
+  if (floor_ && floor_lit_) layers.push_back(floor_->light(camera(0)));
+  return layers;
+}
+
+ScreenArea BodyView::covered(const Camera& camera, std::span<const Matrix3d> poses) const {
+  ScreenArea screen(pane_.area, framebuffer_.height());
+  const Mesh& mesh = body_.mesh();
+  for (const Matrix3d& X : poses) {
+    Matrix4d space_from_body = Matrix4d::Identity();
+    space_from_body.topLeftCorner<3, 3>() = X;
+    const Eigen::Matrix4f clip_from_body =
+        (camera.projection * camera.view * space_from_body).cast<float>();
+    std::size_t i = 0;
+    for (const std::size_t end : mesh.vertex_ends) {
+      screen.begin_shape(1);  // half a pixel of the edge quads
+      for (; i < end; ++i) {
+        const glm::vec3& place = mesh.vertices[i].position;
+        screen.add(clip_from_body * Eigen::Vector4f(place.x, place.y, place.z, 1));
+      }
+    }
+  }
+  opaque_.add_to(screen);
+  translucent_.add_to(screen);
+  return screen;
+}
+
+/// Reads the areas, which contain everything that is drawn.
+std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d& X,
+                                            const ScreenArea& screen, std::span<const Area> areas) {
+  std::vector<gl::Rectangle> rectangles;
+  rectangles.reserve(areas.size());
+  for (const Area& area : areas) rectangles.push_back(screen.rectangle(area));
+  framebuffer_.clear(rectangles);
+  framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
+  if (multisampled_) {
+    body_.draw(camera, X);
+    draw_list_pass_.draw_opaque(opaque_);
+  } else {
+    body_.draw_shrunk(camera, X, pane_.area);
+    draw_list_pass_.draw_opaque(opaque_);
+    body_.draw_edge_quads(camera, X);
+  }
+  draw_list_pass_.draw_edge_quads(opaque_);
+  draw_list_pass_.draw_translucent(translucent_);
+  std::vector<gl::Readback> readbacks;
+  readbacks.reserve(areas.size());
+  for (const auto& rectangle : rectangles) readbacks.push_back(framebuffer_.begin_read(rectangle));
+  return readbacks;
+}
+
+void BodyView::draw_sharp(const Camera& camera, const Matrix3d& X,
+                          std::vector<PendingLayer>& layers) {
+  const ScreenArea screen = covered(camera, {&X, 1});
+  const std::vector<Area> areas = screen.bands(band_height_);
+  std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    layers.push_back(made_of(std::move(pixels[i]), areas[i].x, areas[i].y));
+  }
+}
+
+void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> poses,
+                            std::vector<PendingLayer>& layers) {
+  const ScreenArea screen = covered(camera, poses);
+  const std::vector<Area> areas = screen.bands(band_height_);
+  std::vector<PendingExposure> exposures;
+  exposures.reserve(areas.size());
+  for (const Area& area : areas) exposures.emplace_back(area.width, area.height);
+  for (const Matrix3d& X : poses) {
+    std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
+    for (std::size_t i = 0; i < areas.size(); ++i) exposures[i].add(std::move(pixels[i]));
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    layers.push_back(made_of(std::move(exposures[i]), areas[i].x, areas[i].y));
+  }
+}
+
+std::vector<PendingLayer> BodyView::draw(const FrameState& state) {
+  const SolutionState& instant = state.solutions[solution_];
+  const Matrix3d& X = instant.sample.X;
+  const Camera now = camera(state.video_time);
+  opaque_.begin(now, pane_.area);
+  translucent_.begin(now, pane_.area);
+  overlay_.draw(instant, opaque_, translucent_);
+  std::vector<PendingLayer> layers;
+  if (floor_) layers.push_back(floor_->draw(now, X, body_));
+  if (instant.blur.empty()) {
+    draw_sharp(now, X, layers);
+  } else {
+    draw_blurred(now, instant.blur, layers);
+  }
+  return layers;
+}
+
+std::vector<Label> BodyView::labels(const FrameState& state) const {
+  if (!pane_.named) return {};
+  return overlay_.labels(state.solutions[solution_], camera(state.video_time), pane_.area);
+}
+
+}  // namespace twrench

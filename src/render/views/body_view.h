@@ -1,0 +1,53 @@
+#pragma once
+
+#include "gl/framebuffer.h"
+#include "render/body/body_pass.h"
+#include "render/body/floor.h"
+#include "render/compose/element.h"
+#include "render/compose/layout.h"
+#include "render/overlay/body_overlay.h"
+#include "render/overlay/draw_list_pass.h"
+#include "render/space/camera.h"
+#include "render/space/screen_area.h"
+
+namespace twrench {
+
+/// The rotating body, seen by the scene's camera.
+class BodyView final : public SpaceView {
+ public:
+  /// Shows the motion with that index in `pane`, drawn through `framebuffer`, which has the frame
+  /// size and must outlive the view.
+  BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
+           const std::vector<Solution>& solutions, std::size_t solution, const Layout::Pane& pane);
+
+  std::vector<Layer> static_layers() override;
+  std::vector<PendingLayer> draw(const FrameState& state) override;
+  std::vector<Label> labels(const FrameState& state) const override;
+
+  Camera camera(double video_time) const override;
+
+ private:
+  ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
+  std::vector<gl::Readback> picture(const Camera& camera, const Eigen::Matrix3d& X,
+                                    const ScreenArea& screen, std::span<const Area> areas);
+  void draw_sharp(const Camera& camera, const Eigen::Matrix3d& X,
+                  std::vector<PendingLayer>& layers);
+  void draw_blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses,
+                    std::vector<PendingLayer>& layers);
+
+  const gl::Framebuffer& framebuffer_;
+  int band_height_;  ///< Rows of the picture that are cleared and read back together.
+  std::size_t solution_;
+  Layout::Pane pane_;
+  double radius_;  ///< Bounding radius of the body in every pose, in cm.
+  BodyOverlay overlay_;
+  CameraPath path_;  ///< Chosen so that the overlay is in view too.
+  BodyPass body_;
+  bool multisampled_;  ///< Otherwise edges are antialiased analytically.
+  DrawListPass draw_list_pass_;
+  DrawList opaque_, translucent_;  ///< Draw lists of the overlay in the current frame.
+  std::optional<Floor> floor_;
+  bool floor_lit_ = false;  ///< Whether the floor is lit; a flat background keeps its colour.
+};
+
+}  // namespace twrench

@@ -1,0 +1,180 @@
+#include "render/views/momentum_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int levels = 4;         // around each end of an axis
+constexpr int around = 240;       // points of a curve
+constexpr double lifted = 1.002;  // lifts curves off the facets of the sphere
+constexpr double axis_end = 1.28;
+constexpr double named = 1.12;  // times that, the position of an axis' name
+
+/// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
+/// the intermediate one towards the viewer.
+Matrix3d view_from_body(const Matrix3d& axes) {
+  Matrix3d m;
+  m << axes.col(0).cross(axes.col(1)).transpose(), axes.col(0).transpose(), axes.col(1).transpose();
+  return m;
+}
+
+/// The direction from which the flip is seen best, along the frame's own axes: slightly beside the
+/// intermediate axis, on the side of `mu`.
+Vector3d eye_direction(const Vector3d& mu) {
+  const Vector3d side = mu.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
+  return side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
+}
+
+}  // namespace
+
+MomentumView::MomentumView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+                           const Scene& scene, const std::vector<Solution>& solutions,
+                           std::size_t solution, const Layout::Pane& pane)
+    : colors_(style_of(scene.look.theme).overlay),
+      path_(scene.camera),
+      shows_trail_(scene.overlay.shows(Feature::trail)),
+      shows_labels_(pane.named && scene.overlay.shows(Feature::labels)),
+      trail_length_(trail_length(scene)),
+      solution_(solution),
+      body_(solutions[solution].body),
+      frame_(body_, colors_),
+      view_from_own_(view_from_body(frame_.axes) * frame_.axes),
+      pane_(pane),
+      pad_(gl, framebuffer, pane.area) {}
+
+Camera MomentumView::camera(double video_time) const {
+  const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
+  const double azimuth = std::atan2(from.x(), from.z()) + path_.orbit * video_time;
+  const double elevation = std::atan2(from.y(), std::hypot(from.x(), from.z()));
+  const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
+  constexpr double field_of_view = 0.5;
+  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
+  std::vector<Vector3d> points{Vector3d(0, named * axis_end, 0)};
+  // In an upright pane the other axes may extend further: for a moving camera, all the way around.
+  const Vector3d right = direction_of(azimuth + std::numbers::pi / 2, 0);
+  for (int i = 0; aspect < 1 && i < 3; ++i) {
+    const Vector3d tip = view_from_own_.col(i);
+    const double across =
+        path_.orbit == 0 ? std::abs(right.dot(tip)) : std::hypot(tip.x(), tip.z());
+    points.emplace_back(named * axis_end * across * right);
+  }
+  framing.distance = distance_to_see(framing, points);
+  return widened(frame_sphere(framing), pane_.focus, pane_.area);
+}
+
+Vector3d MomentumView::place_of(const Sample& sample) const {
+  const double G = body_.momentum().stableNorm();
+  if (G == 0) return Vector3d::Zero();
+  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
+}
+
+template <typename Place>
+void MomentumView::add_curve(Place place, double width, const Ink& ink) {
+  std::vector<DrawList::Point> line;
+  for (int i = 0; i <= around; ++i) {
+    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / around);
+    const double opacity = ink.opacity * shown(point, point, pad_.translucent.eye());
+    line.push_back({lifted * point, width * pad_.hairline(), {ink.color, opacity}});
+  }
+  pad_.translucent.line(line);
+}
+
+void MomentumView::add_level(const EnergyLevel& level, double width, const Ink& ink) {
+  add_curve([&](double phi) { return level.at(phi); }, width, ink);
+}
+
+void MomentumView::add_separatrix() {
+  const auto circles = separatrix(body_.principal().moments);
+  if (!circles) return;
+  for (const Vector3d& side : *circles) {
+    add_curve(
+        [&](double phi) -> Vector3d {
+          return std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * side;
+        },
+        1.7, {colors_.text, 0.95});
+  }
+}
+
+void MomentumView::add_sphere() {
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis = view_from_own_.col(i);
+    pad_.opaque.arrow(0.98 * axis, axis_end * axis, 0.016,
+                      {frame_.colors[static_cast<std::size_t>(i)]});
+  }
+  pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75);
+  for (const EnergyLevel& level : level_family(body_.principal().moments, levels)) {
+    add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
+  }
+  if (frame_.level) add_level(*frame_.level, 1, {colors_.momentum, 0.55});
+  add_separatrix();
+}
+
+void MomentumView::add_momentum(const SolutionState& instant) {
+  const auto fading = [&](const Vector3d& point, double opacity) {
+    return opacity * shown(point, point, pad_.translucent.eye());
+  };
+  std::vector<DrawList::Point> line;
+  for (const Sample& sample : instant.trail) {
+    if (!shows_trail_) break;
+    const double age = std::clamp((instant.sample.t - sample.t) / trail_length_, 0.0, 1.0);
+    const Vector3d point = lifted * place_of(sample);
+    line.push_back({point,
+                    (3.2 - 2 * age) * pad_.hairline(),
+                    {colors_.momentum, fading(point, std::pow(1 - age, 1.2))}});
+  }
+  pad_.translucent.line(line);
+  const Vector3d now = place_of(instant.sample);
+  const Ink ink{colors_.momentum, 0.8};
+  pad_.translucent.line(std::array<DrawList::Point, 2>{
+      {{Vector3d::Zero(), pad_.hairline(), {ink.color, 0.15}},
+       {now, 1.5 * pad_.hairline(), {ink.color, fading(now, 0.7)}}}});
+  const double clear = 0.45 + 0.55 * fading(now, 1);  // remains visible on the far side
+  pad_.translucent.dot(now, 5.2 * pad_.hairline(), {colors_.panel, 0.9 * clear});
+  pad_.translucent.dot(now, 4.0 * pad_.hairline(), {colors_.momentum, clear});
+}
+
+std::vector<Layer> MomentumView::static_layers() {
+  if (path_.orbit != 0) return {};
+  pad_.begin(camera(0));
+  add_sphere();
+  std::vector<Layer> layers;
+  layers.push_back(pad_.layer().get());
+  return layers;
+}
+
+std::vector<PendingLayer> MomentumView::draw(const FrameState& state) {
+  pad_.begin(camera(state.video_time));
+  if (path_.orbit != 0) add_sphere();
+  if (frame_.direction.isZero(0.0) && path_.orbit == 0) return {};
+  if (!frame_.direction.isZero(0.0)) add_momentum(state.solutions[solution_]);
+  std::vector<PendingLayer> layers;
+  layers.push_back(pad_.layer());
+  return layers;
+}
+
+std::vector<Label> MomentumView::labels(const FrameState& state) const {
+  std::vector<Label> labels;
+  const Camera now = camera(state.video_time);
+  const auto add = [&](const std::string& text, const Vector3d& tip, const Color& color) {
+    const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
+    if (label && shows_labels_) labels.push_back(*label);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    add(frame_.names[i], axis_end * view_from_own_.col(static_cast<Eigen::Index>(i)),
+        frame_.colors[i]);
+  }
+  if (!frame_.direction.isZero(0.0)) {
+    add("L", place_of(state.solutions[solution_].sample), colors_.momentum);
+  }
+  return labels;
+}
+
+}  // namespace twrench

@@ -1,0 +1,196 @@
+#include "render/views/poinsot_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/shape.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double elevation = 0.60;     // rad, of the camera above the plane
+constexpr double momentum_end = 1.34;  // of L's arrow
+constexpr double least_plane = 0.95;   // radius
+constexpr int around = 120;            // points of a curve
+
+/// With L up; the azimuth is arbitrary.
+Matrix3d with_up(const Vector3d& momentum) {
+  if (momentum.isZero(0.0)) return Matrix3d::Identity();
+  const Matrix3d frame = frame_with_z_along(momentum);
+  Matrix3d m;
+  m << frame.col(1).transpose(), frame.col(2).transpose(), frame.col(0).transpose();
+  return m;
+}
+
+/// Radii of x . I x = 1 in units of the plane's distance or, at rest, of the largest radius.
+Vector3d radii_of(const FreeBody& body) {
+  const Vector3d radii = body.principal().moments.cwiseSqrt().cwiseInverse();
+  if (body.momentum().isZero(0.0)) return radii / radii.maxCoeff();
+  const double G = body.momentum().stableNorm();
+  return radii * (G / std::sqrt(body.omega().dot(body.momentum())));
+}
+
+/// rad: a curve through points farther apart would show corners and miss turns.
+constexpr double widest_turn = 0.35;
+
+}  // namespace
+
+PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+                         const Scene& scene, const std::vector<Solution>& solutions,
+                         std::size_t solution, const Layout::Pane& pane)
+    : colors_(style_of(scene.look.theme).overlay),
+      path_(scene.camera),
+      shows_trail_(scene.overlay.shows(Feature::trail)),
+      shows_labels_(pane.named && scene.overlay.shows(Feature::labels)),
+      trail_length_(trail_length(scene)),
+      solution_(solution),
+      body_(solutions[solution].body),
+      frame_(body_, colors_),
+      view_from_space_(with_up(body_.momentum())),
+      unit_(at_rest() ? 1 : body_.omega().dot(body_.momentum().stableNormalized())),
+      radii_(radii_of(body_)),
+      pane_(pane),
+      pad_(gl, framebuffer, pane.area) {
+  if (frame_.level) annulus_ = herpolhode_annulus(*frame_.level);
+  plane_radius_ = std::max(1.25 * annulus_.outer, least_plane);
+  const std::vector<Sample>& whole = solutions[solution].whole;
+  const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
+  if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
+  for (const Sample& sample : whole) herpolhode_.push_back(contact(sample));
+}
+
+Camera PoinsotView::camera(double video_time) const {
+  const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
+  Framing framing{direction_of(path_.azimuth + path_.orbit * video_time, elevation), 0.5, aspect,
+                  radii_.maxCoeff()};
+  std::vector<Vector3d> points;
+  if (!at_rest()) {
+    points.emplace_back(0, 1.1 * momentum_end, 0);  // including its name
+    for (int i = 0; i < 24; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 24;
+      points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
+    }
+  }
+  framing.distance = distance_to_see(framing, points);
+  return widened(frame_sphere(framing), pane_.focus, pane_.area);
+}
+
+Matrix3d PoinsotView::ellipsoid(const Matrix3d& X) const {
+  return view_from_space_ * X * body_.principal().axes * radii_.asDiagonal();
+}
+
+Vector3d PoinsotView::contact(const Sample& sample) const {
+  return view_from_space_ * (sample.X * sample.omega) / unit_;
+}
+
+/// A graticule about the axis of least moment that makes the ellipsoid's rolling visible.
+void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
+  const Matrix3d normal_from_unit = view_from_unit.inverse().transpose();
+  std::vector<DrawList::Point> line;
+  const auto add = [&](double latitude, double longitude, double opacity) {
+    const Vector3d unit(std::sin(latitude), std::cos(latitude) * std::cos(longitude),
+                        std::cos(latitude) * std::sin(longitude));
+    const Vector3d place = view_from_unit * unit;
+    line.push_back(
+        {place,
+         pad_.hairline(),
+         {colors_.dim, opacity * shown(place, normal_from_unit * unit, pad_.translucent.eye())}});
+  };
+  constexpr double pi = std::numbers::pi, step = pi / 12;
+  for (int i = 0; i < 12; ++i, pad_.translucent.line(line), line.clear()) {
+    for (int k = 0; k <= around; ++k) add(2 * pi * k / around, i * step, i % 6 == 0 ? 0.75 : 0.3);
+  }
+  for (int i = -5; i <= 5; ++i, pad_.translucent.line(line), line.clear()) {
+    for (int k = 0; k <= around; ++k) add(i * step, 2 * pi * k / around, i == 0 ? 0.75 : 0.3);
+  }
+}
+
+void PoinsotView::add_polhode(const Matrix3d& X) {
+  if (!frame_.level) return;
+  const Matrix3d turned = view_from_space_ * X * frame_.axes;
+  const EnergyLevel& level = *frame_.level;
+  std::vector<DrawList::Point> line;
+  for (int i = 0; i <= 2 * around; ++i) {
+    const Vector3d mu = level.at(std::numbers::pi * i / around);
+    const Vector3d place = turned * mu.cwiseQuotient(level.moments) / level.energy;
+    const double opacity =
+        shown(place, turned * mu, pad_.translucent.eye());  // L is the normal there
+    line.push_back({place, 2 * pad_.hairline(), {colors_.omega, opacity}});
+  }
+  pad_.translucent.line(line);
+}
+
+void PoinsotView::add_ring(double radius, double width, const Ink& ink) {
+  std::vector<DrawList::Point> line;
+  for (int i = 0; i <= around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    line.push_back(
+        {{radius * std::sin(angle), 1, radius * std::cos(angle)}, width * pad_.hairline(), ink});
+  }
+  pad_.translucent.line(line);
+}
+
+void PoinsotView::add_plane(const SolutionState& instant) {
+  DrawList& translucent = pad_.translucent;
+  translucent.disc(Vector3d::UnitY(), Vector3d::UnitY(), plane_radius_, {colors_.plane, 0.36},
+                   {colors_.plane, 0.22});
+  add_ring(plane_radius_, 1.2, {colors_.plane, 0.9});
+  for (const double radius : {annulus_.inner, annulus_.outer}) {
+    if (radius > 0.01) add_ring(radius, 1, {colors_.dim, 0.45});
+  }
+  std::vector<DrawList::Point> line;
+  for (const Vector3d& place : herpolhode_) {
+    line.push_back({place, pad_.hairline(), {colors_.omega, 0.35}});
+  }
+  translucent.line(line);
+  line.clear();
+  for (const Sample& sample : instant.trail) {
+    if (!shows_trail_) break;
+    const double age = std::clamp((instant.sample.t - sample.t) / trail_length_, 0.0, 1.0);
+    line.push_back({contact(sample),
+                    (3 - 1.6 * age) * pad_.hairline(),
+                    {colors_.omega, std::pow(1 - age, 1.2)}});
+  }
+  translucent.line(line);
+  const Vector3d now = contact(instant.sample);
+  translucent.dot(now, 4.6 * pad_.hairline(), {colors_.panel, 0.9});
+  translucent.dot(now, 3.4 * pad_.hairline(), {colors_.omega, 1});
+}
+
+std::vector<PendingLayer> PoinsotView::draw(const FrameState& state) {
+  const SolutionState& instant = state.solutions[solution_];
+  pad_.begin(camera(state.video_time));
+  const Matrix3d view_from_unit = ellipsoid(instant.sample.X);
+  pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9);
+  add_grid(view_from_unit);
+  if (!at_rest()) {
+    add_polhode(instant.sample.X);
+    pad_.opaque.arrow(Vector3d::Zero(), momentum_end * Vector3d::UnitY(), 0.022,
+                      {colors_.momentum});
+    pad_.opaque.arrow(Vector3d::Zero(), contact(instant.sample), 0.018, {colors_.omega});
+    add_plane(instant);
+  }
+  std::vector<PendingLayer> layers;
+  layers.push_back(pad_.layer());
+  return layers;
+}
+
+std::vector<Label> PoinsotView::labels(const FrameState& state) const {
+  std::vector<Label> labels;
+  if (at_rest() || !shows_labels_) return labels;
+  const Camera now = camera(state.video_time);
+  const auto add = [&](const char* text, const Vector3d& tip, const Color& color) {
+    const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
+    if (label) labels.push_back(*label);
+  };
+  add("L", momentum_end * Vector3d::UnitY(), colors_.momentum);
+  add("ω", contact(state.solutions[solution_].sample), colors_.omega);
+  return labels;
+}
+
+}  // namespace twrench

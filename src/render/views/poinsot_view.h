@@ -1,0 +1,65 @@
+#pragma once
+
+#include "render/compose/element.h"
+#include "render/compose/layout.h"
+#include "render/look/theme.h"
+#include "render/overlay/draw_list_layer.h"
+#include "render/views/principal_frame.h"
+
+namespace twrench {
+
+/// Poinsot's construction: the inertia ellipsoid x . I x = 1, which rotates with the body about its
+/// fixed centre, rolls without slipping on the invariable plane. The contact point omega / sqrt(2T)
+/// traces the polhode on the ellipsoid and the herpolhode on the plane (Goldstein, Classical
+/// Mechanics, section 5.6).
+///
+/// Lengths are in units of the plane's distance sqrt(2T)/G from the centre, and L points up: the
+/// plane is seen from above, with the contact point below it.
+class PoinsotView : public SpaceView {
+ public:
+  /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
+  PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
+              const std::vector<Solution>& solutions, std::size_t solution,
+              const Layout::Pane& pane);
+
+  std::vector<PendingLayer> draw(const FrameState& state) override;
+  std::vector<Label> labels(const FrameState& state) const override;
+
+  Camera camera(double video_time) const override;
+
+  /// Returns the ellipsoid in the pose X, as the matrix that maps the unit sphere to it.
+  Eigen::Matrix3d ellipsoid(const Eigen::Matrix3d& X) const;
+
+  /// Returns the contact point with the plane, whose height is 1.
+  Eigen::Vector3d contact(const Sample& sample) const;
+
+ private:
+  bool at_rest() const { return frame_.direction.isZero(0.0); }
+  void add_grid(const Eigen::Matrix3d& view_from_unit);
+  void add_polhode(const Eigen::Matrix3d& X);
+  void add_plane(const SolutionState& instant);
+  void add_ring(double radius, double width, const Ink& ink);
+
+  OverlayColors colors_;
+  CameraPath path_;
+  bool shows_trail_, shows_labels_;
+  /// Duration of the trail in s.
+  double trail_length_;
+  std::size_t solution_;
+  FreeBody body_;
+  PrincipalFrame frame_;
+  Eigen::Matrix3d view_from_space_;
+  /// Unit of omega, 2T/G, in rad/s.
+  double unit_;
+  /// Radii of the ellipsoid.
+  Eigen::Vector3d radii_;
+  /// Of the herpolhode.
+  Annulus annulus_{0, 0};
+  double plane_radius_;
+  /// The full curve, unless it is too dense to be legible.
+  std::vector<Eigen::Vector3d> herpolhode_;
+  Layout::Pane pane_;
+  DrawListLayer pad_;
+};
+
+}  // namespace twrench

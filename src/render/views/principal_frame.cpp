@@ -1,0 +1,35 @@
+#include "render/views/principal_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace twrench {
+
+PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palette)
+    : axes(body.principal().axes) {
+  constexpr double along = 1 - 1e-9;
+  static constexpr std::array letters{"x", "y", "z"};
+  const bool own = axes.cwiseAbs().colwise().maxCoeff().minCoeff() > along;
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto axis = axes.col(static_cast<Eigen::Index>(i));
+    Eigen::Index nearest = 0;
+    const double most = axis.cwiseAbs().maxCoeff(&nearest);
+    if (axis[nearest] < 0) axis = -axis;
+    const auto letter = static_cast<std::size_t>(nearest);
+    colors[i] = palette.axis[own ? letter : i];
+    names[i] = most > along ? letters[letter] : fmt::format("I{}", i + 1);
+  }
+  direction = axes.transpose() * body.momentum().stableNormalized();
+  if (!direction.isZero(0.0)) level = level_through(body.principal().moments, direction);
+}
+
+double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,
+             const Eigen::Vector3d& eye) {
+  constexpr double through = 0.22, ramp = 0.12;
+  const double facing = outward.normalized().dot((eye - place).normalized());
+  const double t = std::clamp(0.5 + facing / ramp, 0.0, 1.0);
+  return through + (1 - through) * t * t * (3 - 2 * t);
+}
+
+}  // namespace twrench

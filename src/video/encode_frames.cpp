@@ -1,0 +1,115 @@
+#include "video/encode_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <vector>
+
+#include "base/file.h"
+#include "base/processors.h"
+#include "base/sha256.h"
+#include "image/picture_memory.h"
+#include "image/png.h"
+#include "video/encoder.h"
+#include "video/error.h"
+#include "video/frame_range.h"
+#include "video/manifest_folder.h"
+#include "video/video_file.h"
+
+namespace twrench {
+namespace {
+
+/// Removes the records without a file from the manifest, and returns the frames of its range that
+/// it then lacks.
+std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path& folder) {
+  std::erase_if(manifest.frames, [&](const FrameRecord& record) {
+    return !std::filesystem::exists(folder / record.file);
+  });
+  std::vector<int> missing;
+  auto record = manifest.frames.begin();
+  for (const int frame : parse_frame_range(manifest.range, max_frame_count)) {
+    const bool told = record != manifest.frames.end() && record->frame == frame;
+    if (!told) missing.push_back(frame);
+    record += told ? 1 : 0;
+  }
+  return missing;
+}
+
+[[noreturn]] void throw_missing(const std::filesystem::path& folder,
+                                const std::vector<int>& missing) {
+  const std::string range = brief_frame_range(missing);
+  throw FramesError("cannot encode " + folder.string(), "frames are missing: " + range,
+                    FramesError::Reason::missing, missing);
+}
+
+/// Returns the frame as it was drawn, or throws FileError.
+Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
+                 const Manifest& manifest) {
+  constexpr std::size_t longest = 1U << 30U;
+  const std::filesystem::path path = folder / record.file;
+  const auto png = read_regular_file(path, longest);
+  if (sha256_hex(png) != record.sha256) {
+    throw FramesError("cannot use " + path.string(),
+                      "it is not the file that the manifest describes",
+                      FramesError::Reason::altered, {record.frame});
+  }
+  Image image = decode_png(png, path.string());
+  if (image.width != manifest.width || image.height != manifest.height) {
+    throw FileError("cannot use " + path.string(),
+                    fmt::format("it has {}x{} pixels, but the manifest says {}x{}", image.width,
+                                image.height, manifest.width, manifest.height));
+  }
+  return image;
+}
+
+/// The video must not replace one of its inputs.
+void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
+                      const Manifest& manifest) {
+  for (const auto& path : manifests_in(folder)) require_not_input(output, path);
+  for (const FrameRecord& record : manifest.frames) {
+    require_not_input(output, folder / record.file);
+  }
+}
+
+}  // namespace
+
+std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,
+                               Missing when_missing,
+                               const std::function<void(int done, int total)>& progress) {
+  Manifest manifest = read_manifests(folder);
+  std::vector<int> missing = missing_frames(manifest, folder);
+  const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
+  if (!missing.empty() && !some_left) throw_missing(folder, missing);
+  require_no_input(output.path, folder, manifest);
+  std::vector<int> shown(manifest.frames.size());
+  std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
+  const std::string identity = video_identity(manifest, shown);
+  if (!output.overwrite) require_replaceable(output.path, identity);
+  keep_memory_of_pictures(manifest.width, manifest.height);
+  const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
+  const VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container,
+                           transparent};
+  require_encoder(format);
+  if (output.path.has_parent_path()) make_folder(output.path.parent_path());
+  VideoEncoder encoder(output.path, format, identity);
+  // Decoding a frame takes longer than encoding it, so several are decoded in parallel.
+  const std::size_t at_once = processor_count();
+  std::deque<std::future<Image>> begun;
+  const int total = static_cast<int>(manifest.frames.size());
+  int done = 0;
+  for (auto next = manifest.frames.begin(); done < total; progress(++done, total)) {
+    for (; begun.size() < at_once && next != manifest.frames.end(); ++next) {
+      begun.push_back(std::async(std::launch::async, [&manifest, &folder, &record = *next] {
+        return read_frame(record, folder, manifest);
+      }));
+    }
+    encoder.write(begun.front().get());
+    begun.pop_front();
+  }
+  encoder.finish();
+  return missing;
+}
+
+}  // namespace twrench

@@ -1,0 +1,74 @@
+#include "video/manifest.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace twrench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Titles and names may contain invalid UTF-8.
+std::string json_text(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string format_head(const Manifest& manifest) {
+  Json head{{"version", manifest.version},   {"scene", manifest.scene},
+            {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
+            {"fps", manifest.fps},           {"encoder", manifest.encoder},
+            {"range", manifest.range},       {"font", manifest.font}};
+  if (!manifest.shard.is_whole()) head["shard"] = format_shard(manifest.shard);
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items()) {
+    text += fmt::format("{}: {},\n", json_text(key), json_text(value));
+  }
+  text.pop_back();  // the line end, which is added again
+  return text.append(line_of_frames) + "\n";
+}
+
+std::string format_frame(const FrameRecord& record) {
+  return Json{{"frame", record.frame},
+              {"t", record.t},
+              {"X", record.X},
+              {"view", record.view},
+              {"projection", record.projection},
+              {"file", record.file},
+              {"sha256", record.sha256}}
+      .dump();
+}
+
+}  // namespace
+
+std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
+
+void write_manifest(const Manifest& manifest, std::size_t count,
+                    const std::function<FrameRecord(std::size_t)>& frame,
+                    const std::function<void(std::string_view)>& write) {
+  constexpr std::size_t piece = 1 << 16;
+  std::string text = format_head(manifest);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ",\n";
+    text += format_frame(frame(i));
+    if (text.size() < piece) continue;
+    write(text);
+    text.clear();
+  }
+  write(text + "\n]\n}\n");
+}
+
+std::string format_manifest(const Manifest& manifest) {
+  std::string text;
+  write_manifest(
+      manifest, manifest.frames.size(), [&](std::size_t i) { return manifest.frames[i]; },
+      [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+bool same_film(const Manifest& a, const Manifest& b) {
+  return a.version == b.version && a.scene == b.scene && a.font == b.font &&
+         a.renderer == b.renderer && a.width == b.width && a.height == b.height;
+}
+
+}  // namespace twrench

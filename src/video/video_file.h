@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/child_process.h"
+#include "video/manifest.h"
+
+namespace twrench {
+
+/// The properties of a video file.
+struct VideoProperties {
+  /// Size in pixels.
+  int width = 0;
+  /// Height in pixels.
+  int height = 0;
+  /// Number of frames.
+  std::int64_t frames = 0;
+  /// Duration in s.
+  double duration = 0.0;
+};
+
+/// Returns how long a slow disk takes to read or write the file; zero if its size is unknown.
+ChildProcess::Time disk_time(const std::filesystem::path& file);
+
+/// Examines a file with ffprobe, which counts the frames without decoding them. Returns nothing if
+/// it is not a video. Throws EncoderError if ffprobe cannot be started.
+std::optional<VideoProperties> probe_video(const std::filesystem::path& file);
+
+/// Returns the comment that identifies a video: the digest of everything that determines its
+/// contents, namely scene, size, rate and frame numbers. Program and machine are not included: the
+/// same video rendered again by another version counts as the same.
+std::string video_identity(const Manifest& film, const std::vector<int>& frames);
+
+/// Throws OverwriteError where the file stands already, and is not empty, nor the film of that
+/// identity: then it may only be replaced by one who says so.
+void require_replaceable(const std::filesystem::path& file, const std::string& identity);
+
+}  // namespace twrench

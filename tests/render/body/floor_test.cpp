@@ -1,0 +1,126 @@
+#include "render/body/floor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "gl/test_context.h"
+#include "math/so3.h"
+#include "render/pose_renderer.h"
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+class FloorTest : public testing::Test {
+ protected:
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
+
+  Image drawn(const Scene& scene, const Matrix3d& X, const std::set<Feature>& features) const {
+    return PoseRenderer(*context, scene, features).draw(X);
+  }
+
+  /// The effect of the floor: the red of each pixel with it, minus that without.
+  std::vector<int> change(const Scene& scene, const Matrix3d& X) const {
+    const Image with = drawn(scene, X, {Feature::floor});
+    const Image without = drawn(scene, X, {});
+    std::vector<int> result;
+    for (std::size_t i = 0; i < with.pixels.size(); i += 3) {
+      result.push_back(with.pixels[i] - without.pixels[i]);
+    }
+    return result;
+  }
+
+  static Scene white() {
+    Scene scene = t_wrench(320, 180);
+    scene.look.background = Color{255, 255, 255};
+    scene.camera.distance = 1.5;
+    return scene;
+  }
+
+  /// The centre of the shadow on a white floor, column and row.
+  Eigen::Vector2d shadow(const Scene& scene, const Matrix3d& X) const {
+    const std::vector<int> darker = change(scene, X);
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weight = 0;
+    for (std::size_t i = 0; i < darker.size(); ++i) {
+      const double dark = std::min(darker[i], 0);
+      sum += dark * Eigen::Vector2d(static_cast<double>(i % 320), static_cast<double>(i / 320));
+      weight += dark;
+    }
+    return sum / weight;
+  }
+};
+
+TEST_F(FloorTest, IsLightThatFadesBeforeAHorizon) {
+  const Scene scene = t_wrench(320, 180);
+  const std::vector<int> light = change(scene, Matrix3d::Identity());
+  const auto at = [&](int column, int row) {
+    return light[static_cast<std::size_t>(320 * row + column)];
+  };
+  EXPECT_GT(at(110, 175), 10) << "beside the body's foot";
+  for (int column = 0; column < 320; column += 20) EXPECT_LE(at(column, 10), 1) << column;
+  for (int row = 1; row < 180; ++row) {
+    EXPECT_LE(std::abs(at(40, row) - at(40, row - 1)), 2) << "no edge, row " << row;
+  }
+}
+
+TEST_F(FloorTest, LeavesAFlatBackgroundItsColourAndShadesIt) {
+  const Scene scene = white();
+  const std::vector<int> darker = change(scene, Matrix3d::Identity());
+  EXPECT_EQ(darker.front(), 0);
+  EXPECT_LT(*std::ranges::min_element(darker), -40);
+}
+
+TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
+  const Scene scene = white();
+  // The leg, which casts most of it, points right, or left.
+  const Eigen::Vector2d right = shadow(scene, Matrix3d::Identity());
+  const Eigen::Vector2d left = shadow(scene, so3::exp(Vector3d(0, 3.14, 0)));
+  EXPECT_GT(right.x(), left.x() + 5);
+  EXPECT_GT(left.y(), 110);
+  // A small rotation moves it slightly: it neither jumps nor pulsates.
+  const Eigen::Vector2d near = shadow(scene, so3::exp(Vector3d(0, 0.01, 0)));
+  EXPECT_LT((near - right).norm(), 0.5);
+}
+
+TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
+  Scene scene = white();
+  scene.overlay.view = View::quad;  // the body is in the upper left quarter
+  scene.camera.distance = 1.0;
+  const std::vector<int> darker = change(scene, Matrix3d::Identity());
+  const auto at = [&](int column, int row) {
+    return darker[static_cast<std::size_t>(320 * row + column)];
+  };
+  EXPECT_LT(*std::ranges::min_element(darker), -20);
+  for (int column = 0; column < 160; ++column) EXPECT_GE(at(column, 89), -1) << column;
+  for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
+}
+
+TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
+  const Matrix3d Id = Matrix3d::Identity();
+  Scene below = t_wrench(160, 90);
+  below.camera.elevation = -0.2;
+  Scene clear = t_wrench(160, 90);
+  clear.look.transparent = true;
+  Scene space = t_wrench(160, 90);
+  space.look.theme = Theme::space;
+  for (const Scene& scene : {below, clear, space}) {
+    EXPECT_EQ(drawn(scene, Id, {Feature::floor}).pixels, drawn(scene, Id, {}).pixels);
+  }
+}
+
+// Not with a sphere per radius, of which its length is ten million.
+TEST_F(FloorTest, IsDrawnBelowAWire) {
+  Scene scene = white();
+  scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};
+  scene.motion.omega.setZero();
+  EXPECT_NO_THROW(change(scene, Matrix3d::Identity()));
+}
+
+}  // namespace
+}  // namespace twrench

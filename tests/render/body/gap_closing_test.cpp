@@ -1,0 +1,65 @@
+#include "render/body/gap_closing.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "render/t_wrench.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector3d;
+
+double length_of(const Part& part) { return std::get<Cylinder>(part.shape).length; }
+
+TEST(JoinedParts, CarriesTheLegOnToTheHandlesAxis) {
+  const auto parts = close_gaps(t_wrench().body.parts);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(length_of(parts[0]), 8);
+  EXPECT_EQ(parts[0].position, Vector3d(-1, 0, 0));
+  EXPECT_NEAR(length_of(parts[1]), 5, 1e-12);  // from x = 4 to x = -1, no longer to 0
+  EXPECT_LT((parts[1].position - Vector3d(1.5, 0, 0)).norm(), 1e-12);
+}
+
+TEST(JoinedParts, JoinsEitherEnd) {
+  auto given = t_wrench().body.parts;
+  given[1].body_from_part = frame_with_z_along(-Vector3d::UnitX());
+  const auto parts = close_gaps(given);
+  EXPECT_NEAR(length_of(parts[1]), 5, 1e-12);
+  EXPECT_LT((parts[1].position - Vector3d(1.5, 0, 0)).norm(), 1e-12);
+}
+
+TEST(JoinedParts, CarriesARodIntoABall) {
+  const Part ball{Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
+  const auto parts = close_gaps(std::vector{ball, cylinder(0.5, 4, {4, 0, 0}, Vector3d::UnitX())});
+  EXPECT_NEAR(length_of(parts[1]), 6, 1e-12);
+}
+
+TEST(JoinedParts, LeavesPartsThatDoNotTouch) {
+  auto given = t_wrench().body.parts;
+  given[1].position.x() += 0.1;
+  EXPECT_EQ(length_of(close_gaps(given)[1]), 4);
+}
+
+TEST(JoinedParts, LeavesPartsThatAlreadyOverlap) {
+  auto given = t_wrench().body.parts;
+  given[1].position.x() -= 0.5;
+  EXPECT_EQ(length_of(close_gaps(given)[1]), 4);
+}
+
+TEST(JoinedParts, LeavesAnEndThatWouldShowOnTheOtherSide) {
+  auto given = t_wrench().body.parts;
+  std::get<Cylinder>(given[1].shape).radius = 1.5;
+  EXPECT_EQ(length_of(close_gaps(given)[1]), 4);
+}
+
+TEST(JoinedParts, LeavesADiscThatIsWiderThanTheRodItSitsOn) {
+  const auto parts = close_gaps(std::vector{cylinder(1, 8, {0, 0, 0}, Vector3d::UnitZ()),
+                                            cylinder(3, 1, {0, 0, 4.5}, Vector3d::UnitZ())});
+  EXPECT_EQ(length_of(parts[1]), 1);
+  EXPECT_NEAR(length_of(parts[0]), 8.5, 1e-12);  // the rod extends into the disc instead
+}
+
+}  // namespace
+}  // namespace twrench

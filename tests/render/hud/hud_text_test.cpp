@@ -1,0 +1,72 @@
+#include "render/hud/hud_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "canvas/typesetting.h"
+
+namespace twrench::hud_text {
+namespace {
+
+TEST(Seconds, ShowsWhatAFrameMovesOn) {
+  EXPECT_EQ(seconds(30, 96, 0.1), "30.0 s");
+  EXPECT_EQ(seconds(1.0 / 60, 4, 1.0 / 60), "0.02 s");
+  EXPECT_EQ(seconds(0.12345, 1, 1e-9), "0.123 s");
+  EXPECT_EQ(seconds(50, 100, 25),
+            "\u2007"
+            "50 s");
+}
+
+TEST(Seconds, GroupsLongNumbers) {
+  EXPECT_EQ(seconds(1e6, 1e6, 1), "1\u2009000\u2009000 s");
+  EXPECT_EQ(seconds(9999.5, 9999.5, 0.1), "9999.5 s");
+  EXPECT_EQ(seconds(12345.5, 12345.5, 0.1), "12\u2009345.5 s");
+}
+
+TEST(Seconds, IsAsWideWhateverTheNumber) {
+  const Typeface typeface = load_typeface("sans");
+  for (const double longest : {5.0, 96.0, 1234.5, 1e6, 1e9}) {
+    const double width = typeset(typeface.regular, seconds(longest, longest, 0.1)).width;
+    for (double t = 0.04; t < longest; t *= 3.7) {
+      EXPECT_NEAR(typeset(typeface.regular, seconds(t, longest, 0.1)).width, width, 1e-9) << t;
+    }
+  }
+}
+
+TEST(Drift, IsWrittenAsInPrint) {
+  EXPECT_EQ(drift(-1.2e-15), "−1.2×10⁻¹⁵");
+  EXPECT_EQ(drift(3.24e2), "+3.2×10²");
+  EXPECT_EQ(drift(0.5), "+5.0×10⁻¹");
+  EXPECT_EQ(drift(9.96e-5), "+1.0×10⁻⁴") << "rounding carries";
+  EXPECT_EQ(drift(1), "+1.0×10⁰");
+  EXPECT_EQ(drift(0), "0");
+  EXPECT_EQ(drift(-0.0), "0");
+  EXPECT_EQ(drift(1e300), "+1.0×10³⁰⁰");
+  EXPECT_EQ(drift(std::numeric_limits<double>::infinity()), "+inf");
+  EXPECT_EQ(error(-2.3e-16), "2.3×10⁻¹⁶");
+}
+
+TEST(Setting, IsAsShortAsCanBe) {
+  EXPECT_EQ(setting(0.01), "0.01");
+  EXPECT_EQ(setting(1e-10), "10⁻¹⁰");
+  EXPECT_EQ(setting(2.5e-7), "2.5×10⁻⁷");
+  EXPECT_EQ(setting(1), "1");
+}
+
+TEST(Method, SaysWhatItsErrorHangsOn) {
+  const auto words = [](const char* name) {
+    const FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX());
+    Solution solution{&find_method(name), {}, body, 0, {}, {}, {}};
+    solution.control.step = 0.025;
+    solution.control.tolerance = 1e-8;
+    return method(solution);
+  };
+  EXPECT_EQ(words("rkmk45"), "rkmk45, tolerance 10⁻⁸");
+  EXPECT_EQ(words("lie-euler"), "lie-euler, step 0.025 s");
+  EXPECT_EQ(words("exact"), "exact, closed form");
+}
+
+}  // namespace
+}  // namespace twrench::hud_text

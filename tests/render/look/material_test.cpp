@@ -1,0 +1,39 @@
+#include "render/look/material.h"
+
+#include <gtest/gtest.h>
+
+namespace twrench {
+namespace {
+
+TEST(LinearFromSrgb, FollowsTheStandard) {
+  EXPECT_EQ(linear_from_srgb(0), 0);
+  EXPECT_NEAR(linear_from_srgb(10), 10 / 255.0 / 12.92, 1e-15);
+  EXPECT_NEAR(linear_from_srgb(128), 0.2158605, 1e-7);
+  EXPECT_NEAR(linear_from_srgb(255), 1, 1e-15);
+}
+
+TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
+  Look look;
+  look.color = Color{255, 128, 0};
+  look.metallic = 1;
+  look.roughness = 0.3;
+  const Material metal = material(look);
+  EXPECT_EQ(metal.diffuse, glm::vec3(0));
+  EXPECT_NEAR(metal.reflectance.x, 1, 1e-6);
+  EXPECT_NEAR(metal.reflectance.y, 0.2158605, 1e-6);
+  EXPECT_EQ(metal.reflectance.z, 0);
+  EXPECT_NEAR(metal.roughness, 0.3, 1e-6);
+}
+
+TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
+  Look look;
+  look.color = Color{255, 128, 0};
+  look.metallic = 0;
+  const Material plastic = material(look);
+  EXPECT_NEAR(plastic.diffuse.y, 0.2158605, 1e-6);
+  EXPECT_NEAR(plastic.reflectance.x, 0.04, 1e-6);
+  EXPECT_NEAR(plastic.reflectance.z, 0.04, 1e-6);
+}
+
+}  // namespace
+}  // namespace twrench

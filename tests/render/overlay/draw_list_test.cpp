@@ -1,0 +1,168 @@
+#include "render/overlay/draw_list.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/shape.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const Area pane{20, 10, 400, 300};
+const Ink red{{255, 0, 0}};
+
+Camera camera() { return frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 1.5}); }
+
+Vector2d pixel(const DrawList::Vertex& v) {
+  return {pane.x + (0.5 + 0.5 * v.clip.x / v.clip.w) * pane.width,
+          pane.y + (0.5 - 0.5 * v.clip.y / v.clip.w) * pane.height};
+}
+
+class DrawListTest : public testing::Test {
+ protected:
+  DrawListTest() { list.begin(camera(), pane); }
+
+  double nearest(const Vector2d& place) const {
+    double distance = 1e9;
+    for (const auto& v : list.vertices()) {
+      distance = std::min(distance, (pixel(v) - place).norm());
+    }
+    return distance;
+  }
+
+  DrawList list;
+};
+
+TEST_F(DrawListTest, PutsAnArrowsTipWhereTheMatricesSay) {
+  const Vector3d tip(0.4, 0.9, -0.3);
+  list.arrow({0.1, 0, 0.2}, tip, 0.02, red);
+  EXPECT_LT(nearest(pixel_of(camera(), pane, tip)), 1e-3);
+  for (const auto& v : list.vertices()) EXPECT_TRUE(std::isfinite(v.clip.x + v.paint.x));
+}
+
+TEST_F(DrawListTest, AnArrowOfNoLengthIsNothingAndAShortOneAllHead) {
+  list.arrow({1, 1, 1}, {1, 1, 1}, 0.1, red);
+  EXPECT_TRUE(list.vertices().empty());
+  list.arrow(Vector3d::Zero(), {0.01, 0, 0}, 0.1, red);
+  const double size = list.pixels(Vector3d::Zero());
+  for (const auto& v : list.vertices()) {
+    EXPECT_LT((pixel(v) - pixel_of(camera(), pane, Vector3d::Zero())).norm(), 0.02 * size);
+  }
+}
+
+TEST_F(DrawListTest, ALineIsAsWideAsItSaysWithRoomForItsRamp) {
+  list.line(std::array<DrawList::Point, 2>{{{{-1, 0, 0}, 4, red}, {{1, 0, 0}, 4, red}}});
+  ASSERT_EQ(list.vertices().size(), 4);
+  EXPECT_NEAR((pixel(list.vertices()[0]) - pixel(list.vertices()[1])).norm(), 6, 1e-3);
+  EXPECT_EQ(list.vertices()[0].edge.z, 2);
+}
+
+TEST_F(DrawListTest, ALineThinnerThanAPixelIsFainterInstead) {
+  list.line(std::array<DrawList::Point, 2>{{{{-1, 0, 0}, 0.25, red}, {{1, 0, 0}, 0.25, red}}});
+  EXPECT_EQ(list.vertices()[0].edge.z, 0.5F);
+  EXPECT_EQ(list.vertices()[0].paint.w, 0.25F);
+}
+
+TEST_F(DrawListTest, LeavesOutPointsOfALineThatNobodyMisses) {
+  std::vector<DrawList::Point> circle;
+  for (int i = 0; i <= 2000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 2000;
+    circle.push_back({{std::cos(angle), std::sin(angle), 0}, 2, red});
+  }
+  list.line(circle);
+  const auto& vertices = list.vertices();
+  EXPECT_LT(vertices.size(), 400);
+  const auto middle = [&](std::size_t i) -> Vector2d {
+    return 0.5 * (pixel(vertices[i]) + pixel(vertices[i + 1]));
+  };
+  double astray = 0;
+  for (const auto& point : circle) {
+    const Vector2d place = pixel_of(camera(), pane, point.place);
+    double nearest = 1e9;
+    for (std::size_t i = 0; i + 3 < vertices.size(); i += 2) {
+      const Vector2d a = middle(i), way = middle(i + 2) - a;
+      const double t = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (a + t * way - place).norm());
+    }
+    astray = std::max(astray, nearest);
+  }
+  EXPECT_LT(astray, 0.2);
+}
+
+TEST_F(DrawListTest, BreaksALineBehindTheEye) {
+  const Vector3d eye = list.eye();
+  list.line(std::array<DrawList::Point, 5>{{{{-1, 0, 0}, 2, red},
+                                            {{0, 0, 0}, 2, red},
+                                            {2 * eye, 2, red},
+                                            {{1, 0, 0}, 2, red},
+                                            {{1, 1, 0}, 2, red}}});
+  EXPECT_EQ(list.vertices().size(), 8);
+  EXPECT_EQ(list.indices().size(), 12);
+}
+
+TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {
+  const Eigen::Matrix3d radii = Vector3d(1, 0.5, 0.7).asDiagonal();
+  list.ellipsoid(radii, red, 1);
+  ASSERT_GT(list.indices().size(), 300);
+  const auto& v = list.vertices();
+  int facets = 0;
+  for (std::size_t i = 0; i < list.indices().size(); i += 3) {
+    if (v[list.indices()[i]].edge.z < 1e5F) continue;  // of the edge quad along the silhouette
+    ++facets;
+    const Vector2d a = pixel(v[list.indices()[i]]), b = pixel(v[list.indices()[i + 1]]),
+                   c = pixel(v[list.indices()[i + 2]]);
+    const Vector2d ab = b - a, ac = c - a;
+    // The silhouette is shrunk by 0.75 pixels, and may thus come inside the previous ring.
+    const double tucked = 0.75 * std::max(ab.norm(), ac.norm());
+    EXPECT_LE(ab.x() * ac.y() - ab.y() * ac.x(), tucked) << "turned away";
+  }
+  EXPECT_GT(facets, 100);
+  list.begin(camera(), pane);
+  list.ellipsoid(Vector3d(1, 1e-5, 1e-5).asDiagonal(), red, 1);
+  for (const auto& vertex : list.vertices()) EXPECT_TRUE(std::isfinite(vertex.paint.x));
+}
+
+TEST_F(DrawListTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawnBefore) {
+  const Vector3d eye = list.eye();
+  const Eigen::Matrix3d frame = frame_with_z_along(eye);
+  // A disc about the origin, wider than the eye is far, whose plane passes the eye by.
+  const Eigen::Matrix3d disc = frame *
+                               Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix() *
+                               Vector3d(3 * eye.norm(), 0.01, 3 * eye.norm()).asDiagonal();
+  std::vector<DrawList::Point> line;
+  for (int i = 0; i < 9000; ++i) line.push_back({{0.01 * (i % 40), 0.02 * (i % 9), 0}, 1, red});
+  list.line(line);
+  list.begin(camera(), pane);
+  list.ellipsoid(disc, red, 1);
+  DrawList fresh;
+  fresh.begin(camera(), pane);
+  fresh.ellipsoid(disc, red, 1);
+  ASSERT_EQ(list.vertices().size(), fresh.vertices().size());
+  int behind = 0;
+  for (std::size_t i = 0; i < fresh.vertices().size(); ++i) {
+    behind += fresh.vertices()[i].clip.w <= 0 ? 1 : 0;
+    ASSERT_EQ(list.vertices()[i].clip, fresh.vertices()[i].clip) << i;
+  }
+  EXPECT_GT(behind, 0);
+}
+
+TEST_F(DrawListTest, TellsTheAreaItCovers) {
+  list.dot({0.3, 0.2, 0.1}, 5, red);
+  ScreenArea screen(pane, 320);
+  list.add_to(screen);
+  const Vector2d middle = pixel_of(camera(), pane, {0.3, 0.2, 0.1});
+  const Area area = screen.bounds();
+  EXPECT_LT(area.x, middle.x() - 5.5);
+  EXPECT_GT(area.x + area.width, middle.x() + 5.5);
+  EXPECT_LT(area.width, 17);
+}
+
+}  // namespace
+}  // namespace twrench

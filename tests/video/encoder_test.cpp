@@ -1,0 +1,467 @@
+#include "video/encoder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "base/file.h"
+#include "run_command.h"
+#include "scratch_folder.h"
+#include "stub_ffmpeg.h"
+#include "video/error.h"
+
+namespace twrench {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr VideoFormat format{64, 48, 30.0};
+
+Image flat(std::array<int, 3> color) {
+  Image image(format.width, format.height, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<std::uint8_t>(color[i % 3]);
+  }
+  return image;
+}
+
+void encode(const std::filesystem::path& output, const std::vector<Image>& frames) {
+  VideoEncoder encoder(output, format);
+  for (const Image& frame : frames) {
+    encoder.write(frame);
+  }
+  encoder.finish();
+}
+
+/// The frames of a video, decoded by ffmpeg.
+std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string& film) {
+  const std::string raw = (scratch / (film + ".rgb")).string();
+  run_command("ffmpeg -v error -i 'file:" + (scratch / film).string() +
+              "' -vf scale=flags=accurate_rnd+full_chroma_int+full_chroma_inp"
+              " -f rawvideo -pix_fmt rgb24 'file:" +
+              raw + "'");
+  return read_file(raw, 100'000'000);
+}
+
+/// ffprobe's description of the video stream.
+std::string probe(const ScratchFolder& scratch, const std::string& film) {
+  const std::string out = (scratch / (film + ".txt")).string();
+  run_command(
+      "ffprobe -v error -count_frames -of default=noprint_wrappers=1 -show_entries stream '" +
+      (scratch / film).string() + "' >'" + out + "'");
+  const auto text = read_file(out, 100'000);
+  return {text.begin(), text.end()};
+}
+
+/// The error with which encoding many frames ends.
+template <typename Expected>
+Expected failure(const std::filesystem::path& output) {
+  try {
+    encode(output, std::vector<Image>(2000, flat({1, 2, 3})));
+  } catch (const Expected& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return Expected("", "");
+}
+
+TEST(Encoder, MakesATaggedFilmOfAllFrames) {
+  const ScratchFolder scratch;
+  encode(scratch / "film.mp4", std::vector<Image>(7, flat({40, 80, 120})));
+  const std::string said = probe(scratch, "film.mp4");
+  for (const char* expected :
+       {"codec_name=h264\n", "width=64\n", "height=48\n", "pix_fmt=yuv420p\n", "color_range=tv\n",
+        "chroma_location=left\n", "color_space=bt709\n", "color_transfer=bt709\n",
+        "color_primaries=bt709\n", "r_frame_rate=30/1\n", "nb_read_frames=7\n"}) {
+    EXPECT_THAT(said, HasSubstr(expected));
+  }
+  EXPECT_EQ(decode(scratch, "film.mp4").size(), std::size_t{7} * 64 * 48 * 3);
+}
+
+TEST(Encoder, PutsTheIndexFirstSoThatPlayersStartAtOnce) {
+  const ScratchFolder scratch;
+  encode(scratch / "film.mp4", {flat({1, 2, 3})});
+  const auto bytes = read_file(scratch / "film.mp4", 100'000);
+  const std::string text(bytes.begin(), bytes.end());
+  EXPECT_LT(text.find("moov"), text.find("mdat"));
+}
+
+TEST(Encoder, KeepsColours) {
+  // 4:2:0 at 8 bits, limited range: a step of luma is 255/219, one of chroma up to 2.1 levels.
+  constexpr int tolerance = 2;
+  const std::vector<std::array<int, 3>> colors{
+      {0, 0, 0},     {16, 16, 16}, {128, 128, 128}, {255, 255, 255}, {255, 0, 0},
+      {0, 255, 0},   {0, 0, 255},  {255, 255, 0},   {0, 255, 255},   {255, 0, 255},
+      {200, 30, 60}, {12, 14, 20}, {184, 188, 196}, {30, 120, 220},  {250, 140, 10}};
+  const ScratchFolder scratch;
+  std::vector<Image> frames;
+  std::transform(colors.begin(), colors.end(), std::back_inserter(frames), flat);
+  encode(scratch / "film.mp4", frames);
+  const auto decoded = decode(scratch, "film.mp4");
+  const std::size_t frame_size = frames[0].pixels.size();
+  ASSERT_EQ(decoded.size(), frame_size * frames.size());
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    ASSERT_NEAR(decoded[i], frames[i / frame_size].pixels[i % frame_size], tolerance)
+        << "colour " << i / frame_size << ", channel " << i % 3;
+  }
+}
+
+TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
+  // Every 17th level of each channel, in squares of 16 pixels whose inner 8 are compared.
+  constexpr int side = 1024;
+  const ScratchFolder scratch;
+  Image image(side, side, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const std::size_t square = i / 3 / side / 16 * 64 + i / 3 % side / 16;
+    image.pixels[i] = static_cast<std::uint8_t>((square >> (i % 3 * 4) & 15U) * 17);
+  }
+  VideoEncoder encoder(scratch / "film.mp4", {side, side, 30});
+  encoder.write(image);
+  encoder.finish();
+  const auto decoded = decode(scratch, "film.mp4");
+  ASSERT_EQ(decoded.size(), image.pixels.size());
+  double sum = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    if ((i / 3 / side + 4) % 16 >= 8 && (i / 3 % side + 4) % 16 >= 8) {
+      sum += decoded[i] - image.pixels[i];
+      ++count;
+    }
+  }
+  EXPECT_NEAR(sum / count, 0.0, 0.05) << "swscale without accurate_rnd has -0.1";
+}
+
+TEST(Encoder, KeepsFramesUprightAndInOrder) {
+  const ScratchFolder scratch;
+  std::vector<Image> frames;
+  for (int k = 0; k < 3; ++k) {
+    frames.push_back(flat({20, 20, 20}));
+    // Bright: the top 16 rows, and that many columns on the left.
+    for (std::size_t i = 0; i < frames.back().pixels.size(); ++i) {
+      const auto x = static_cast<int>(i / 3 % 64);
+      const auto y = static_cast<int>(i / 3 / 64);
+      if (y < 16 || x < 16 * k) {
+        frames.back().pixels[i] = 220;
+      }
+    }
+  }
+  encode(scratch / "film.mp4", frames);
+  const auto decoded = decode(scratch, "film.mp4");
+  ASSERT_EQ(decoded.size(), 3 * frames[0].pixels.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    sum += std::abs(decoded[i] -
+                    frames[i / frames[0].pixels.size()].pixels[i % frames[0].pixels.size()]);
+  }
+  EXPECT_LT(sum / static_cast<double>(decoded.size()), 1.0);
+}
+
+TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
+  const ScratchFolder scratch;
+  VideoEncoder whole(scratch / "whole.mp4", format);
+  VideoEncoder areas(scratch / "areas.mp4", format);
+  for (int k = 0; k < 4; ++k) {
+    Image frame = flat({20, 60, 90});
+    const Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
+        frame
+            .pixels[static_cast<std::size_t>(y) * frame.row_bytes() + static_cast<std::size_t>(i)] =
+            230;
+      }
+    }
+    whole.write(frame);
+    areas.convert(frame, std::array{area});
+    areas.write_converted();
+  }
+  whole.finish();
+  areas.finish();
+  EXPECT_EQ(decode(scratch, "areas.mp4"), decode(scratch, "whole.mp4"));
+}
+
+TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
+  const ScratchFolder scratch;
+  const std::string raw = (scratch / "raw").string();
+  const StubFfmpeg slow(scratch, "part=" + raw +
+                                     ".part; while dd bs=256k count=1 status=none "
+                                     "of=$part && [ -s $part ]; do cat $part >>" +
+                                     raw +
+                                     "; sleep 0.01; done; "
+                                     "for film; do :; done; exec touch \"${film#file:}\"");
+  constexpr int width = 1280, height = 720;  // more than the pipe holds
+  VideoEncoder encoder(scratch / "film.mp4", {width, height, 30});
+  std::vector<std::uint8_t> expected;
+  for (int k = 0; k < 9; ++k) {
+    Image frame(width, height, 3);
+    const Area area{130 * k, 3 + 70 * k, 200, 100};
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      std::fill_n(&frame.pixels[static_cast<std::size_t>(3 * (y * width + area.x))], 3 * area.width,
+                  static_cast<std::uint8_t>(90 + 15 * k));
+    }
+    encoder.convert(frame, std::array{area});
+    encoder.write_converted();
+    Yuv420 planes(width, height);
+    planes.update(frame, {0, 0, width, height});
+    expected.insert(expected.end(), planes.bytes().begin(), planes.bytes().end());
+  }
+  EXPECT_THROW(encoder.finish(), EncoderError) << "it is no film";
+  EXPECT_EQ(read_file(raw, 100'000'000), expected);
+}
+
+TEST(Encoder, ShowsTransparentFramesOverBlack) {
+  const ScratchFolder scratch;
+  Image image(format.width, format.height, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // half transparent
+  }
+  encode(scratch / "film.mp4", {image});
+  EXPECT_NEAR(decode(scratch, "film.mp4")[0], 100, 2);
+}
+
+TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
+  // Opaque on the left, half transparent in the middle, transparent on the right.
+  Image image(format.width, format.height, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const auto x = i / 4 % 64;
+    image.pixels[i] = 200;
+    image.pixels[i + 1] = 120;
+    image.pixels[i + 2] = 40;
+    image.pixels[i + 3] = x < 16 ? 255 : (x < 48 ? 128 : 0);
+  }
+  const ScratchFolder scratch;
+  for (const auto& [name, decoder] :
+       {std::pair{"film.webm", "-c:v libvpx-vp9"}, {"film.mov", ""}}) {
+    VideoFormat with_alpha = format;
+    with_alpha.container = container_of(name);
+    with_alpha.transparent = true;
+    require_encoder(with_alpha);
+    VideoEncoder encoder(scratch / name, with_alpha);
+    for (int i = 0; i < 3; ++i) encoder.write(image);
+    encoder.finish();
+    const std::string raw = (scratch / "film.rgba").string();
+    run_command(
+        "ffmpeg -v error -y " + std::string(decoder) + " -i 'file:" + (scratch / name).string() +
+        "' -vf scale=flags=accurate_rnd+full_chroma_int -f rawvideo -pix_fmt rgba 'file:" + raw +
+        "'");
+    const auto decoded = read_file(raw, 1'000'000);
+    ASSERT_EQ(decoded.size(), 3 * image.pixels.size()) << name;
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+      const auto x = i / 4 % 64;
+      if (x % 16 < 4 || x % 16 >= 12) continue;  // away from the edges
+      ASSERT_NEAR(decoded[i], image.pixels[i % image.pixels.size()], 4) << name << " " << i;
+    }
+  }
+}
+
+TEST(Encoder, TakesTheCodecFromTheEnding) {
+  const ScratchFolder scratch;
+  for (const auto& [name, codec] : {std::pair{"film.mov", "codec_name=h264\n"},
+                                    {"film.mkv", "codec_name=h264\n"},
+                                    {"film.webm", "codec_name=vp9\n"}}) {
+    VideoFormat opaque = format;
+    opaque.container = container_of(name);
+    VideoEncoder encoder(scratch / name, opaque);
+    encoder.write(flat({40, 80, 120}));
+    encoder.finish();
+    EXPECT_THAT(probe(scratch, name), HasSubstr(codec));
+    EXPECT_THAT(probe(scratch, name), HasSubstr("pix_fmt=yuv420p\n"));
+  }
+}
+
+TEST(Encoder, TakesRatesThatAreNotWhole) {
+  const ScratchFolder scratch;
+  const std::vector<std::pair<double, std::string>> rates{
+      {59.94, "2997/50"}, {60000.0 / 1001, "60000/1001"}, {0.5, "1/2"},     {60, "60/1"},
+      {12.5, "25/2"},     {23.976, "2997/125"},           {0.001, "1/1000"}};
+  for (const auto& [fps, fraction] : rates) {
+    EXPECT_THAT(encoder_arguments({64, 48, fps}), ::testing::Contains(fraction)) << fps;
+  }
+  for (const double fps : {0.0, -1.0, 1e9, std::nan("")}) {
+    EXPECT_THROW(encoder_arguments({64, 48, fps}), OutOfRange);
+  }
+}
+
+TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
+  const ScratchFolder scratch;
+  for (const auto& [width, height] : {std::pair{641, 480}, {640, 481}, {0, 0}}) {
+    const VideoFormat odd{width, height, 30};
+    EXPECT_THROW(require_encoder(odd), FilmSizeError);
+    EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), FilmSizeError);
+  }
+  try {
+    require_encoder({641, 481, 30});
+  } catch (const FilmSizeError& error) {
+    EXPECT_EQ(error.width(), 642);
+    EXPECT_EQ(error.height(), 482);
+  }
+}
+
+TEST(Encoder, RefusesAFrameOfAnotherSize) {
+  const ScratchFolder scratch;
+  VideoEncoder encoder(scratch / "film.mp4", format);
+  EXPECT_THROW(encoder.write(Image(format.width, 64, 3)), std::invalid_argument);
+  EXPECT_THROW(encoder.write(Image(48, format.height, 3)), std::invalid_argument);
+}
+
+TEST(Encoder, TakesAnyFileName) {
+  const ScratchFolder scratch;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(scratch.path());
+  const std::vector<std::string> names{"-y.mp4", "http:x.mp4", "a 'b' \"c\" %d é.mp4", "noending"};
+  for (const std::string& name : names) {
+    encode(name, {flat({9, 9, 9})});
+  }
+  std::filesystem::current_path(before);
+  EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAreArray(names));
+}
+
+TEST(Encoder, LeavesNothingWhenItIsNotFinished) {
+  const ScratchFolder scratch;
+  {
+    VideoEncoder encoder(scratch / "film.mp4", format);
+    encoder.write(flat({1, 2, 3}));
+  }
+  EXPECT_THAT(scratch.names(), ::testing::IsEmpty());
+}
+
+TEST(Encoder, ThatIsThereIsAccepted) { EXPECT_NO_THROW(require_encoder(format)); }
+
+TEST(Encoder, MissingIsToldWithTheRemedy) {
+  const ScratchFolder scratch;
+  const PathSetting nothing(scratch.path().string());
+  try {
+    require_encoder(format);
+    FAIL();
+  } catch (const EncoderError& error) {
+    EXPECT_STREQ(error.what(), "cannot start ffmpeg: it was not found in PATH");
+    EXPECT_THAT(error.remedy(), HasSubstr("apt-get install ffmpeg"));
+  }
+  EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(), HasSubstr("cannot start ffmpeg"));
+  EXPECT_THAT(scratch.names(), ::testing::IsEmpty());
+}
+
+TEST(Encoder, ThatCannotDoItIsToldBeforeTheFirstFrame) {
+  const ScratchFolder scratch;
+  const StubFfmpeg stub(scratch, "echo \"Unknown encoder 'libx264'\" >&2; exit 1");
+  try {
+    require_encoder(format);
+    FAIL();
+  } catch (const EncoderError& error) {
+    EXPECT_STREQ(error.what(),
+                 "ffmpeg cannot encode the video: ffmpeg ended with exit status 1: "
+                 "Unknown encoder 'libx264'");
+    EXPECT_THAT(error.remedy(), HasSubstr("libx264"));
+  }
+}
+
+TEST(Encoder, ThatDiesAtOnceIsToldWithItsWordsAndItsCommand) {
+  const ScratchFolder scratch;
+  const StubFfmpeg stub(scratch, "echo 'first line' >&2; echo 'last line' >&2; exit 3");
+  const auto error = failure<EncoderError>(scratch / "film.mp4");
+  EXPECT_EQ(error.what(), "cannot encode " + (scratch / "film.mp4").string() +
+                              ": ffmpeg ended with exit status 3: first line; last line");
+  EXPECT_THAT(error.remedy(), HasSubstr("ffmpeg -hide_banner"));
+  EXPECT_THAT(error.remedy(), HasSubstr("-c:v libx264"));
+  EXPECT_THAT(scratch.names(), ElementsAre("bin"));
+}
+
+TEST(Encoder, ThatDiesMidwayIsTold) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
+  const StubFfmpeg stub(scratch, "head -c 1000000 >/dev/null; kill -KILL $$");
+  EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(),
+              HasSubstr("exit status 137: it printed no message"));
+  EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAre("bin", "film.mp4"));
+  EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+}
+
+TEST(Encoder, ThatHangsIsStoppedAndTold) {
+  constexpr ChildProcess::Time patience(200);
+  const ScratchFolder scratch;
+  for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
+    const StubFfmpeg stub(scratch, script);
+    try {
+      VideoEncoder encoder(scratch / "film.mp4", format, {}, patience);
+      for (int i = 0; i < 500; ++i) encoder.write(flat({1, 2, 3}));
+      encoder.finish();
+      FAIL();
+    } catch (const EncoderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg stopped responding and was killed"));
+    }
+    EXPECT_THAT(scratch.names(), ElementsAre("bin"));
+    EXPECT_THROW(require_encoder(format, patience), EncoderError);
+  }
+}
+
+TEST(Encoder, ThatFailsAtTheEndIsTold) {
+  const ScratchFolder scratch;
+  const StubFfmpeg stub(scratch, "cat >/dev/null; echo 'no trailer' >&2; exit 1");
+  EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(), HasSubstr("no trailer"));
+  EXPECT_THAT(scratch.names(), ElementsAre("bin"));
+}
+
+TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
+  const ScratchFolder scratch;
+  write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
+  const std::string last = "for film; do :; done; film=${film#file:}; ";
+  const std::string real = "$(PATH=${PATH#*:} command -v ffmpeg)";
+  const std::pair<std::string, const char*> stubs[] = {
+      {last + "cat >/dev/null; : >\"$film\"", "its output is not a video"},
+      {"head -c 18432 | " + real + " \"$@\"", "a video of 4 frames"}};
+  for (const auto& [script, message] : stubs) {
+    const StubFfmpeg stub(scratch, script);
+    VideoEncoder encoder(scratch / "film.mp4", format);
+    for (int i = 0; i < 5; ++i) encoder.write(flat({1, 2, 3}));
+    try {
+      encoder.finish();
+      FAIL();
+    } catch (const EncoderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(message));
+    }
+    EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+  }
+}
+
+TEST(Encoder, IsKeptFromAFilmThatAnotherWrites) {
+  const ScratchFolder scratch;
+  const VideoEncoder one(scratch / "film.mp4", format);
+  const VideoEncoder other(scratch / "other.mp4", format);
+  EXPECT_THROW(VideoEncoder(scratch / "film.mp4", format), FileError);
+}
+
+TEST(Encoder, StreamsToADevice) {
+  const ScratchFolder scratch;
+  run_command("mkfifo '" + (scratch / "pipe.mp4").string() + "'");
+  auto reader = std::async(std::launch::async, [&] {
+    run_command("cat '" + (scratch / "pipe.mp4").string() + "' >'" +
+                (scratch / "film.mp4").string() + "'");
+  });
+  encode(scratch / "pipe.mp4", std::vector<Image>(7, flat({40, 80, 120})));
+  reader.get();
+  EXPECT_THAT(probe(scratch, "film.mp4"), HasSubstr("nb_read_frames=7\n"));
+}
+
+TEST(Encoder, AFullDiskIsAFilesFailure) {
+  const ScratchFolder scratch;
+  const StubFfmpeg stub(scratch,
+                        "echo 'av_interleaved_write_frame(): No space left on device' >&2"
+                        "; exit 1");
+  EXPECT_THAT(failure<FileError>(scratch / "film.mp4").remedy(), HasSubstr("free some space"));
+}
+
+TEST(Encoder, NeedsAFolderForTheFilm) {
+  const ScratchFolder scratch;
+  EXPECT_THROW(VideoEncoder(scratch / "no/film.mp4", format), FileError);
+  EXPECT_THROW(VideoEncoder(scratch.path(), format), FileError);
+}
+
+}  // namespace
+}  // namespace twrench
