@@ -57,7 +57,8 @@ class Figures {
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
     throw UsageError("title",
-                     fmt::format("has the character U+{:04X}, which the font lacks",
+                     fmt::format("has the character U+{:04X}, which neither the font nor the "
+                                 "built-in sans can draw",
                                  static_cast<std::uint32_t>(*missing)),
                      "--font FILE takes a font that has it; --title TEXT gives another title, and "
                      "--hide hud none");
