@@ -43,9 +43,11 @@ void Canvas::set(const Ink& ink) {
 void Canvas::add_text(const Line& line, double size, const Point& at, Align align) {
   const double before = align == Align::left ? 0 : align == Align::right ? 1 : 0.5;
   const double start = at.x - before * line.width * size;
-  cairo_set_font_face(context_.get(), line.font->face());
+  const Font* font_set = nullptr;
   double scale_set = 0;
-  for (const auto& [glyph, x, y, scale, character] : line.glyphs) {
+  for (const auto& [font, glyph, x, y, scale, character] : line.glyphs) {
+    if (font != font_set) cairo_set_font_face(context_.get(), font->face());
+    font_set = font;
     if (scale != scale_set) cairo_set_font_size(context_.get(), scale * size);
     scale_set = scale;
     const cairo_glyph_t placed{glyph, start + x * size, at.y + y * size};

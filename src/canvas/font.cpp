@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <string_view>
 
 #include "base/error.h"
@@ -20,31 +19,32 @@ namespace {
 
 constexpr std::size_t largest_file = 64U << 20U;  // bytes: a font of all Chinese is 20 MB
 
+constexpr std::u32string_view ten_digits = U"0123456789";
+
 std::u32string characters_of_our_own_text() {
   std::u32string characters = U"\u00D7\u2212\u2026\u03C9";  // times, minus, ellipsis, omega
   for (char32_t character = U'!'; character <= U'~'; ++character) characters += character;
   return characters;
 }
 
-void require_characters(const Font& font, const std::string& what) {
+void require_outlines(const Font& font, const std::string& what) {
   for (const char32_t character : characters_of_our_own_text()) {
     const unsigned glyph = font.glyph(character);
-    const auto code = static_cast<std::uint32_t>(character);
-    if (glyph == 0) {
-      throw InvalidArgument(
-          what, fmt::format("lacks the character U+{:04X}", code),
-          "choose a font with the Latin alphabet, mathematical signs and Greek letters");
-    }
-    if (!font.can_draw(glyph)) {
-      throw InvalidArgument(
-          what, fmt::format("is a damaged font: its character U+{:04X} cannot be read", code));
+    if (glyph != 0 && !font.can_draw(glyph)) {
+      throw InvalidArgument(what,
+                            fmt::format("is a damaged font: its character U+{:04X} cannot be read",
+                                        static_cast<std::uint32_t>(character)));
     }
   }
 }
 
-std::vector<std::uint8_t> embedded_font(const std::string& name) {
+Font embedded_font(const std::string& name) {
   const std::string_view file = embedded::fonts().at(name);
-  return {file.begin(), file.end()};
+  return {{file.begin(), file.end()}, "font"};
+}
+
+Typeface embedded_typeface(const std::string& family) {
+  return {embedded_font(family + "-Regular.ttf"), embedded_font(family + "-Medium.ttf")};
 }
 
 std::vector<std::uint8_t> read_font(const std::string& path) {
@@ -55,14 +55,19 @@ std::vector<std::uint8_t> read_font(const std::string& path) {
   }
 }
 
+Typeface typeface_of_file(const std::string& path) {
+  const Font font(read_font(path), "font " + path);
+  return {font, font};
+}
+
 }  // namespace
 
 Font::Font(std::vector<std::uint8_t> file, const std::string& what)
     : file_(std::make_shared<const std::vector<std::uint8_t>>(std::move(file))),
       shaper_(font_file::open_shaper(file_, what)),
       face_(font_file::open_face(file_, shaper(), what)) {
-  require_characters(*this, what);
-  for (char32_t digit = U'0'; digit <= U'9'; ++digit) {
+  require_outlines(*this, what);
+  for (const char32_t digit : ten_digits) {
     digit_advance_ = std::max(digit_advance_, advance(glyph(digit)));
   }
   hb_glyph_extents_t extents{};
@@ -70,9 +75,29 @@ Font::Font(std::vector<std::uint8_t> file, const std::string& what)
   cap_height_ = 1.0 * extents.y_bearing / units_per_em();
 }
 
+Font Font::with_fallback(const Font& fallback) const {
+  Font both(*this);
+  both.fallback_ = std::make_shared<const Font>(fallback);
+  if (!has(U'H')) both.cap_height_ = fallback.cap_height_;
+  if (&both.digits() != &both) both.digit_advance_ = fallback.digit_advance_;
+  return both;
+}
+
 unsigned Font::glyph(char32_t character) const {
   hb_codepoint_t glyph = 0;
   return hb_font_get_nominal_glyph(shaper(), character, &glyph) != 0 ? glyph : 0;
+}
+
+bool Font::has(char32_t character) const {
+  if (glyph(character) != 0) return true;
+  hb_codepoint_t letter = 0, mark = 0;
+  return hb_unicode_decompose(hb_unicode_funcs_get_default(), character, &letter, &mark) != 0 &&
+         has(letter) && (mark == 0 || has(mark));
+}
+
+const Font& Font::digits() const {
+  const auto own = [&](char32_t digit) { return glyph(digit) != 0; };
+  return fallback_ && !std::ranges::all_of(ten_digits, own) ? *fallback_ : *this;
 }
 
 bool Font::can_draw(unsigned glyph) const { return font_file::has_outline(face(), glyph); }
@@ -85,22 +110,23 @@ unsigned Font::units_per_em() const { return hb_face_get_upem(hb_font_get_face(s
 
 Typeface load_typeface(const std::string& name_or_path) {
   const std::vector<std::string> names{"sans", "mono"};
-  const std::map<std::string, std::string> families{{"sans", "Roboto"}, {"mono", "FiraCode"}};
-  if (const auto family = families.find(name_or_path); family != families.end()) {
-    return {Font(embedded_font(family->second + "-Regular.ttf"), "font"),
-            Font(embedded_font(family->second + "-Medium.ttf"), "font")};
-  }
+  const Typeface sans = embedded_typeface("Roboto");
+  if (name_or_path == "sans") return sans;
+  const bool mono = name_or_path == "mono";
   const bool path = name_or_path.find_first_of("./") != std::string::npos;
-  if (!path && !std::filesystem::exists(name_or_path)) {
+  if (!mono && !path && !std::filesystem::exists(name_or_path)) {
     throw unknown_name("font", name_or_path, names);
   }
-  const Font font(read_font(name_or_path), "font " + name_or_path);
-  return {font, font};
+  const Typeface own = mono ? embedded_typeface("FiraCode") : typeface_of_file(name_or_path);
+  return {own.regular.with_fallback(sans.regular), own.strong.with_fallback(sans.strong)};
 }
 
 std::string typeface_digest(const Typeface& typeface) {
-  const std::string both = sha256_hex(typeface.regular.file()) + sha256_hex(typeface.strong.file());
-  return sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(both.data()), both.size()));
+  std::string all;
+  for (const Font* font : {&typeface.regular, &typeface.strong}) {
+    for (; font != nullptr; font = font->fallback()) all += sha256_hex(font->file());
+  }
+  return sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(all.data()), all.size()));
 }
 
 }  // namespace twrench

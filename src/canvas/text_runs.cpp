@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <numeric>
+#include <span>
 #include <string>
 
 namespace twrench {
@@ -62,17 +63,20 @@ BidiOrder bidi_order(const std::vector<FriBidiChar>& text) {
   return order;
 }
 
+hb_script_t script_of(hb_codepoint_t character) {
+  return hb_unicode_script(hb_unicode_funcs_get_default(), character);
+}
+
+/// By characters of many scripts.
+bool is_shared(hb_script_t script) {
+  return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN;
+}
+
 /// The script of each character; those that many scripts share have that of the letters before
 /// them.
 std::vector<hb_script_t> scripts_of(const std::vector<hb_codepoint_t>& text) {
-  const auto is_shared = [](hb_script_t script) {
-    return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED ||
-           script == HB_SCRIPT_UNKNOWN;
-  };
   std::vector<hb_script_t> scripts(text.size());
-  std::ranges::transform(text, scripts.begin(), [](hb_codepoint_t character) {
-    return hb_unicode_script(hb_unicode_funcs_get_default(), character);
-  });
+  std::ranges::transform(text, scripts.begin(), script_of);
   const auto first = std::ranges::find_if_not(scripts, is_shared);
   hb_script_t script = first == scripts.end() ? HB_SCRIPT_COMMON : *first;
   for (hb_script_t& own : scripts) {
@@ -82,8 +86,12 @@ std::vector<hb_script_t> scripts_of(const std::vector<hb_codepoint_t>& text) {
   return scripts;
 }
 
+hb_unicode_general_category_t category_of(hb_codepoint_t character) {
+  return hb_unicode_general_category(hb_unicode_funcs_get_default(), character);
+}
+
 bool is_mark(hb_codepoint_t character) {
-  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), character)) {
+  switch (category_of(character)) {
     case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
     case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
     case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
@@ -91,6 +99,121 @@ bool is_mark(hb_codepoint_t character) {
     default:
       return false;
   }
+}
+
+/// A joiner, a soft hyphen or the like: HarfBuzz leaves them out where the font has none.
+bool is_unseen(hb_codepoint_t character) {
+  return category_of(character) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
+}
+
+bool is_opening(hb_codepoint_t character) {
+  const auto category = category_of(character);
+  return category == HB_UNICODE_GENERAL_CATEGORY_OPEN_PUNCTUATION ||
+         category == HB_UNICODE_GENERAL_CATEGORY_INITIAL_PUNCTUATION;
+}
+
+/// A letter, a digit or a sign, with the marks on it.
+struct Cluster {
+  std::span<const hb_codepoint_t> characters;
+  const Font* font;  ///< null as long as none is chosen
+};
+
+std::vector<Cluster> clusters_of(std::span<const hb_codepoint_t> text) {
+  std::vector<Cluster> clusters;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = begin + 1;
+    while (end < text.size() && (is_mark(text[end]) || is_unseen(text[end]))) ++end;
+    clusters.push_back({text.subspan(begin, end - begin), nullptr});
+  }
+  return clusters;
+}
+
+/// How many of the characters the font has up to the first that it lacks, as they are or as what
+/// they compose.
+std::size_t count_in(const Font& font, std::span<const hb_codepoint_t> characters) {
+  hb_codepoint_t composed = 0;
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    hb_codepoint_t both = 0;
+    if (hb_unicode_compose(hb_unicode_funcs_get_default(), composed, characters[i], &both) != 0 &&
+        font.has(both)) {
+      composed = both;
+    } else if (font.has(characters[i]) || is_unseen(characters[i])) {
+      composed = characters[i];
+    } else {
+      return i;
+    }
+  }
+  return characters.size();
+}
+
+/// Shares a text out between a font and its fallback, as visual_runs() says.
+class FontChoice {
+ public:
+  FontChoice(std::span<const hb_codepoint_t> text, const Font& font)
+      : font_(font), clusters_(clusters_of(text)) {
+    choose_for_letters_and_digits();
+    choose_for_signs();
+  }
+
+  /// One for each character.
+  std::vector<const Font*> fonts() const {
+    std::vector<const Font*> fonts;
+    for (const auto& [characters, font] : clusters_) {
+      const Font* other = other_than(font);
+      const std::size_t count = count_in(*font, characters);
+      for (std::size_t i = 0; i < characters.size(); ++i) {
+        const bool strange = i >= count && !font->has(characters[i]) && other->has(characters[i]);
+        fonts.push_back(strange ? other : font);
+      }
+    }
+    return fonts;
+  }
+
+ private:
+  const Font* other_than(const Font* font) const {
+    return font == &font_ ? font_.fallback() : &font_;
+  }
+
+  void choose(Cluster& cluster, const Font* preferred) {
+    const Font* other = other_than(preferred);
+    const bool more =
+        count_in(*other, cluster.characters) > count_in(*preferred, cluster.characters);
+    cluster.font = more ? other : preferred;
+  }
+
+  void choose_for_letters_and_digits() {
+    for (Cluster& cluster : clusters_) {
+      const hb_codepoint_t first = cluster.characters.front();
+      if (first >= U'0' && first <= U'9') {
+        choose(cluster, &font_.digits());
+      } else if (!is_shared(script_of(first))) {
+        choose(cluster, &font_);
+      }
+    }
+  }
+
+  void choose_for_signs() {
+    const Font* neighbour = &font_;
+    const auto go_over = [&](auto cluster, auto end, bool all) {
+      for (; cluster != end; ++cluster) {
+        if (cluster->font != nullptr) {
+          neighbour = cluster->font;
+        } else if (all || is_opening(cluster->characters.front())) {
+          choose(*cluster, neighbour);
+        }
+      }
+    };
+    go_over(clusters_.rbegin(), clusters_.rend(), false);
+    go_over(clusters_.begin(), clusters_.end(), true);
+  }
+
+  const Font& font_;
+  std::vector<Cluster> clusters_;
+};
+
+std::vector<const Font*> fonts_of(const std::vector<hb_codepoint_t>& text, const Font& font) {
+  if (font.fallback() == nullptr) return std::vector<const Font*>(text.size(), &font);
+  return FontChoice(text, font).fonts();
 }
 
 }  // namespace
@@ -122,11 +245,12 @@ StyledText shortened(const StyledText& text, std::size_t length) {
   return some;
 }
 
-std::vector<TextRun> visual_runs(const StyledText& text) {
+std::vector<TextRun> visual_runs(const StyledText& text, const Font& font) {
   const BidiOrder order = bidi_order(text.characters);
   const std::vector<hb_script_t> scripts = scripts_of(text.characters);
+  const std::vector<const Font*> fonts = fonts_of(text.characters, font);
   const auto same = [&](std::size_t a, std::size_t b) {
-    return text.styles[a] == text.styles[b] && scripts[a] == scripts[b] &&
+    return fonts[a] == fonts[b] && text.styles[a] == text.styles[b] && scripts[a] == scripts[b] &&
            order.levels[a] == order.levels[b];
   };
   std::vector<TextRun> runs;
@@ -136,7 +260,7 @@ std::vector<TextRun> visual_runs(const StyledText& text) {
     while (begin > 0 && same(begin - 1, here)) --begin;
     while (end < text.characters.size() && same(end, here)) ++end;
     const bool to_left = FRIBIDI_LEVEL_IS_RTL(order.levels[here]) != 0;
-    runs.push_back({begin, end, text.styles[here], scripts[here],
+    runs.push_back({begin, end, fonts[here], text.styles[here], scripts[here],
                     to_left ? HB_DIRECTION_RTL : HB_DIRECTION_LTR});
     place += end - begin;
   }

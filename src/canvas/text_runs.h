@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "canvas/font.h"
+
 namespace twrench {
 
 /// How characters are set: figures without kerning, raised and lowered ones smaller.
@@ -23,16 +25,20 @@ StyledText styled(std::string_view utf8);
 /// The first `length` characters and an ellipsis.
 StyledText shortened(const StyledText& text, std::size_t length);
 
-/// Characters that are shaped at once: of one style, script and direction.
+/// Characters that are shaped at once: of one font, style, script and direction.
 struct TextRun {
   std::size_t begin, end;  ///< in the text
+  const Font* font;        ///< that of the text or its fallback
   CharacterStyle style;
   hb_script_t script;
   hb_direction_t direction;
 };
 
 /// The text's runs from left to right, by the Unicode Bidirectional Algorithm (UAX #9); the line's
-/// own direction is that of its first letter.
-std::vector<TextRun> visual_runs(const StyledText& text);
+/// own direction is that of its first letter. What the font lacks is taken from its fallback: a
+/// letter with all its marks where the fallback has them, the digits all together, and spaces and
+/// signs that both fonts have go with the letters or digits before them, but opening brackets with
+/// those after them.
+std::vector<TextRun> visual_runs(const StyledText& text, const Font& font);
 
 }  // namespace twrench

@@ -26,17 +26,17 @@ Setting setting_of(CharacterStyle style) {
   return {1, 0};
 }
 
-void shape(hb_buffer_t* buffer, const Font& font, const StyledText& text, const TextRun& run) {
+void shape(hb_buffer_t* buffer, const StyledText& text, const TextRun& run) {
   hb_buffer_clear_contents(buffer);
   hb_buffer_add_codepoints(buffer, text.characters.data(), static_cast<int>(text.characters.size()),
                            static_cast<unsigned>(run.begin), static_cast<int>(run.end - run.begin));
   hb_buffer_set_direction(buffer, run.direction);
   hb_buffer_set_script(buffer, run.script);
-  hb_shape(font.shaper(), buffer, nullptr, 0);
+  hb_shape(run.font->shaper(), buffer, nullptr, 0);
   if (!hb_buffer_allocation_successful(buffer)) throw std::bad_alloc();
 }
 
-/// In em, what a character takes whatever its glyph does.
+/// In em, what a character takes whatever its glyph does, in a text of this font.
 std::optional<double> fixed_room(const Font& font, hb_codepoint_t character) {
   const bool is_digit = character >= U'0' && character <= U'9';
   if (is_digit || character == U'\u2007') return font.digit_advance();
@@ -44,10 +44,11 @@ std::optional<double> fixed_room(const Font& font, hb_codepoint_t character) {
   return std::nullopt;
 }
 
-/// Adds what the buffer holds, shaped, at the line's right end.
-void append(Line& line, hb_buffer_t* buffer, const StyledText& text, const TextRun& run) {
+/// Adds what the buffer holds, shaped, at the right end of the line, which is of this font.
+void append(Line& line, const Font& font, hb_buffer_t* buffer, const StyledText& text,
+            const TextRun& run) {
   const auto [scale, y] = setting_of(run.style);
-  const double em = scale / line.font->units_per_em();
+  const double em = scale / run.font->units_per_em();
   unsigned count = 0;
   const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
   const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer, nullptr);
@@ -55,23 +56,24 @@ void append(Line& line, hb_buffer_t* buffer, const StyledText& text, const TextR
     const hb_glyph_position_t& position = positions[i];
     const std::size_t character = infos[i].cluster;
     double room = em * position.x_advance, before = 0;
-    const auto fixed = fixed_room(*line.font, text.characters[character]);
+    const auto fixed = fixed_room(font, text.characters[character]);
     if (fixed && position.x_advance != 0) {  // not of a mark on it
       room = scale * *fixed;
-      before = (room - scale * line.font->advance(infos[i].codepoint)) / 2;
+      before = (room - scale * run.font->advance(infos[i].codepoint)) / 2;
     }
-    line.glyphs.push_back({infos[i].codepoint, line.width + before + em * position.x_offset,
-                           y - em * position.y_offset, scale, character});
+    line.glyphs.push_back({run.font, infos[i].codepoint,
+                           line.width + before + em * position.x_offset, y - em * position.y_offset,
+                           scale, character});
     line.width += room;
   }
 }
 
 Line typeset(const Font& font, const StyledText& text) {
-  Line line{&font, {}, 0};
+  Line line{{}, 0};
   const Buffer buffer(hb_buffer_create(), &hb_buffer_destroy);
-  for (const TextRun& run : visual_runs(text)) {
-    shape(buffer.get(), font, text, run);
-    append(line, buffer.get(), text, run);
+  for (const TextRun& run : visual_runs(text, font)) {
+    shape(buffer.get(), text, run);
+    append(line, font, buffer.get(), text, run);
   }
   return line;
 }
@@ -110,19 +112,21 @@ Line typeset_within(const Font& font, std::string_view utf8, double width) {
     }
   }
   line = cut_at(fit);
-  return line.width <= width ? line : Line{&font, {}, 0};
+  return line.width <= width ? line : Line{{}, 0};
 }
 
 std::optional<char32_t> missing_character(const Font& font, std::string_view utf8) {
   const StyledText text = styled(utf8);
   std::optional<std::size_t> first;
   for (const Line::Placed& placed : typeset(font, text).glyphs) {
-    if (placed.glyph != 0 && font.can_draw(placed.glyph)) continue;
+    if (placed.glyph != 0 && placed.font->can_draw(placed.glyph)) continue;
     first = std::min(first.value_or(placed.character), placed.character);
   }
   if (!first) return std::nullopt;
   // A letter and its marks are one there: it may be a mark that is missing.
-  const auto lacks = [&](hb_codepoint_t character) { return font.glyph(character) == 0; };
+  const auto lacks = [&](hb_codepoint_t character) {
+    return !font.has(character) && (font.fallback() == nullptr || !font.fallback()->has(character));
+  };
   const auto begin = text.characters.begin() + static_cast<std::ptrdiff_t>(*first);
   const auto missing = std::find_if(begin, text.characters.end(), lacks);
   return static_cast<char32_t>(missing == text.characters.end() ? *begin : *missing);

@@ -58,10 +58,12 @@ class Figures {
 
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
-    throw MissingGlyph("title",
-                       fmt::format("contains the character U+{:04X}, which the font lacks",
-                                   static_cast<std::uint32_t>(*missing)),
-                       *missing);
+    throw MissingGlyph(
+        "title",
+        fmt::format("contains the character U+{:04X}, which neither the font nor the "
+                    "built-in sans can draw",
+                    static_cast<std::uint32_t>(*missing)),
+        *missing);
   }
 }
 

@@ -220,12 +220,18 @@ std::string refusal_of(const Scene& scene) {
 
 TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
   Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
-  EXPECT_EQ(refusal_of(scene), "title: contains the character U+E123, which the font lacks");
+  EXPECT_EQ(refusal_of(scene),
+            "title: contains the character U+E123, which neither the font nor the built-in sans "
+            "can draw");
   scene.title = "e\u0301 \u0628";
-  EXPECT_EQ(refusal_of(scene), "title: has the character U+0628, which the font lacks");
+  EXPECT_EQ(refusal_of(scene),
+            "title: contains the character U+0628, which neither the font nor the built-in sans "
+            "can draw");
   scene.title = "";
   scene.name = "\u65E5\u672C";
-  EXPECT_EQ(refusal_of(scene), "title: has the character U+65E5, which the font lacks")
+  EXPECT_EQ(
+      refusal_of(scene),
+      "title: contains the character U+65E5, which neither the font nor the built-in sans can draw")
       << "the scene's name stands in for a title";
 }
 
