@@ -193,7 +193,7 @@ TEST(LoadTypeface, HasAllOfOurOwnTextInTheBuiltInSans) {
   }
 }
 
-TEST(LoadTypeface, PutsTheSansOfTheSameWeightBehindAFile) {
+TEST(LoadTypeface, PutsTheSansBehindAFileAndTheMono) {
   const ScratchFolder folder;
   const std::vector<std::uint8_t> file = many_scripts_file(U"س");
   write_file_atomically(folder / "arabic.ttf", file);
@@ -203,7 +203,11 @@ TEST(LoadTypeface, PutsTheSansOfTheSameWeightBehindAFile) {
   ASSERT_NE(typeface.strong.fallback(), nullptr);
   EXPECT_TRUE(std::ranges::equal(typeface.regular.file(), file));
   EXPECT_TRUE(std::ranges::equal(typeface.regular.fallback()->file(), sans.regular.file()));
-  EXPECT_TRUE(std::ranges::equal(typeface.strong.fallback()->file(), sans.strong.file()));
+  EXPECT_TRUE(std::ranges::equal(typeface.strong.fallback()->file(), sans.regular.file()))
+      << "of one weight, as the file is";
+  const Typeface mono = load_typeface("mono");
+  EXPECT_TRUE(std::ranges::equal(mono.regular.fallback()->file(), sans.regular.file()));
+  EXPECT_TRUE(std::ranges::equal(mono.strong.fallback()->file(), sans.strong.file()));
 }
 
 TEST(TypefaceDigest, TellsTheFontsAndTheirFallbacksApart) {

@@ -125,6 +125,7 @@ TEST(VisualRunsWithFallback, HasSpacesAndSignsOfTheFontBesideThem) {
 TEST(VisualRunsWithFallback, HasBothBracketsOfOneFont) {
   EXPECT_EQ(fonts(U"سل ()«»", "سل (ab) «سل»"), "fffsssssffff");
   EXPECT_EQ(fonts(U"سل ()", "ab (سل) ab"), "sssfffffss");
+  EXPECT_EQ(fonts(U"س()1234567890", "(a 1) (س a)"), "sssfssffssf");
 }
 
 TEST(VisualRunsWithFallback, DoesNotPartALetterFromItsMarks) {
