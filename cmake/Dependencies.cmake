@@ -128,6 +128,8 @@ if(BUILD_TESTING AND NOT TWRENCH_FUZZ)
   twrench_require("the typeface FreeSerif, for the tests" FOUND "${TWRENCH_MANY_SCRIPTS}"
     DEBIAN fonts-freefont-ttf FEDORA gnu-free-serif-fonts ARCH gnu-free-fonts
     HINT "-DTWRENCH_MANY_SCRIPTS=FILE")
+  twrench_pkgconfig(harfbuzz-subset "HarfBuzz's subsets of fonts, for the tests"
+    DEBIAN libharfbuzz-dev FEDORA harfbuzz-devel ARCH harfbuzz)
 endif()
 
 get_property(missing GLOBAL PROPERTY twrench_missing)

@@ -55,11 +55,6 @@ std::vector<std::uint8_t> read_font(const std::string& path) {
   }
 }
 
-Typeface typeface_of_file(const std::string& path) {
-  const Font font(read_font(path), "font " + path);
-  return {font, font};
-}
-
 }  // namespace
 
 Font::Font(std::vector<std::uint8_t> file, const std::string& what)
@@ -112,13 +107,17 @@ Typeface load_typeface(const std::string& name_or_path) {
   const std::vector<std::string> names{"sans", "mono"};
   const Typeface sans = embedded_typeface("Roboto");
   if (name_or_path == "sans") return sans;
-  const bool mono = name_or_path == "mono";
+  if (name_or_path == "mono") {
+    const Typeface mono = embedded_typeface("FiraCode");
+    return {mono.regular.with_fallback(sans.regular), mono.strong.with_fallback(sans.strong)};
+  }
   const bool path = name_or_path.find_first_of("./") != std::string::npos;
-  if (!mono && !path && !std::filesystem::exists(name_or_path)) {
+  if (!path && !std::filesystem::exists(name_or_path)) {
     throw unknown_name("font", name_or_path, names);
   }
-  const Typeface own = mono ? embedded_typeface("FiraCode") : typeface_of_file(name_or_path);
-  return {own.regular.with_fallback(sans.regular), own.strong.with_fallback(sans.strong)};
+  const Font own(read_font(name_or_path), "font " + name_or_path);
+  const Font font = own.with_fallback(sans.regular);  // of one weight, as the file is
+  return {font, font};
 }
 
 std::string typeface_digest(const Typeface& typeface) {

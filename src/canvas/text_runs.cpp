@@ -112,6 +112,12 @@ bool is_opening(hb_codepoint_t character) {
          category == HB_UNICODE_GENERAL_CATEGORY_INITIAL_PUNCTUATION;
 }
 
+bool is_closing(hb_codepoint_t character) {
+  const auto category = category_of(character);
+  return category == HB_UNICODE_GENERAL_CATEGORY_CLOSE_PUNCTUATION ||
+         category == HB_UNICODE_GENERAL_CATEGORY_FINAL_PUNCTUATION;
+}
+
 /// A letter, a digit or a sign, with the marks on it.
 struct Cluster {
   std::span<const hb_codepoint_t> characters;
@@ -152,7 +158,8 @@ class FontChoice {
   FontChoice(std::span<const hb_codepoint_t> text, const Font& font)
       : font_(font), clusters_(clusters_of(text)) {
     choose_for_letters_and_digits();
-    choose_for_signs();
+    choose_for_opening_brackets();
+    choose_for_other_signs();
   }
 
   /// One for each character.
@@ -192,19 +199,34 @@ class FontChoice {
     }
   }
 
-  void choose_for_signs() {
-    const Font* neighbour = &font_;
-    const auto go_over = [&](auto cluster, auto end, bool all) {
-      for (; cluster != end; ++cluster) {
-        if (cluster->font != nullptr) {
-          neighbour = cluster->font;
-        } else if (all || is_opening(cluster->characters.front())) {
-          choose(*cluster, neighbour);
-        }
+  void choose_for_opening_brackets() {
+    const Font* after = &font_;
+    for (auto cluster = clusters_.rbegin(); cluster != clusters_.rend(); ++cluster) {
+      if (cluster->font != nullptr) {
+        after = cluster->font;
+      } else if (is_opening(cluster->characters.front())) {
+        choose(*cluster, after);
       }
-    };
-    go_over(clusters_.rbegin(), clusters_.rend(), false);
-    go_over(clusters_.begin(), clusters_.end(), true);
+    }
+  }
+
+  void choose_for_other_signs() {
+    const auto first = std::ranges::find_if(clusters_, [](const Cluster& c) { return c.font; });
+    const Font* before = first == clusters_.end() ? &font_ : first->font;
+    std::vector<const Font*> open;  // the fonts of brackets that are not closed yet
+    for (Cluster& cluster : clusters_) {
+      const hb_codepoint_t sign = cluster.characters.front();
+      if (is_opening(sign)) {
+        open.push_back(cluster.font);
+      } else if (is_closing(sign) && !open.empty()) {
+        choose(cluster, open.back());
+        open.pop_back();
+      } else if (cluster.font != nullptr) {
+        before = cluster.font;
+      } else {
+        choose(cluster, before);
+      }
+    }
   }
 
   const Font& font_;

@@ -37,8 +37,8 @@ struct TextRun {
 /// The text's runs from left to right, by the Unicode Bidirectional Algorithm (UAX #9); the line's
 /// own direction is that of its first letter. What the font lacks is taken from its fallback: a
 /// letter with all its marks where the fallback has them, the digits all together, and spaces and
-/// signs that both fonts have go with the letters or digits before them, but opening brackets with
-/// those after them.
+/// signs that both fonts have go with the letters or digits before them, but brackets and quotation
+/// marks with those after the opening one.
 std::vector<TextRun> visual_runs(const StyledText& text, const Font& font);
 
 }  // namespace twrench

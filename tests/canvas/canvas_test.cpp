@@ -4,6 +4,8 @@
 
 #include <future>
 
+#include "canvas/font_bytes.h"
+
 namespace twrench {
 namespace {
 
@@ -74,6 +76,19 @@ TEST(Canvas, DoesNotMoveLettersToWholePixels) {
   for (const auto& [x, y] : {std::pair(10.125, 30.0), {10, 30.125}}) {
     EXPECT_NE(picture_of(line, x, y).pixels, picture_of(line, 10, 30).pixels) << x << " " << y;
   }
+}
+
+TEST(Canvas, DrawsEachGlyphWithItsFont) {
+  const Typeface typeface = load_typeface("sans");
+  const Font font = Font(many_scripts_file(U"k "), "F").with_fallback(typeface.regular);
+  const Line line = typeset(font, "S k");
+  Image one_by_one(60, 40, 4);
+  Canvas canvas(one_by_one, 0, 0);
+  canvas.text(typeset(typeface.regular, "S"), 20, {5, 30}, {ink});
+  canvas.text(typeset(font, "k"), 20, {5 + 20 * line.glyphs.back().x, 30}, {ink});
+  // Cairo rounds the edges of two letters at once a little differently.
+  const auto near = [](int a, int b) { return std::abs(a - b) <= 4; };
+  EXPECT_TRUE(std::ranges::equal(picture_of(line, 5, 30).pixels, one_by_one.pixels, near));
 }
 
 TEST(Canvas, DrawsNothingForASpace) {

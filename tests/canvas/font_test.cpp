@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <random>
+#include <set>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -138,6 +139,26 @@ TEST(Font, IsRefusedOrDrawsWhereItIsCut) {
   }
 }
 
+TEST(Font, HasWhatItCanCompose) {
+  const Font font(many_scripts_file(U"e\u0301"), "F");
+  EXPECT_TRUE(font.has(U'e'));
+  EXPECT_TRUE(font.has(U'é'));
+  EXPECT_FALSE(font.has(U'è'));
+  EXPECT_FALSE(font.has(U'a'));
+}
+
+TEST(Font, IsMeasuredByItsOwnLettersWhereItHasThem) {
+  const Font sans(sans_file(), "F"), latin(many_scripts_file(U"H0123456789"), "F");
+  ASSERT_NE(latin.cap_height(), sans.cap_height());
+  ASSERT_NE(latin.digit_advance(), sans.digit_advance());
+  EXPECT_EQ(latin.with_fallback(sans).cap_height(), latin.cap_height());
+  EXPECT_EQ(latin.with_fallback(sans).digit_advance(), latin.digit_advance());
+  const Font arabic = Font(many_scripts_file(U"س"), "F").with_fallback(sans);
+  EXPECT_EQ(arabic.cap_height(), sans.cap_height());
+  EXPECT_EQ(arabic.digit_advance(), sans.digit_advance());
+  EXPECT_EQ(&arabic.digits(), arabic.fallback());
+}
+
 TEST(LoadTypeface, KnowsItsNames) {
   EXPECT_NE(load_typeface("sans").regular.cap_height(), load_typeface("mono").regular.cap_height());
   const Typeface mono = load_typeface("mono");
@@ -160,6 +181,42 @@ TEST(LoadTypeface, ReadsAFile) {
   write_file_atomically(folder / "my font", sans_file());
   EXPECT_EQ(load_typeface((folder / "my font").string()).strong.digit_advance(),
             load_typeface("sans").regular.digit_advance());
+}
+
+TEST(LoadTypeface, HasAllOfOurOwnTextInTheBuiltInSans) {
+  const Typeface sans = load_typeface("sans");
+  for (const Font* font : {&sans.regular, &sans.strong}) {
+    EXPECT_EQ(font->fallback(), nullptr);
+    for (char32_t c = U'!'; c <= U'~'; ++c) EXPECT_TRUE(font->has(c)) << static_cast<int>(c);
+    for (const char32_t c : std::u32string_view(U"×−…ω\u2007\u2009"))
+      EXPECT_TRUE(font->has(c)) << static_cast<int>(c);
+  }
+}
+
+TEST(LoadTypeface, PutsTheSansBehindAFileAndTheMono) {
+  const ScratchFolder folder;
+  const std::vector<std::uint8_t> file = many_scripts_file(U"س");
+  write_file_atomically(folder / "arabic.ttf", file);
+  const Typeface typeface = load_typeface((folder / "arabic.ttf").string());
+  const Typeface sans = load_typeface("sans");
+  ASSERT_NE(typeface.regular.fallback(), nullptr);
+  ASSERT_NE(typeface.strong.fallback(), nullptr);
+  EXPECT_TRUE(std::ranges::equal(typeface.regular.file(), file));
+  EXPECT_TRUE(std::ranges::equal(typeface.regular.fallback()->file(), sans.regular.file()));
+  EXPECT_TRUE(std::ranges::equal(typeface.strong.fallback()->file(), sans.regular.file()))
+      << "of one weight, as the file is";
+  const Typeface mono = load_typeface("mono");
+  EXPECT_TRUE(std::ranges::equal(mono.regular.fallback()->file(), sans.regular.file()));
+  EXPECT_TRUE(std::ranges::equal(mono.strong.fallback()->file(), sans.strong.file()));
+}
+
+TEST(TypefaceDigest, TellsTheFontsAndTheirFallbacksApart) {
+  const Font sans(sans_file(), "F"), arabic(many_scripts_file(U"س"), "F");
+  const std::set<std::string> digests{
+      typeface_digest({sans, sans}), typeface_digest({sans, arabic}),
+      typeface_digest({arabic, arabic}), typeface_digest({arabic.with_fallback(sans), arabic}),
+      typeface_digest({arabic, arabic.with_fallback(sans)})};
+  EXPECT_EQ(digests.size(), 5U);
 }
 
 }  // namespace

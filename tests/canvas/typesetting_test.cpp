@@ -151,7 +151,7 @@ TEST(Kerning, DrawsPairsTogether) {
 /// With a font that has them all.
 class Scripts : public testing::Test {
  protected:
-  const Font font{read_file(TWRENCH_MANY_SCRIPTS_FILE, 1 << 24), "F"};
+  const Font font{many_scripts_file(), "F"};
 
   /// From left to right.
   std::vector<unsigned> glyphs(std::string_view text) const {
@@ -192,6 +192,50 @@ TEST_F(Scripts, AShortenedLineFromRightToLeftEndsOnTheLeft) {
   const Line line = typeset_within(font, "תנועה סיבובית", 4);
   ASSERT_GT(line.glyphs.size(), 3U);
   EXPECT_EQ(line.glyphs.front().glyph, font.glyph(U'…'));
+}
+
+/// A font of some characters with the sans behind it.
+class Fallback : public testing::Test {
+ protected:
+  const Typeface typeface = load_typeface("sans");
+  const Font& sans = typeface.regular;
+
+  Font font(std::u32string_view characters) const {
+    return Font(many_scripts_file(characters), "F").with_fallback(sans);
+  }
+};
+
+TEST_F(Fallback, SetsEachCharacterAsTheFontThatHasIt) {
+  const Font arabic = font(U"سلام ");
+  const Line line = typeset(arabic, "Hi س");
+  ASSERT_EQ(line.glyphs.size(), 4U);
+  EXPECT_EQ(line.glyphs[0].font, arabic.fallback());
+  EXPECT_EQ(line.glyphs[0].glyph, sans.glyph(U'H'));
+  EXPECT_EQ(line.glyphs[3].font, &arabic);
+  EXPECT_EQ(line.glyphs[3].glyph, arabic.glyph(U'س'));
+  EXPECT_NEAR(line.glyphs[3].x, typeset(sans, "Hi ").width, 1e-12) << "in em of its own font";
+  EXPECT_NEAR(line.width, line.glyphs[3].x + arabic.advance(arabic.glyph(U'س')), 1e-12);
+  EXPECT_EQ(typeset(arabic, "س").width, arabic.advance(arabic.glyph(U'س')));
+}
+
+TEST_F(Fallback, LeavesOnlyWhatNeitherFontHas) {
+  const Font arabic = font(U"سلام");
+  EXPECT_EQ(missing_character(arabic, "Flip: سلام × 10⁻³ e\u0301…"), std::nullopt);
+  EXPECT_EQ(missing_character(arabic, "Flip سلام क"), U'क');
+  EXPECT_EQ(missing_character(arabic, "س\u20D7"), U'\u20D7') << "a mark";
+  EXPECT_EQ(missing_character(sans, "Flip سلام"), U'س') << "nothing stands in for the sans";
+}
+
+TEST_F(Fallback, KeepsTheRoomOfDigits) {
+  for (const std::u32string_view own : {U"0123456789", U"012345678"}) {
+    const Font some = font(own);
+    const Font& digits = own.size() == 10 ? some : sans;
+    const double room = 4 * typeset(digits, "1").width;
+    for (const char* number : {"1989", "7123", "\u2007\u200711"}) {
+      EXPECT_NEAR(typeset(some, number).width, room, 1e-12) << number << ", " << own.size();
+    }
+  }
+  EXPECT_NE(typeset(font(U"0123456789"), "1").width, typeset(sans, "1").width);
 }
 
 }  // namespace
