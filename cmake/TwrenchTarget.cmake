@@ -17,18 +17,26 @@ endif()
 # Large headers are half of the compile time of a source, so they are precompiled. Each source still
 # includes what it uses (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
-add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
-target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen nlohmann_json::nlohmann_json)
-target_precompile_headers(twrench_headers PRIVATE <Eigen/Dense> <filesystem> <functional> <map> <memory>
-  <nlohmann/json.hpp> <optional> <span> <string> <vector>)
+if(TWRENCH_RENDER)
+  add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
+  target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen nlohmann_json::nlohmann_json)
+  target_precompile_headers(twrench_headers PRIVATE <Eigen/Dense> <filesystem> <functional> <map> <memory>
+    <nlohmann/json.hpp> <optional> <span> <string> <vector>)
+endif()
 
-# twrench_library(NAME SOURCES ... LINKS ... [HEADERS ...]): creates the static library
-# twrench_NAME. HEADERS are precompiled for it instead of those above.
+# twrench_library(NAME [INSTALLED] SOURCES ... LINKS ... [HEADERS ...]): creates the library
+# twrench_NAME, static unless it is installed and BUILD_SHARED_LIBS says otherwise. HEADERS are
+# precompiled for it instead of those above.
 function(twrench_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
-  add_library(twrench_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS} PRIVATE twrench_options)
-  target_include_directories(twrench_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  cmake_parse_arguments(ARG "INSTALLED" "" "SOURCES;LINKS;HEADERS" ${ARGN})
+  set(kind STATIC)
+  if(ARG_INSTALLED)
+    set(kind "")
+  endif()
+  add_library(twrench_${name} ${kind} ${ARG_SOURCES})
+  target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
+    PRIVATE $<BUILD_INTERFACE:twrench_options>)
+  target_include_directories(twrench_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   if(ARG_HEADERS)
     target_precompile_headers(twrench_${name} PRIVATE ${ARG_HEADERS})
   else()

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/error.h"
+#include "system/error.h"
 #include "target.h"
 
 namespace {

@@ -1,8 +1,9 @@
 // Frame ranges, from the command line and from manifests, and shards.
+#include <twrench/base/error.h>
+
 #include <algorithm>
 #include <string_view>
 
-#include "base/error.h"
 #include "target.h"
 #include "video/frame_range.h"
 #include "video/shard.h"

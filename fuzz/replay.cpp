@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "base/file.h"
+#include "system/file.h"
 #include "target.h"
 
 namespace {

@@ -1,9 +1,10 @@
 // Scene files, and what is computed from a scene before drawing.
 #include "scene/scene.h"
 
+#include <twrench/base/error.h>
+
 #include <string_view>
 
-#include "base/error.h"
 #include "scene/scene_json.h"
 #include "target.h"
 

@@ -13,7 +13,7 @@ left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
 of_the_motion='*'
 programs=(
-  base_test math_test body_test motion_test study_test plot_test scene_test timeline_test
+  base_test system_test math_test body_test motion_test study_test plot_test scene_test timeline_test
   image_test canvas_test video_test
 )
 if [[ ${1-} == --quick ]]; then

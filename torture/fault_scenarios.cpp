@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "program.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench::torture {
 namespace {

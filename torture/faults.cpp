@@ -17,12 +17,12 @@
 #include <map>
 #include <regex>
 
-#include "base/file.h"
 #include "fault_points.h"
 #include "fault_scenarios.h"
 #include "messages.h"
 #include "program.h"
 #include "snapshot.h"
+#include "system/file.h"
 #include "torture.h"
 
 namespace twrench::torture {

@@ -5,6 +5,11 @@
 //
 // Case k depends only on SEED and k; CASE runs that one and prints it.
 #include <fmt/format.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/taylor.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <array>
@@ -16,12 +21,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-
-#include "motion/diagnostics.h"
-#include "motion/error.h"
-#include "motion/exact.h"
-#include "motion/taylor.h"
-#include "motion/trajectory.h"
 
 namespace twrench {
 namespace {

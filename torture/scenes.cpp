@@ -7,6 +7,9 @@
 // Case k is made by a generator seeded only from SEED and k. Its number is printed on standard
 // error while it is drawn, so that the last one is the one that crashed.
 #include <fmt/format.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/method.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -26,9 +29,6 @@
 
 #include "gl/backend.h"
 #include "image/png.h"
-#include "math/so3.h"
-#include "motion/error.h"
-#include "motion/method.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "scene/scene_json.h"

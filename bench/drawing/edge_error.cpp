@@ -4,6 +4,7 @@
 // steps of 1/255 of a channel, over the pixels that contain an edge: those whose sixteen samples
 // differ by more than 32 in a channel.
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "base/error.h"
 #include "image/png.h"
 
 namespace twrench {

@@ -1,10 +1,10 @@
 // Times the main functions of a render individually, at 1920x1080 unless the name says otherwise.
 #include <benchmark/benchmark.h>
+#include <twrench/math/so3.h>
 
 #include "gl/backend.h"
 #include "image/png.h"
 #include "image/yuv.h"
-#include "math/so3.h"
 #include "render/look/background.h"
 #include "render/pose_renderer.h"
 

@@ -1,11 +1,10 @@
 // Times single calls of the hot functions of a motion.
 #include <benchmark/benchmark.h>
-
-#include "math/so3.h"
-#include "motion/exact.h"
-#include "motion/stepper.h"
-#include "motion/taylor.h"
-#include "motion/trajectory.h"
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/motion/taylor.h>
+#include <twrench/motion/trajectory.h>
 
 namespace twrench {
 namespace {

@@ -1,5 +1,6 @@
 // CPU time to reach an attitude error, for our integrators and other libraries'.
 #include <fmt/format.h>
+#include <twrench/motion/exact.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "motion/exact.h"
 #include "motion/reference.h"
 #include "problem.h"
 #include "timing.h"

@@ -1,8 +1,9 @@
+#include <twrench/motion/error.h>
+#include <twrench/motion/method.h>
+#include <twrench/motion/trajectory.h>
+
 #include <limits>
 
-#include "motion/error.h"
-#include "motion/method.h"
-#include "motion/trajectory.h"
 #include "problem.h"
 
 namespace twrench::bench {

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <twrench/motion/free_body.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "motion/free_body.h"
 
 namespace twrench::bench {
 

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
 
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <memory>
 #include <sundials/sundials_context.hpp>
 
-#include "motion/exact.h"
-#include "motion/trajectory.h"
 #include "problem.h"
 #include "timing.h"
 

@@ -1,12 +1,11 @@
 #include "app/arguments.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <charconv>
-
-#include "base/error.h"
-#include "base/nearest.h"
 
 namespace twrench {
 namespace {

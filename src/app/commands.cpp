@@ -1,12 +1,13 @@
 #include "app/commands.h"
 
+#include <twrench/base/nearest.h>
+
 #include <algorithm>
 #include <memory>
 
 #include "app/help.h"
 #include "app/usage.h"
 #include "app/version.h"
-#include "base/nearest.h"
 
 namespace twrench {
 namespace {

@@ -7,9 +7,9 @@
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/output.h"
-#include "base/file.h"
 #include "image/png.h"
 #include "scene/limits.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/error.h"
+#include "system/error.h"
 #include "video/frame_range.h"
 
 namespace twrench {

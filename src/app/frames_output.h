@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "system/error.h"
 #include "video/earlier_run.h"
 #include "video/frame_sequence.h"
 

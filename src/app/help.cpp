@@ -1,12 +1,12 @@
 #include "app/help.h"
 
 #include <fmt/format.h>
+#include <twrench/base/nearest.h>
 
 #include <memory>
 #include <vector>
 
 #include "app/output.h"
-#include "base/nearest.h"
 
 namespace twrench {
 namespace {

@@ -1,9 +1,9 @@
 // The commands that print lists.
 #include <fmt/format.h>
+#include <twrench/motion/method.h>
 
 #include "app/commands.h"
 #include "app/output.h"
-#include "motion/method.h"
 #include "scene/scene.h"
 
 namespace twrench {

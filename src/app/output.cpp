@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "base/file.h"
+#include "system/file.h"
 
 namespace twrench {
 

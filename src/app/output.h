@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/pending_file.h"
+#include "system/error.h"
+#include "system/pending_file.h"
 
 namespace twrench {
 

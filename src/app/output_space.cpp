@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "base/disk_space.h"
-#include "base/error.h"
 #include "image/png.h"
+#include "system/disk_space.h"
+#include "system/error.h"
 
 namespace twrench {
 namespace {

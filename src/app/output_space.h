@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "image/image.h"
+#include "system/error.h"
 
 namespace twrench {
 

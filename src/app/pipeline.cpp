@@ -8,9 +8,9 @@
 #include <system_error>
 #include <thread>
 
-#include "base/bounded_queue.h"
-#include "base/error.h"
 #include "image/png.h"
+#include "system/bounded_queue.h"
+#include "system/error.h"
 
 namespace twrench {
 namespace {

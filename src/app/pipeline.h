@@ -10,6 +10,7 @@
 #include "app/progress.h"
 #include "app/timing.h"
 #include "image/image.h"
+#include "system/error.h"
 #include "video/encoder.h"
 #include "video/frame_sequence.h"
 

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +9,6 @@
 
 #include "app/commands.h"
 #include "app/scene_options.h"
-#include "motion/exact.h"
-#include "motion/trajectory.h"
 #include "plot/attitude_plot.h"
 
 namespace twrench {

@@ -11,7 +11,7 @@
 
 #include "app/exit_code.h"
 #include "app/report.h"
-#include "base/termination.h"
+#include "system/termination.h"
 
 namespace twrench {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "base/termination.h"
+#include "system/termination.h"
 
 namespace twrench {
 

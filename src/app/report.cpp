@@ -1,6 +1,7 @@
 #include "app/report.h"
 
 #include <fmt/format.h>
+#include <twrench/motion/error.h>
 
 #include <algorithm>
 #include <csignal>
@@ -10,11 +11,11 @@
 #include <system_error>
 
 #include "app/message.h"
-#include "base/file.h"
 #include "canvas/error.h"
 #include "gl/error.h"
-#include "motion/error.h"
 #include "plot/gnuplot.h"
+#include "system/error.h"
+#include "system/file.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 

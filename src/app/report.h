@@ -1,10 +1,11 @@
 #pragma once
 
+#include <twrench/base/error.h>
+
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.h"
-#include "base/error.h"
-#include "base/termination.h"
+#include "system/termination.h"
 
 namespace twrench {
 

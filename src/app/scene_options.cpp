@@ -5,7 +5,7 @@
 #include "app/arguments.h"
 #include "app/message.h"
 #include "app/progress.h"
-#include "base/file.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

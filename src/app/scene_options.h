@@ -8,6 +8,7 @@
 
 #include "scene/limits.h"
 #include "scene/scene.h"
+#include "system/error.h"
 
 namespace twrench {
 

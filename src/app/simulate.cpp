@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +13,6 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_options.h"
-#include "base/error.h"
-#include "motion/diagnostics.h"
-#include "motion/trajectory.h"
 
 namespace twrench {
 namespace {

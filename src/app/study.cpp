@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <functional>
@@ -10,10 +11,9 @@
 #include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "app/study_report.h"
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
-#include "study/ladder.h"
-#include "study/report.h"
 
 namespace twrench {
 namespace {

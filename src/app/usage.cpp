@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <string_view>
-
-#include "base/nearest.h"
 
 namespace twrench {
 namespace {

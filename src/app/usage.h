@@ -1,10 +1,10 @@
 #pragma once
 
+#include <twrench/base/error.h>
+
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
-
-#include "base/error.h"
 
 namespace twrench {
 

@@ -1,8 +1,7 @@
 #include "app/video_options.h"
 
+#include <twrench/base/error.h>
 #include <unistd.h>
-
-#include "base/error.h"
 
 namespace twrench {
 

@@ -1,7 +1,6 @@
-#include "base/nearest.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <cstddef>

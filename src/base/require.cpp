@@ -1,6 +1,5 @@
-#include "base/require.h"
-
 #include <fmt/format.h>
+#include <twrench/base/require.h>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "body/mass_properties.h"
-
 #include <fmt/format.h>
+#include <twrench/base/require.h>
+#include <twrench/body/mass_properties.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -9,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <variant>
-
-#include "base/require.h"
 
 namespace twrench {
 namespace {

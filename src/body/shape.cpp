@@ -1,4 +1,4 @@
-#include "body/shape.h"
+#include <twrench/body/shape.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/error.h"
+#include <twrench/base/error.h>
 
 namespace twrench {
 

@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 #include <hb.h>
+#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/nearest.h"
-#include "base/sha256.h"
 #include "canvas/font_file.h"
 #include "embedded/fonts.h"
+#include "system/error.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench {
 namespace {

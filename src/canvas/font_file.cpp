@@ -5,9 +5,9 @@
 #include FT_FREETYPE_H
 #include FT_TRUETYPE_TABLES_H
 
-#include <new>
+#include <twrench/base/error.h>
 
-#include "base/error.h"
+#include <new>
 
 namespace twrench::font_file {
 namespace {

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 #include <isa-l/crc.h>
+#include <twrench/base/error.h>
 
 #include <string_view>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

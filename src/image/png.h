@@ -8,6 +8,7 @@
 
 #include "image/image.h"
 #include "image/row_bands.h"
+#include "system/error.h"
 
 namespace twrench {
 

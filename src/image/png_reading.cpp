@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "image/png.h"
+#include "system/error.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

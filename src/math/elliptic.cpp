@@ -1,4 +1,4 @@
-#include "math/elliptic.h"
+#include <twrench/math/elliptic.h>
 
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "math/so3.h"
+#include <twrench/math/so3.h>
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "motion/diagnostics.h"
+#include <twrench/motion/diagnostics.h>
 
 namespace twrench {
 

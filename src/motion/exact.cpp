@@ -1,14 +1,12 @@
-#include "motion/exact.h"
-
 #include <fmt/format.h>
+#include <twrench/base/require.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/exact.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
-
-#include "base/require.h"
-#include "math/so3.h"
-#include "motion/error.h"
 
 namespace twrench {
 

@@ -1,9 +1,8 @@
-#include "motion/method.h"
+#include <twrench/base/nearest.h>
+#include <twrench/motion/method.h>
 
 #include <algorithm>
 #include <array>
-
-#include "base/nearest.h"
 
 namespace twrench {
 namespace {

@@ -1,4 +1,4 @@
-#include "motion/polhode.h"
+#include <twrench/motion/polhode.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,18 +1,16 @@
-#include "motion/propagator.h"
-
 #include <fmt/format.h>
+#include <twrench/base/require.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/propagator.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/motion/taylor.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
-
-#include "base/require.h"
-#include "motion/error.h"
-#include "motion/exact.h"
-#include "motion/stepper.h"
-#include "motion/taylor.h"
 
 namespace twrench {
 namespace {

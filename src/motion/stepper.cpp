@@ -1,11 +1,10 @@
-#include "motion/stepper.h"
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/motion/taylor.h>
 
 #include <array>
 #include <limits>
-
-#include "math/so3.h"
-#include "motion/exact.h"
-#include "motion/taylor.h"
 
 namespace twrench {
 namespace {

@@ -1,13 +1,11 @@
-#include "motion/taylor.h"
-
 #include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/motion/taylor.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

@@ -1,13 +1,11 @@
-#include "motion/trajectory.h"
-
 #include <fmt/format.h>
+#include <twrench/base/require.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "base/require.h"
-#include "motion/error.h"
 
 namespace twrench {
 namespace {

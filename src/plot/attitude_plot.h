@@ -1,10 +1,11 @@
 #pragma once
 
+#include <twrench/motion/free_body.h>
+
 #include <span>
 #include <string>
 #include <vector>
 
-#include "motion/free_body.h"
 #include "plot/gnuplot.h"
 
 namespace twrench {

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "base/child_process.h"
-#include "base/file.h"
-#include "base/pending_file.h"
+#include "system/child_process.h"
+#include "system/error.h"
+#include "system/file.h"
+#include "system/pending_file.h"
 
 namespace twrench {
 namespace {

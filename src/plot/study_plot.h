@@ -1,7 +1,8 @@
 #pragma once
 
+#include <twrench/study/study.h>
+
 #include "plot/gnuplot.h"
-#include "study/study.h"
 
 namespace twrench {
 

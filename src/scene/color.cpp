@@ -1,11 +1,10 @@
 #include "scene/color.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <charconv>
-
-#include "base/error.h"
 
 namespace twrench {
 

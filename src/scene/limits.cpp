@@ -1,10 +1,9 @@
 #include "scene/limits.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <cmath>
-
-#include "base/error.h"
 
 namespace twrench::limits {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <twrench/motion/trajectory.h>
+
 #include <Eigen/Core>
 #include <string>
 #include <string_view>
-
-#include "motion/trajectory.h"
 
 /// The limits of a scene's values, shared by scene files and the command line.
 namespace twrench::limits {

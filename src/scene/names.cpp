@@ -1,10 +1,10 @@
 #include "scene/names.h"
 
 #include <fmt/format.h>
+#include <twrench/base/nearest.h>
 
 #include <algorithm>
 
-#include "base/nearest.h"
 #include "scene/limits.h"
 
 namespace twrench {

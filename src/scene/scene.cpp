@@ -1,11 +1,11 @@
 #include "scene/scene.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "scene/limits.h"
 
 namespace twrench {

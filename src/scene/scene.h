@@ -1,5 +1,9 @@
 #pragma once
 
+#include <twrench/body/mass_properties.h>
+#include <twrench/body/shape.h>
+#include <twrench/motion/trajectory.h>
+
 #include <Eigen/Core>
 #include <optional>
 #include <set>
@@ -7,10 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "body/mass_properties.h"
-#include "body/shape.h"
-#include "motion/trajectory.h"
 #include "scene/color.h"
+#include "system/error.h"
 
 namespace twrench {
 

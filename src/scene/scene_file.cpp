@@ -1,5 +1,8 @@
 // Scenes from TOML. Keys, units and defaults are documented in docs/scene-files.md.
 #include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
+#include <twrench/math/so3.h>
 
 #include <algorithm>
 #include <cctype>
@@ -7,14 +10,11 @@
 #include <system_error>
 #include <utility>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/nearest.h"
 #include "embedded/scenes.h"
-#include "math/so3.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 #include "scene/toml_table.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

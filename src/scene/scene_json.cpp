@@ -1,6 +1,7 @@
 #include "scene/scene_json.h"
 
-#include "math/so3.h"
+#include <twrench/math/so3.h>
+
 #include "scene/names.h"
 
 namespace twrench {

@@ -1,9 +1,8 @@
 #include "scene/toml_table.h"
 
 #include <fmt/format.h>
-
-#include "base/error.h"
-#include "base/nearest.h"
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
 
 namespace twrench {
 

@@ -1,10 +1,9 @@
-#include "study/estimate.h"
+#include <twrench/motion/stepper.h>
+#include <twrench/study/estimate.h>
+#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <limits>
-
-#include "motion/stepper.h"
-#include "study/ladder.h"
 
 namespace twrench {
 

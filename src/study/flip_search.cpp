@@ -1,11 +1,10 @@
-#include "study/flip_search.h"
+#include <twrench/motion/stepper.h>
+#include <twrench/study/flip_search.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "motion/stepper.h"
 
 namespace twrench {
 

@@ -1,4 +1,4 @@
-#include "study/ladder.h"
+#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <cmath>

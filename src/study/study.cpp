@@ -1,17 +1,16 @@
-#include "study/study.h"
+#include <twrench/base/require.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/study/flip_search.h>
+#include <twrench/study/ladder.h>
+#include <twrench/study/study.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
 #include <limits>
-
-#include "base/require.h"
-#include "motion/diagnostics.h"
-#include "motion/error.h"
-#include "motion/stepper.h"
-#include "study/flip_search.h"
-#include "study/ladder.h"
 
 namespace twrench {
 namespace {

@@ -1,10 +1,10 @@
 #include "timeline/timeline.h"
 
+#include <twrench/study/flip_search.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "study/flip_search.h"
 
 namespace twrench {
 namespace {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
+
 #include <span>
 #include <string>
 #include <vector>
 
-#include "motion/diagnostics.h"
-#include "motion/exact.h"
-#include "motion/trajectory.h"
 #include "scene/scene.h"
 
 namespace twrench {

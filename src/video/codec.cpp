@@ -1,13 +1,12 @@
 #include "video/codec.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/sha256.h"
+#include "system/error.h"
+#include "system/file.h"
+#include "system/sha256.h"
 #include "video/frame_range.h"
 #include "video/manifest_folder.h"
 

@@ -7,11 +7,12 @@
 #include <future>
 #include <vector>
 
-#include "base/file.h"
-#include "base/processors.h"
-#include "base/sha256.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
+#include "system/error.h"
+#include "system/file.h"
+#include "system/processors.h"
+#include "system/sha256.h"
 #include "video/encoder.h"
 #include "video/error.h"
 #include "video/frame_range.h"

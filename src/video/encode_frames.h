@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "system/error.h"
 #include "video/codec.h"
 
 namespace twrench {

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/file.h"
+#include "system/file.h"
 #include "video/error.h"
 #include "video/video_file.h"
 

@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "base/child_process.h"
-#include "base/pending_file.h"
 #include "image/area.h"
 #include "image/image.h"
 #include "image/yuv.h"
+#include "system/child_process.h"
+#include "system/error.h"
+#include "system/pending_file.h"
 #include "video/codec.h"
 
 namespace twrench {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/error.h"
+#include "system/error.h"
 
 namespace twrench {
 

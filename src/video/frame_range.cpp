@@ -1,14 +1,13 @@
 #include "video/frame_range.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <utility>
 
-#include "base/file.h"
-#include "base/sha256.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench {
 

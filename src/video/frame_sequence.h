@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "base/folder_lock.h"
-#include "base/pending_file.h"
+#include "system/error.h"
+#include "system/folder_lock.h"
+#include "system/pending_file.h"
 #include "video/manifest.h"
 
 namespace twrench {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "system/error.h"
 #include "video/shard.h"
 
 namespace twrench {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "system/error.h"
 #include "video/manifest.h"
 
 namespace twrench {

@@ -9,9 +9,9 @@
 #include <span>
 #include <utility>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "image/png.h"
+#include "system/error.h"
+#include "system/file.h"
 #include "video/frame_range.h"
 #include "video/manifest.h"
 

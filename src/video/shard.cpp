@@ -1,12 +1,11 @@
 #include "video/shard.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <charconv>
 #include <cstdint>
 #include <optional>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

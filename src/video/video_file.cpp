@@ -8,7 +8,8 @@
 #include <span>
 #include <system_error>
 
-#include "base/sha256.h"
+#include "system/error.h"
+#include "system/sha256.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "base/child_process.h"
+#include "system/child_process.h"
+#include "system/error.h"
 #include "video/manifest.h"
 
 namespace twrench {

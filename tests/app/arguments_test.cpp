@@ -1,10 +1,9 @@
 #include "app/arguments.h"
 
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
 
 #include <cmath>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

@@ -15,6 +15,7 @@
 #include "gl/error.h"
 #include "image/png.h"
 #include "scratch_folder.h"
+#include "system/error.h"
 
 namespace twrench {
 namespace {

@@ -1,13 +1,14 @@
 #include "app/report.h"
 
 #include <gmock/gmock.h>
+#include <twrench/motion/error.h>
 
 #include <string>
 
 #include "canvas/error.h"
 #include "gl/error.h"
-#include "motion/error.h"
 #include "plot/gnuplot.h"
+#include "system/error.h"
 #include "video/error.h"
 
 namespace twrench {

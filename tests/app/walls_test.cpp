@@ -25,16 +25,18 @@ struct Match {
 std::vector<Match> matches_in_libraries(const std::regex& pattern) {
   std::vector<Match> matches;
   std::size_t files = 0;
-  const fs::path src = fs::path(TWRENCH_TESTS_DIR).parent_path() / "src";
-  for (const auto& entry : fs::recursive_directory_iterator(src)) {
-    const std::string name = fs::relative(entry.path(), src).string();
-    const std::string extension = entry.path().extension().string();
-    if (name.starts_with("app/") || (extension != ".cpp" && extension != ".h")) continue;
-    ++files;
-    std::ifstream source(entry.path());
-    for (std::string line; std::getline(source, line);) {
-      for (std::sregex_iterator i(line.begin(), line.end(), pattern), end; i != end; ++i) {
-        matches.push_back({name, i->str()});
+  const fs::path project = fs::path(TWRENCH_TESTS_DIR).parent_path();
+  for (const char* folder : {"src", "include"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(project / folder)) {
+      const std::string name = fs::relative(entry.path(), project).string();
+      const std::string extension = entry.path().extension().string();
+      if (name.starts_with("src/app/") || (extension != ".cpp" && extension != ".h")) continue;
+      ++files;
+      std::ifstream source(entry.path());
+      for (std::string line; std::getline(source, line);) {
+        for (std::sregex_iterator i(line.begin(), line.end(), pattern), end; i != end; ++i) {
+          matches.push_back({name, i->str()});
+        }
       }
     }
   }

@@ -15,7 +15,7 @@ std::string contributing() { return file_text(project_folder() / "CONTRIBUTING.m
 /// A file or folder of the project, and no command line: "src/motion/method.cpp".
 bool is_path(const std::string& span) {
   static const std::regex pattern(
-      R"((src|tests|docs|shaders|scripts|cmake|assets|bench)/[\w./-]*|[\w.-]+\.md)");
+      R"((src|include|tests|docs|shaders|scripts|cmake|assets|bench)/[\w./-]*|[\w.-]+\.md)");
   return std::regex_match(span, pattern);
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 #include "architecture/markdown.h"
 
@@ -24,6 +25,9 @@ bool is_source(const fs::path& path) {
 
 /// "render/space/camera.h": "render/space"
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+
+/// Below which the library's headers are included: <twrench/motion/exact.h>.
+constexpr std::string_view public_folder = "twrench/";
 
 /// The library that a header belongs to; nothing for one of the C++ standard library, "" for one
 /// that no library claims.
@@ -55,8 +59,9 @@ void follow(const IncludeRules& rules, const Include& include, Arrows& arrows) {
                               " (" + include.header + ")");
     }
   };
-  if (include.quoted) {
-    const std::string to = folder_of(include.header);
+  if (include.quoted || include.header.starts_with(public_folder)) {
+    const std::size_t prefix = include.quoted ? 0 : public_folder.size();
+    const std::string to = folder_of(include.header.substr(prefix));
     if (to != include.room) check(row->second.rooms, arrows.used[include.room].rooms, to);
   } else if (const auto library = library_of(rules, include.header)) {
     if (library->empty()) {

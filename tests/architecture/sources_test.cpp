@@ -2,6 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+
 #include "architecture/include_rules.h"
 #include "architecture/markdown.h"
 
@@ -12,12 +18,60 @@ using testing::IsEmpty;
 
 std::string architecture() { return file_text(project_folder() / "docs/architecture.md"); }
 
+std::filesystem::path sources() { return project_folder() / "src"; }
+std::filesystem::path public_headers() { return project_folder() / "include/twrench"; }
+
+std::vector<Include> all_includes() {
+  std::vector<Include> includes = read_includes(sources());
+  std::ranges::move(read_includes(public_headers()), std::back_inserter(includes));
+  return includes;
+}
+
 TEST(Sources, IncludeOnlyWhatTheDocumentSaysTheyMay) {
-  const auto src = project_folder() / "src";
-  const std::vector<Include> includes = read_includes(src);
+  const std::vector<Include> includes = all_includes();
   ASSERT_GT(includes.size(), 500U);  // it looked in the right place
-  EXPECT_THAT(broken_rules(read_include_rules(architecture()), read_rooms(src), includes),
-              IsEmpty());
+  std::set<std::string> rooms = read_rooms(sources());
+  rooms.merge(read_rooms(public_headers()));
+  EXPECT_THAT(broken_rules(read_include_rules(architecture()), rooms, includes), IsEmpty());
+}
+
+/// The target that the files of a room are compiled into.
+std::string target_of(const std::string& room) {
+  static const std::set<std::string> dynamics{"base", "math", "body", "motion", "study"};
+  const std::string top = room.substr(0, room.find('/'));
+  return dynamics.contains(top) ? "dynamics" : top;
+}
+
+TEST(Sources, AreLinkedToTheTargetsOfTheRoomsThatTheyInclude) {
+  std::map<std::string, std::set<std::string>> included, linked;
+  for (const auto& [name, room] : read_include_rules(architecture()).rooms) {
+    for (const std::string& other : room.rooms) {
+      if (target_of(other) != target_of(name)) included[target_of(name)].insert(target_of(other));
+    }
+  }
+  const std::regex link(R"(LINKS((?:\s+twrench_\w+)*))");
+  const std::regex target("twrench_(\\w+)");
+  for (const auto& [name, others] : included) {
+    const std::string text = file_text(sources() / name / "CMakeLists.txt");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(text, match, link)) << name;
+    const std::string targets = match[1];
+    for (std::sregex_iterator at(targets.begin(), targets.end(), target), end; at != end; ++at) {
+      linked[name].insert((*at)[1]);
+    }
+  }
+  EXPECT_EQ(linked, included);
+}
+
+// Whoever links the library needs Eigen and nothing else to compile.
+TEST(Sources, OfThePublicHeadersNeedEigenAlone) {
+  for (const Include& include : read_includes(public_headers())) {
+    const bool is_of_a_library = include.header.find_first_of("./") != std::string::npos;
+    const bool is_allowed =
+        include.header.starts_with("twrench/") || include.header.starts_with("Eigen/");
+    EXPECT_FALSE(include.quoted || (is_of_a_library && !is_allowed))
+        << include.place << " includes " << include.header;
+  }
 }
 
 TEST(Sources, HaveNoCircle) {
@@ -42,7 +96,7 @@ TEST(Sources, OfTheDynamicsNeedNoPicture) {
 // One place takes what is missing in a machine for what it is: no header of a driver is needed to
 // use a context.
 TEST(Sources, GiveNoDriversHeaderAway) {
-  for (const Include& include : read_includes(project_folder() / "src")) {
+  for (const Include& include : all_includes()) {
     const bool is_header = include.place.find(".h:") != std::string::npos;
     const bool is_drivers = include.header.starts_with("EGL/") || include.header == "GL/osmesa.h";
     EXPECT_FALSE(is_header && is_drivers) << include.place << " includes " << include.header;

@@ -1,6 +1,5 @@
-#include "base/nearest.h"
-
 #include <gtest/gtest.h>
+#include <twrench/base/nearest.h>
 
 #include <string>
 #include <vector>

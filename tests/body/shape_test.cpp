@@ -1,6 +1,5 @@
-#include "body/shape.h"
-
 #include <gtest/gtest.h>
+#include <twrench/body/shape.h>
 
 #include <Eigen/LU>
 #include <numbers>

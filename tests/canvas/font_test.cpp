@@ -1,16 +1,16 @@
 #include "canvas/font.h"
 
 #include <gmock/gmock.h>
+#include <twrench/base/error.h>
 
 #include <optional>
 #include <random>
 #include <set>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "canvas/canvas.h"
 #include "canvas/font_bytes.h"
 #include "scratch_folder.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "base/file.h"
 #include "cli/twrench.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

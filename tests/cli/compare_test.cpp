@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/file.h"
 #include "cli/twrench.h"
 #include "image/png.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "cli/twrench.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/file.h"
 #include "cli/twrench.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

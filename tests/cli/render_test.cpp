@@ -9,12 +9,12 @@
 #include <numeric>
 #include <random>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "cli/twrench.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "run_command.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench {
 namespace {

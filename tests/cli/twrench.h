@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "base/file.h"
-#include "base/sha256.h"
 #include "scratch_folder.h"
+#include "system/file.h"
+#include "system/sha256.h"
 
 namespace twrench {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/file.h"
 #include "cli/twrench.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

@@ -1,10 +1,10 @@
 #include "gl/backend.h"
 
 #include <gmock/gmock.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "gl/functions.h"
 
 namespace twrench::gl {

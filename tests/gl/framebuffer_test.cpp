@@ -1,8 +1,8 @@
 #include "gl/framebuffer.h"
 
 #include <gmock/gmock.h>
+#include <twrench/base/error.h>
 
-#include "base/error.h"
 #include "gl_fixture.h"
 
 namespace twrench::gl {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "image/png.h"
 #include "image/sample_image.h"
 #include "run_command.h"
 #include "scratch_folder.h"
+#include "system/error.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

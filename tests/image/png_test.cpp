@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sys/mman.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -10,11 +11,10 @@
 #include <thread>
 #include <vector>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "image/sample_image.h"
 #include "run_command.h"
 #include "scratch_folder.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

@@ -1,6 +1,5 @@
-#include "math/elliptic.h"
-
 #include <gtest/gtest.h>
+#include <twrench/math/elliptic.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -1,6 +1,5 @@
-#include "math/so3.h"
-
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,13 +1,13 @@
 // What each method conserves and what not, measured and compared with its description.
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/stepper.h>
 
 #include <cmath>
 
-#include "math/so3.h"
-#include "motion/diagnostics.h"
 #include "motion/every_method.h"
 #include "motion/reference.h"
-#include "motion/stepper.h"
 
 namespace twrench {
 namespace {

@@ -1,8 +1,7 @@
-#include "motion/diagnostics.h"
-
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/diagnostics.h>
 
-#include "math/so3.h"
 #include "motion/reference.h"
 
 namespace twrench {

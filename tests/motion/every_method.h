@@ -1,11 +1,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <twrench/motion/method.h>
 
 #include <ostream>
 #include <string>
-
-#include "motion/method.h"
 
 namespace twrench {
 

@@ -1,6 +1,7 @@
-#include "motion/exact.h"
-
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/taylor.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,10 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "math/so3.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
-#include "motion/taylor.h"
 
 namespace twrench {
 namespace {

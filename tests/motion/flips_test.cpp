@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/exact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "motion/error.h"
-#include "motion/exact.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 

@@ -1,14 +1,12 @@
-#include "motion/free_body.h"
-
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/free_body.h>
 
 #include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
-
-#include "base/error.h"
-#include "math/so3.h"
 
 namespace twrench {
 namespace {

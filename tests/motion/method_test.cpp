@@ -1,10 +1,8 @@
-#include "motion/method.h"
-
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
+#include <twrench/motion/method.h>
 
 #include <cmath>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

@@ -1,13 +1,13 @@
 // Orders are measured: the slope of the error of X(20) on the T-wrench against the step size, with
 // the 25-digit reference.
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/stepper.h>
 
 #include <cmath>
 
 #include "motion/every_method.h"
-#include "motion/exact.h"
 #include "motion/reference.h"
-#include "motion/stepper.h"
 
 namespace twrench {
 namespace {

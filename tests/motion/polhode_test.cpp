@@ -1,12 +1,10 @@
-#include "motion/polhode.h"
-
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/polhode.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "motion/exact.h"
 
 namespace twrench {
 namespace {

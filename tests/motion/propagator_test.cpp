@@ -1,16 +1,15 @@
-#include "motion/propagator.h"
-
 #include <gtest/gtest.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/propagator.h>
+#include <twrench/motion/trajectory.h>
 
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
-#include "motion/error.h"
 #include "motion/every_method.h"
 #include "motion/reference.h"
-#include "motion/trajectory.h"
 
 namespace twrench {
 namespace {

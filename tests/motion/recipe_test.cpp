@@ -1,6 +1,8 @@
 // "Add a method" of CONTRIBUTING.md, followed here as a stranger would: a method is data, and needs
 // nothing of the program but a line in its list.
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
 
 #include <array>
 #include <cmath>
@@ -8,9 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "motion/exact.h"
 #include "motion/reference.h"
-#include "motion/trajectory.h"
 
 namespace twrench {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <twrench/motion/free_body.h>
+
 #include <Eigen/Core>
 #include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
-
-#include "motion/free_body.h"
 
 namespace twrench {
 

@@ -1,11 +1,10 @@
 // Task 2: I = Id, X(0) = Id, L = e_x; then X(t) = exp(t hat(e_x)) exactly.
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/motion/trajectory.h>
 
 #include <cmath>
-
-#include "math/so3.h"
-#include "motion/stepper.h"
-#include "motion/trajectory.h"
 
 namespace twrench {
 namespace {

@@ -1,18 +1,17 @@
-#include "motion/trajectory.h"
-
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/error.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "math/so3.h"
-#include "motion/diagnostics.h"
-#include "motion/error.h"
 #include "motion/every_method.h"
-#include "motion/exact.h"
 #include "motion/reference.h"
-#include "motion/stepper.h"
 
 namespace twrench {
 namespace {

@@ -6,8 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "base/file.h"
 #include "scratch_folder.h"
+#include "system/error.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

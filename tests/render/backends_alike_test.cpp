@@ -1,10 +1,10 @@
 // Compares the OpenGL backends: the same rasteriser draws the same picture through each.
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
+#include <twrench/math/so3.h>
 
-#include "base/error.h"
 #include "gl/backend.h"
 #include "image/compare.h"
-#include "math/so3.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <string>
 
-#include "base/file.h"
 #include "image/compare.h"
 #include "image/png.h"
+#include "system/file.h"
 
 namespace twrench {
 

@@ -3,12 +3,12 @@
 #include "render/golden.h"
 
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 
 #include <algorithm>
 
 #include "gl/test_context.h"
 #include "image/png.h"
-#include "math/so3.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "body/shape.h"
+#include <twrench/body/shape.h>
+
 #include "scene/scene.h"
 
 namespace twrench {

@@ -1,8 +1,7 @@
 #include "scene/color.h"
 
 #include <gtest/gtest.h>
-
-#include "base/error.h"
+#include <twrench/base/error.h>
 
 namespace twrench {
 namespace {

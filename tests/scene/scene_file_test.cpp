@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "base/error.h"
 #include "scene/scene.h"
+#include "system/error.h"
 
 namespace twrench {
 namespace {

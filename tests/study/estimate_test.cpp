@@ -1,15 +1,14 @@
 // The honesty of an embedded pair's error estimate E: it is compared with the true local error of
 // the accepted steps, relative to the exact motion restarted at each step.
-#include "study/estimate.h"
-
 #include <gtest/gtest.h>
+#include <twrench/motion/stepper.h>
+#include <twrench/study/estimate.h>
 
 #include <cmath>
 #include <string_view>
 
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
-#include "motion/stepper.h"
 
 namespace twrench {
 namespace {

@@ -1,11 +1,10 @@
-#include "study/flip_search.h"
-
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+#include <twrench/study/flip_search.h>
 
 #include <cmath>
 #include <string_view>
 
-#include "motion/exact.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 

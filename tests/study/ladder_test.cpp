@@ -1,6 +1,5 @@
-#include "study/ladder.h"
-
 #include <gtest/gtest.h>
+#include <twrench/study/ladder.h>
 
 #include <cmath>
 

@@ -1,12 +1,11 @@
-#include "study/study.h"
-
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
+#include <twrench/study/ladder.h>
+#include <twrench/study/study.h>
 
 #include <cmath>
 
-#include "base/error.h"
 #include "motion/reference.h"
-#include "study/ladder.h"
 
 namespace twrench {
 namespace {

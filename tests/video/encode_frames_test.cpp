@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "base/file.h"
 #include "image/png.h"
 #include "run_command.h"
 #include "scratch_folder.h"
 #include "stub_ffmpeg.h"
+#include "system/error.h"
+#include "system/file.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 #include "video/frame_sequence.h"

@@ -11,10 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "base/file.h"
 #include "run_command.h"
 #include "scratch_folder.h"
 #include "stub_ffmpeg.h"
+#include "system/error.h"
+#include "system/file.h"
 #include "video/error.h"
 
 namespace twrench {

@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
 
 #include <string>
 #include <vector>
-
-#include "base/error.h"
 
 namespace twrench {
 namespace {

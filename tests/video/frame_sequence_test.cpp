@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/sha256.h"
 #include "scratch_folder.h"
+#include "system/error.h"
+#include "system/file.h"
+#include "system/sha256.h"
 #include "video/manifest.h"
 
 namespace twrench {

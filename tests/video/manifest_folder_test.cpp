@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "base/file.h"
 #include "scratch_folder.h"
+#include "system/file.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 

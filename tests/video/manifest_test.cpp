@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "scratch_folder.h"
+#include "system/error.h"
+#include "system/file.h"
 
 namespace twrench {
 namespace {

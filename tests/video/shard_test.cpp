@@ -1,8 +1,7 @@
 #include "video/shard.h"
 
 #include <gtest/gtest.h>
-
-#include "base/error.h"
+#include <twrench/base/error.h>
 
 namespace twrench {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/file.h"
 #include "scratch_folder.h"
+#include "system/file.h"
 
 namespace twrench {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <span>
+#include <twrench/body/shape.h>
 
-#include "body/shape.h"
+#include <span>
 
 namespace twrench {
 

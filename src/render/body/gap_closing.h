@@ -1,9 +1,9 @@
 #pragma once
 
+#include <twrench/body/shape.h>
+
 #include <span>
 #include <vector>
-
-#include "body/shape.h"
 
 namespace twrench {
 

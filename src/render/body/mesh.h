@@ -1,12 +1,12 @@
 #pragma once
 
+#include <twrench/body/shape.h>
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "body/shape.h"
 
 namespace twrench {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <twrench/body/shape.h>
+
 #include <Eigen/Core>
 #include <span>
 #include <vector>
-
-#include "body/shape.h"
 
 namespace twrench {
 

@@ -1,10 +1,11 @@
 #include "render/compose/layout.h"
 
+#include <twrench/base/error.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "base/error.h"
 #include "render/compose/cut.h"
 #include "scene/names.h"
 

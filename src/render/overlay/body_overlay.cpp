@@ -1,12 +1,13 @@
 #include "render/overlay/body_overlay.h"
 
+#include <twrench/motion/polhode.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "motion/polhode.h"
 #include "render/overlay/trail_point.h"
 
 namespace twrench {

@@ -1,12 +1,12 @@
 #include "render/overlay/draw_list.h"
 
+#include <twrench/body/shape.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "body/shape.h"
 
 namespace twrench {
 namespace {

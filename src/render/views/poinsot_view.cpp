@@ -1,11 +1,11 @@
 #include "render/views/poinsot_view.h"
 
+#include <twrench/body/shape.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "body/shape.h"
 
 namespace twrench {
 namespace {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <twrench/motion/free_body.h>
+#include <twrench/motion/polhode.h>
+
 #include <array>
 #include <optional>
 #include <string>
 
-#include "motion/free_body.h"
-#include "motion/polhode.h"
 #include "render/look/theme.h"
 
 namespace twrench {

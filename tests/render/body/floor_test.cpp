@@ -1,12 +1,12 @@
 #include "render/body/floor.h"
 
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 
 #include <cmath>
 #include <memory>
 
 #include "gl/test_context.h"
-#include "math/so3.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 

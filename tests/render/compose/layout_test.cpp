@@ -1,10 +1,10 @@
 #include "render/compose/layout.h"
 
 #include <gmock/gmock.h>
+#include <twrench/base/error.h>
 
 #include <functional>
 
-#include "base/error.h"
 #include "render/t_wrench.h"
 #include "scene/names.h"
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+// The failures that callers are told of. They say what is wrong with which quantity; which option
+// of a program the quantity came from, and how the program then ends, is the program's affair.
+
+namespace twrench {
+
+/// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
+class Error : public std::runtime_error {
+ public:
+  Error(const std::string& what, const std::string& why, std::string remedy = {})
+      : std::runtime_error(what + ": " + why), remedy_(std::move(remedy)) {}
+
+  /// What can be done about it, whoever calls; may be empty.
+  const std::string& remedy() const noexcept { return remedy_; }
+
+ private:
+  std::string remedy_;
+};
+
+/// A value that is not allowed, or a name that nothing has.
+class InvalidArgument : public Error {
+ public:
+  InvalidArgument(const std::string& quantity, const std::string& why, std::string remedy = {})
+      : Error(quantity, why, std::move(remedy)), quantity_(quantity) {}
+
+  /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
+  const std::string& quantity() const noexcept { return quantity_; }
+
+ private:
+  std::string quantity_;
+};
+
+/// A number outside its bounds.
+class OutOfRange : public InvalidArgument {
+ public:
+  /// What a number is, and what it may be, the bounds included unless the message says otherwise.
+  struct Range {
+    double value;
+    double least, greatest;  ///< infinite where there is no bound
+  };
+
+  OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
+             std::string remedy = {})
+      : InvalidArgument(quantity, why, std::move(remedy)), range_(range) {}
+
+  double value() const noexcept { return range_.value; }
+  double least() const noexcept { return range_.least; }
+  double greatest() const noexcept { return range_.greatest; }
+
+ private:
+  Range range_;
+};
+
+}  // namespace twrench

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <twrench/base/error.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace twrench {
+
+/// Returns the candidate that `name` was most likely meant to be: the one with the fewest typing
+/// errors (a letter inserted, omitted or changed, or two adjacent ones swapped), the first among
+/// equals. Nothing if even that one is too different to be a misspelling.
+std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
+
+/// Returns the error for a `name` that is not among `candidates`: "WHAT: unknown name 'NAME'", with
+/// the nearest one suggested and all of them listed.
+InvalidArgument unknown_name(const std::string& what, std::string_view name,
+                             std::span<const std::string> candidates);
+
+}  // namespace twrench

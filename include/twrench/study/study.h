@@ -1,0 +1,96 @@
+#pragma once
+
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
+#include <twrench/study/estimate.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twrench {
+
+/// What a study runs.
+struct StudyPlan {
+  /// The methods to compare.
+  std::vector<const Method*> methods;
+  /// Step sizes in s for the fixed-step methods.
+  std::vector<double> steps;
+  /// Tolerances for the adaptive methods.
+  std::vector<double> tolerances;
+  /// Initial step size in s of the adaptive methods.
+  double first_step = 0.01;
+  /// Duration of the motion in s.
+  double duration = 0.0;
+  /// Maximum number of steps of a run.
+  std::int64_t max_steps = StepControl{}.max_steps;
+};
+
+/// One run of a method, compared with the exact solution.
+struct StudyRun {
+  /// Step size in s; for an adaptive method, the mean of the accepted ones.
+  double step = 0.0;
+  /// Tolerance of an adaptive method.
+  std::optional<double> tolerance;
+  /// Why the method failed; if set, none of the fields below is.
+  std::string failure;
+  /// Frobenius norm of X - X_exact at Study::early.
+  double early_error = 0.0;
+  /// Frobenius norm of X - X_exact at the end.
+  double error = 0.0;
+  /// Largest absolute value over all steps.
+  double energy_drift = 0.0;
+  /// Largest value over all steps.
+  double orthogonality_error = 0.0;
+  /// Largest value over all steps.
+  double momentum_error = 0.0;
+  /// Times of the flips in the method's own solution, in s.
+  std::vector<double> flips;
+  /// Largest error of a flip time in s, over those that both solutions have; NaN if there are none.
+  double flip_error = 0.0;
+  /// Number of steps, including rejected ones.
+  std::int64_t steps = 0;
+  /// Evaluations of omega.
+  std::int64_t evaluations = 0;
+  /// CPU time in s for computing the sample at the end.
+  double cpu_seconds = 0.0;
+  /// Quality of the error estimate of an embedded pair.
+  std::optional<EstimateQuality> estimate;
+  /// Largest |energy drift| in equal parts of the duration.
+  std::vector<double> drift_in_time;
+};
+
+/// All runs of a method.
+struct MethodStudy {
+  /// The method.
+  const Method* method = nullptr;
+  /// Runs in the order of the plan's step sizes or tolerances.
+  std::vector<StudyRun> runs;
+  /// Exponent of the early error as a function of the step size.
+  std::optional<double> order;
+  /// Exponent of the median of true/E as a function of the step size.
+  std::optional<double> estimate_exponent;
+};
+
+/// The results of a study.
+struct Study {
+  /// Duration of the motion in s.
+  double duration = 0.0;
+  /// Time in s at which orders are measured: after a rotation of about 10 rad, before flips have
+  /// amplified energy errors, which may have another order.
+  double early = 0.0;
+  /// The flips of the exact motion.
+  std::optional<ExactMotion::Flips> flips;
+  /// Predicted flip times in s, up to the duration.
+  std::vector<double> flip_times;
+  /// Results by method, in the plan's order.
+  std::vector<MethodStudy> methods;
+};
+
+/// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
+/// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
+/// InvalidArgument where there are no steps.
+Study run_study(const FreeBody& body, const StudyPlan& plan);
+
+}  // namespace twrench

@@ -1,0 +1,136 @@
+#include "system/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "system/descriptor.h"
+#include "system/error.h"
+#include "system/pending_file.h"
+
+namespace twrench {
+namespace {
+
+std::string remedy_for(int error_number, Access access) {
+  switch (error_number) {
+    case ENOENT:
+      return access == Access::read ? "there is no such file: check the name"
+                                    : "create its folder first, or check the path";
+    case ENOTDIR:
+      return "part of the path is a file, not a folder";
+    case ENAMETOOLONG:
+      return "choose a shorter name: at most 255 bytes per path component";
+    case EISDIR:
+      return access == Access::read ? "name a file in it" : "choose another name";
+    case ELOOP:
+      return "its symbolic links form a loop";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose a location that you can read and write";
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space there, or choose another disk";
+    case EFBIG:
+      return "raise the limit on file size (ulimit -f), or choose another disk";
+    case EMFILE:
+    case ENFILE:
+      return "raise the limit on open files (ulimit -n)";
+    default:
+      return {};
+  }
+}
+
+std::string cannot_read(const std::filesystem::path& path) {
+  return "cannot read " + path.string();
+}
+
+std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Descriptor& file,
+                                   std::size_t max_bytes) {
+  const std::string what = cannot_read(path);
+  struct stat status {};
+  if (!file || ::fstat(file.get(), &status) != 0) {
+    throw file_error(what, errno, Access::read);
+  }
+  // The size is only a hint, as a pipe has none. One extra byte detects the end of file without
+  // growing.
+  const auto hint = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+  std::vector<std::uint8_t> bytes(std::min(std::max<std::size_t>(hint, 4096), max_bytes) + 1);
+  std::size_t size = 0;
+  while (true) {
+    const ssize_t got = ::read(file.get(), bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) {
+      continue;
+    }
+    if (got < 0) {
+      throw file_error(what, errno, Access::read);
+    }
+    if (got == 0) {
+      break;
+    }
+    size += static_cast<std::size_t>(got);
+    if (size > max_bytes) {
+      throw FileError(what, fmt::format("it is longer than {} bytes", max_bytes));
+    }
+    if (size == bytes.size()) {
+      bytes.resize(std::min(2 * size, max_bytes + 1));
+    }
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace
+
+FileError file_error(const std::string& what, int error_number, Access access) {
+  return {what, std::generic_category().message(error_number), remedy_for(error_number, access)};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw file_error("cannot create the folder " + folder.string(), failed.value());
+  }
+}
+
+void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  if (!std::filesystem::equivalent(output, input, missing)) return;
+  throw OverwriteError(output.string(), "it is an input of this command and would be overwritten",
+                       "choose another name for the output");
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  PendingFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+  write_file_atomically(path,
+                        std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  return read_all(path, Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), max_bytes);
+}
+
+std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
+                                            std::size_t max_bytes) {
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (file && ::fstat(file.get(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    throw FileError(cannot_read(path), "it is not a regular file");
+  }
+  return read_all(path, std::move(file), max_bytes);
+}
+
+}  // namespace twrench

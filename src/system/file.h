@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "system/error.h"
+
+namespace twrench {
+
+/// The kind of access that failed.
+enum class Access { read, write };
+
+/// Returns a FileError for a system error number, for example "cannot write out/a.png: No space
+/// left on device", with a remedy where the number suggests one.
+FileError file_error(const std::string& what, int error_number, Access access = Access::write);
+
+/// Creates the folder and its missing ancestors. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
+
+/// Throws OverwriteError where `output` is the file `input`, by whatever name. That either is not
+/// there is no error.
+void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// Replaces the contents of `path` with exactly these bytes through a PendingFile. Throws
+/// FileError.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Returns the bytes of the file. Throws FileError if it cannot be read or is longer than
+/// `max_bytes`, because input must not exhaust the memory.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+/// Like read_file(), but also throws FileError if it is not a regular file: reading a pipe could
+/// block for ever.
+std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
+                                            std::size_t max_bytes);
+
+}  // namespace twrench
