@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# edges.sh [SIZE]: how well edges are smoothed, over twenty poses of the bare body at SIZE (default
-# 1920x1080): the default and multisampling, against frames of four times the width and
-# height with 4 samples, averaged. Needs build/release/bin/edge_error (-D TWRENCH_BENCH=ON).
+# edges.sh [SIZE]: measures antialiasing quality over twenty poses of the bare body at SIZE (default
+# 1920x1080): analytic antialiasing and multisampling, compared with frames of four times the width
+# and height with 4 samples, averaged. Needs build/release/bin/edge_error (-D TWRENCH_BENCH=ON).
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# film.sh [--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT]
-# A 1080p film beside what else makes or bounds it, all in one run, in turns, medians told: ffmpeg
-# alone on the same raw frames with the same settings, VTK (python3-vtk9, under Xvfb; left out where it
-# is not installed), and another build of twrench, if one is named. Milliseconds a frame of wall and of
-# processor time, and the ratios. SCRIPT is run as "SCRIPT FRAMES SAMPLES DIR" in place of vtk_film.py.
+# film.sh [--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT] Times a 1080p video and
+# compares it with programs that do the same or bound it, alternating in one run and reporting
+# medians: ffmpeg alone on the same raw frames with the same settings, VTK (python3-vtk9, under
+# Xvfb; omitted if not installed), and another build of twrench if given. Prints wall and CPU
+# milliseconds per frame and the ratios. SCRIPT is run as "SCRIPT FRAMES SAMPLES DIR" instead of
+# vtk_film.py.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -23,15 +24,15 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 times=$folder/times.txt
 
-# film BINARY OPTIONS...: makes the film.
+# film BINARY OPTIONS...: renders the video.
 film() {
   "$1" render --size 1920x1080 --frames "0-$((frames - 1))" --overwrite --progress none \
     --frames-dir "$folder/frames" -o "$folder/film.mp4" "${@:2}"
 }
 
-# The encoder's settings, as the manifest tells them, from yuv420p or, converted by ffmpeg, rgb24; and
-# the very frames that the encoder is given, which one that stands in for it keeps. (Those of the film,
-# decoded, are smoother, and faster to encode.)
+# The encoder's settings from the manifest, from yuv420p or, converted by ffmpeg, rgb24; and the
+# frames as the encoder receives them, recorded by a substitute. (Decoded frames of the video are
+# smoother and faster to encode.)
 cat >"$folder/ffmpeg" <<'END'
 #!/usr/bin/env bash
 [[ $* == *" 1920x1080 "* ]] || exec "$REAL_FFMPEG" "$@"  # the trial
@@ -53,7 +54,7 @@ ffmpeg -v error -i "$folder/frames/frame_%06d.png" -f rawvideo -pix_fmt rgb24 "$
 encode_yuv() { ffmpeg "${yuv_settings[@]}" "$folder/alone.mp4" <"$folder/raw.yuv"; }
 encode_rgb() { ffmpeg "${rgb_settings[@]}" "$folder/alone.mp4" <"$folder/raw.rgb"; }
 
-# VTK is slow: an eighth of the frames do.
+# VTK is slow: an eighth of the frames is enough.
 vtk_frames=$(((frames + 7) / 8))
 vtk_film() {
   local script=(bench/vtk_film.py "$vtk_frames" "$folder/vtk")
@@ -62,7 +63,7 @@ vtk_film() {
   xvfb-run -a -s "-screen 0 1920x1080x24" /usr/bin/python3 "${script[@]}" >/dev/null
 }
 
-# timed NAME FRAMES COMMAND...: adds a line of its time to the list.
+# timed NAME FRAMES COMMAND...: adds a line with its time to the list.
 timed() {
   local wall user system
   local TIMEFORMAT='%R %U %S'

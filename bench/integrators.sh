@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# integrators.sh [ROUNDS]: CPU time of our integrators beside other libraries', all in one program,
-# then of the hot functions one by one. Installs what is missing. More rounds, steadier numbers.
+# integrators.sh [ROUNDS]: compares the CPU time of our integrators with other libraries' in one
+# program, then times the hot functions individually. Installs what is missing. More rounds give
+# steadier results.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# memory.sh [FRAMES]: the memory of a film, in MB of resident set.
-# Whether it stays flat: at frame 500 and at the last of FRAMES (default 10000), small frames, with and
-# without PNG files; and the peak at 1080p and 4K, twrench's own and the encoder's beside it.
+# memory.sh [FRAMES]: measures the memory use of a render, in MB of resident set: whether it stays
+# constant, from frame 500 to the last of FRAMES (default 10000) small frames, with and without PNG
+# files; and the peak at 1080p and 4K, of twrench and of the encoder.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,11 +10,11 @@ frames=${1:-10000}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# The field VmRSS or VmHWM (its peak) of a process, MB; nothing when it has ended.
+# Prints the field VmRSS or VmHWM (its peak) of a process in MB; nothing if it has ended.
 memory() { awk -v field="$2:" '$1 == field { printf "%.1f", $2 / 1024 }' "/proc/$1/status" 2>/dev/null || true; }
 
-# measure ARGUMENTS...: renders; sets early and late to the resident set at frame 500 and at the last
-# that was told of, peak and encoder to the peaks.
+# measure ARGUMENTS...: renders; sets early and late to the resident set at frame 500 and at the
+# last progress line, peak and encoder to the peaks.
 measure() {
   local line number rss child pid
   early='' late='' peak='' encoder=0

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""vtk_film.py FRAMES DIR: the T-wrench drawn by VTK, physically based, 4 samples a pixel, 1920x1080,
-each frame to a PNG file in DIR. Prints the milliseconds a frame. Run it under xvfb-run."""
+"""vtk_film.py FRAMES DIR: draws the T-wrench with VTK, physically based, 4 samples per pixel, 1920x1080,
+each frame to a PNG file in DIR. Prints the milliseconds per frame. Run it under xvfb-run."""
 import sys
 import time
 

@@ -1,8 +1,8 @@
 # Every library and file that the build takes from the system. What is missing is collected and
-# reported in one message that names each package for Debian, Fedora and Arch, and the CMake variable
-# that points to a copy elsewhere (docs/platforms.md).
+# reported in one message that lists the packages of Debian, Fedora and Arch, and the CMake variable
+# for a copy elsewhere (docs/platforms.md).
 
-# The oldest compilers that have what is used of C++20.
+# The oldest compilers that support the C++20 features in use.
 foreach(oldest "GNU 12" "Clang 14")
   separate_arguments(oldest)
   list(GET oldest 0 compiler)
@@ -13,8 +13,8 @@ foreach(oldest "GNU 12" "Clang 14")
   endif()
 endforeach()
 
-# twrench_require(WHAT FOUND <bool> DEBIAN ... FEDORA ... ARCH ... HINT ...): notes that WHAT is
-# missing unless it was found. HINT is the variable that says where it is.
+# twrench_require(WHAT FOUND <bool> DEBIAN ... FEDORA ... ARCH ... HINT ...): records WHAT as
+# missing unless it was found. HINT is the variable that sets its location.
 function(twrench_require what)
   cmake_parse_arguments(ARG "" "FOUND;DEBIAN;FEDORA;ARCH;HINT" "" ${ARGN})
   if(ARG_FOUND)
@@ -62,7 +62,8 @@ find_package(ZLIB QUIET)
 twrench_require("zlib" FOUND "${ZLIB_FOUND}"
   DEBIAN zlib1g-dev FEDORA zlib-ng-compat-devel ARCH zlib HINT "-DZLIB_ROOT=FOLDER")
 
-# twrench_pkgconfig(MODULE ...): the target PkgConfig::MODULE; the rest as twrench_require.
+# twrench_pkgconfig(MODULE ...): defines the target PkgConfig::MODULE; other arguments as in
+# twrench_require.
 find_package(PkgConfig QUIET)
 twrench_require("pkgconf" FOUND "${PkgConfig_FOUND}"
   DEBIAN pkgconf FEDORA pkgconf ARCH pkgconf HINT "-DPKG_CONFIG_EXECUTABLE=FILE")
@@ -88,7 +89,8 @@ twrench_pkgconfig(harfbuzz "HarfBuzz"
 twrench_pkgconfig(fribidi "FriBidi"
   DEBIAN libfribidi-dev FEDORA fribidi-devel ARCH fribidi)
 
-# twrench_header(VARIABLE HEADER WHAT ...): the include folder of HEADER; the rest as twrench_require.
+# twrench_header(VARIABLE HEADER WHAT ...): sets the include folder of HEADER; other arguments as in
+# twrench_require.
 macro(twrench_header variable header what)
   find_path(${variable} ${header})
   twrench_require("${what}" FOUND "${${variable}}" ${ARGN} HINT "-D${variable}=FOLDER")
@@ -102,7 +104,7 @@ twrench_header(GL_INCLUDE_DIR GL/glcorearb.h "OpenGL's headers"
 twrench_header(EGL_INCLUDE_DIR EGL/eglext.h "EGL's headers"
   DEBIAN libegl-dev FEDORA libglvnd-devel ARCH libglvnd)
 
-# The typefaces that are built into the program. FOLDERS are those of Debian, Fedora and Arch.
+# The fonts that are built into the program. FOLDERS are those of Debian, Fedora and Arch.
 set(TWRENCH_FONT_FOLDERS
   truetype/roboto/unhinted/RobotoTTF truetype/firacode google-roboto fira-code TTF)
 function(twrench_font variable file)
@@ -132,5 +134,5 @@ endif()
 
 get_property(missing GLOBAL PROPERTY twrench_missing)
 if(missing)
-  message(FATAL_ERROR "These are missing; install them, or say where they are:\n${missing}")
+  message(FATAL_ERROR "Missing dependencies; install them, or set their locations:\n${missing}")
 endif()

@@ -1,7 +1,7 @@
-# twrench_embed(TARGET NAME FILES ...): compiles files into TARGET, found at run time through
-# the generated header "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view.
-# The bytes are included by the assembler (.incbin), so that large assets cost no compile time.
-# %progbits: on 32-bit Arm an @ begins a comment.
+# twrench_embed(TARGET NAME FILES ...): embeds files in TARGET, accessible at run time through the
+# generated header "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view. The
+# assembler includes the bytes (.incbin), so that large assets cost no compile time. %progbits,
+# because on 32-bit Arm an @ begins a comment.
 
 function(twrench_embed target name)
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/embedded)

@@ -1,10 +1,10 @@
-# Every target of ours is made here, so that warnings and sanitizers are the same for all.
+# Creates every target, so that warnings and sanitizers are the same for all of them.
 
 set(TWRENCH_SANITIZE "" CACHE STRING "Sanitizers for our code, as -fsanitize= takes them")
 
 add_library(twrench_options INTERFACE)
-# Without contraction of a*b + c a number has the same bits on processors that have such an
-# instruction, and wherever the compiler would use it.
+# Without contraction of a*b + c, results are bit-identical on processors with and without fused
+# multiply-add, and do not depend on where the compiler would use it.
 target_compile_options(twrench_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 target_include_directories(twrench_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -14,16 +14,16 @@ if(TWRENCH_SANITIZE)
   target_link_options(twrench_options INTERFACE -fsanitize=${TWRENCH_SANITIZE})
 endif()
 
-# The large headers are half of what a source takes to compile: they are read once. Each source
-# includes what it uses all the same (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# Large headers are half of the compile time of a source, so they are precompiled. Each source still
+# includes what it uses (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
 add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
 target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen nlohmann_json::nlohmann_json)
 target_precompile_headers(twrench_headers PRIVATE <Eigen/Dense> <filesystem> <functional> <map> <memory>
   <nlohmann/json.hpp> <optional> <span> <string> <vector>)
 
-# twrench_library(NAME SOURCES ... LINKS ... [HEADERS ...]): the static library twrench_NAME. HEADERS
-# are read once for it in place of those above.
+# twrench_library(NAME SOURCES ... LINKS ... [HEADERS ...]): creates the static library
+# twrench_NAME. HEADERS are precompiled for it instead of those above.
 function(twrench_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
   add_library(twrench_${name} STATIC ${ARG_SOURCES})

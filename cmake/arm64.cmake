@@ -1,5 +1,5 @@
-# Builds on another processor for arm64, with Debian's compiler and libraries, and runs what must
-# run during the build and the tests in QEMU's user-mode emulator (scripts/arm64.sh).
+# Cross-compiles for arm64 with Debian's compiler and libraries, and runs build tools and tests in
+# QEMU's user-mode emulator (scripts/arm64.sh).
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

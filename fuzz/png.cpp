@@ -18,8 +18,8 @@ std::uint32_t big_endian(const std::uint8_t* bytes) {
          std::uint32_t{bytes[2]} << 8U | bytes[3];
 }
 
-/// The file with the checksums that its chunks should have: else a mutation is refused for those,
-/// and what lies behind them is not tried.
+/// Returns the file with correct chunk checksums: otherwise a mutation is rejected for those, and
+/// the code behind them is not tested.
 std::vector<std::uint8_t> with_checksums(const std::uint8_t* data, std::size_t size) {
   std::vector<std::uint8_t> file(data, data + size);
   constexpr std::size_t signature = 8, around_data = 12;  // length and type before, checksum behind

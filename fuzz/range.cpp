@@ -1,4 +1,4 @@
-// Ranges of frames, of the command line and of manifests, and shards.
+// Frame ranges, from the command line and from manifests, and shards.
 #include <algorithm>
 #include <string_view>
 
@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(is_manifest_name(manifest_file_name(shard)), "its manifest is known by its name");
   } catch (const UsageError&) {
   }
-  constexpr int frame_count = 100'000;  // small, so that many inputs are tried a second
+  constexpr int frame_count = 100'000;  // small, for many inputs per second
   try {
     const std::vector<int> frames = parse_frame_range(text, frame_count);
     require(!frames.empty(), "a range selects a frame");

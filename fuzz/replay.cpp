@@ -1,5 +1,5 @@
-// replay CORPUS COUNT: the target over each file of the corpus, then over COUNT mutations of them,
-// the same ones every time. So that what was once found stays mended, without a fuzzer at hand.
+// replay CORPUS COUNT: runs the target on each file of the corpus, then on COUNT mutations of them,
+// the same ones every time, so that fixed bugs stay fixed without a fuzzer at hand.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -26,9 +26,9 @@ std::vector<Bytes> read_corpus(const std::filesystem::path& folder) {
   return corpus;
 }
 
-/// A few bytes changed, doubled, or cut out, or the end of another input put in place of its own.
+/// Changes, duplicates or removes a few bytes, or replaces the end by that of another input.
 Bytes mutated(Bytes bytes, const Bytes& other, std::mt19937& random) {
-  // Not std::uniform_int_distribution, which differs from library to library.
+  // Not std::uniform_int_distribution, which differs between libraries.
   const auto below = [&](std::size_t n) { return random() % std::max<std::size_t>(n, 1); };
   for (std::size_t i = 1 + below(4); i > 0; --i) {
     const auto at = static_cast<std::ptrdiff_t>(below(bytes.size() + 1));

@@ -1,4 +1,4 @@
-// Scene files, and what is computed of a scene before anything is drawn.
+// Scene files, and what is computed from a scene before drawing.
 #include "scene/scene.h"
 
 #include <string_view>

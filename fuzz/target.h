@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Reads one input. Whatever it is, that ends well or in an Error; libFuzzer's name and signature.
+/// Processes one input, which must succeed or throw an Error. The name and signature are
+/// libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace twrench {
 
-/// Ends the program, which a fuzzer takes for a finding, unless the property holds.
+/// Aborts the program, which a fuzzer reports, unless the property holds.
 inline void require(bool property, const char* what) {
   if (property) return;
   std::fprintf(stderr, "broken: %s\n", what);

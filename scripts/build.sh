@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# build.sh [--tests] PRESET [TARGET...]: configures build/PRESET where that is still to do and
-# brings the targets (all, if none is named) up to date. Everything it prints is on standard error.
+# build.sh [--tests] PRESET [TARGET...]: configures build/PRESET if necessary and builds the targets
+# (default: all). All output goes to standard error.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -16,9 +16,9 @@ targets=("${@:-all}")
 dir=build/$preset
 cache=$dir/CMakeCache.txt
 
-# Once the tests are configured they stay so, whatever is asked later: building the program alone
-# and building the tests share one folder and must not send each other back to the start.
-# A folder configured elsewhere (the sources were moved or copied) is configured anew.
+# Once the tests have been configured they stay so: building only the program and building the tests
+# share one folder and must not undo each other's configuration.
+# A folder configured elsewhere (the sources were moved or copied) is configured again.
 in_cache() { grep -qsxF "$1" "$cache"; }
 options=(--preset "$preset" -DBUILD_TESTING="$tests")
 if [[ ! -f $dir/build.ninja ]] || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
@@ -27,7 +27,7 @@ elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then
   configure=(cmake "${options[@]}")
 else
   configure=()
-  # A dry run that would first have to configure again says something else.
+  # A dry run that would first have to configure prints something else.
   if [[ $(ninja -C "$dir" -n "${targets[@]}" | tail -n 1) == "ninja: no work to do." ]]; then
     exit 0
   fi
@@ -35,7 +35,7 @@ fi
 require_writable "$dir"
 
 if ((${#configure[@]})); then
-  # Older ones do not read CMakePresets.json, and do not say so.
+  # Older versions silently ignore CMakePresets.json.
   oldest=3.25
   version=$(cmake --version | awk 'NR == 1 { print $3 }')
   [[ $(printf '%s\n' "$oldest" "$version" | sort --version-sort | head -n 1) == "$oldest" ]] ||
@@ -44,12 +44,12 @@ if ((${#configure[@]})); then
   if ! "${configure[@]}" >"$dir/configure.log" 2>&1; then
     sed -n '/^CMake Error/,/^Call Stack/ { /^CMake Error/d; /^Call Stack/d; p }' "$dir/configure.log" |
       cat -s >&2
-    die "cmake could not configure $dir, for what is said above" "all it said is in $dir/configure.log"
+    die "cmake could not configure $dir for the reason above" "the full log is $dir/configure.log"
   fi
 fi
 
 say "building $dir"
-# A terminal gets ninja's one moving line, a log only what goes wrong.
+# A terminal shows ninja's progress line; a log only errors.
 quiet=()
 [[ -t 2 ]] || quiet=(--quiet)
 ninja -C "$dir" "${quiet[@]}" "${targets[@]}" >&2

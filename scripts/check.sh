@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The checks of the project beyond scripts/test.sh: the layout of the sources, the tests that draw
-# once more over EGL alone, those of the threads under ThreadSanitizer, all tests under
-# AddressSanitizer and UndefinedBehaviorSanitizer, those that look for values nothing has set under
-# valgrind, and three minutes of scripts/torture.sh.
+# The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
+# only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
+# UndefinedBehaviorSanitizer, the tests that look for uninitialised values under valgrind, and three
+# minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -23,8 +23,8 @@ step "The tests that draw, over EGL alone"
 scripts/build.sh --tests release
 TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
 
-# GCC's sanitizers abort at random where the kernel randomises addresses by more bits than their
-# shadow memory allows for (vm.mmap_rnd_bits=32), so that is switched off where it may be.
+# GCC's sanitizers crash randomly where the kernel randomises more address bits than their shadow
+# memory allows for (vm.mmap_rnd_bits=32), so randomisation is switched off where permitted.
 if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)
 fi

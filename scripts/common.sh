@@ -9,15 +9,15 @@ die() {
   exit 1
 }
 
-# require_writable FOLDER: makes it where it is missing; ends the script where it cannot be written to.
+# require_writable FOLDER: creates the folder if it is missing; exits if it is not writable.
 require_writable() {
   local at=$PWD/$1 me owner
   mkdir -p "$1" 2>/dev/null && [[ -w $1 ]] && return
   until [[ -e $at ]]; do at=$(dirname "$at"); done
   me=$(id -un) owner=$(stat --format=%U "$at")
   if [[ $me == root || $me == "$owner" ]]; then
-    die "$at is read-only" "copy these sources to a folder that can be written to"
+    die "$at is read-only" "copy these sources to a writable folder"
   fi
   die "$at belongs to $owner, and $me may not write there" \
-    "copy these sources to a folder of your own, or make it yours: sudo chown -R $me '$at'"
+    "copy these sources to a folder of your own, or change its owner: sudo chown -R $me '$at'"
 }

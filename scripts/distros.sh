@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# distros.sh [SUITE...]: tries both commands of README.md in bare installations of Debian, and prints
-# the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`: the core
-# built for that architecture in Debian 13 and tested in an emulator. Without any: all of them.
+# distros.sh [SUITE...]: tries both commands of README.md in bare installations of Debian, and
+# prints the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`:
+# the core cross-compiled for that architecture in Debian 13 and tested in an emulator. Default: all
+# of them.
 #
-# In each suite root runs scripts/render.sh in an installation that has nothing but Debian's minimal
-# base; then the sources are given to a user with sudo, who runs scripts/test.sh, the tests that draw
-# over EGL alone, and scripts/render.sh. What is tried is what is committed (HEAD). Takes about half
-# an hour and 3 GB a suite. Needs root.
+# In each suite root runs scripts/render.sh in an installation of Debian's minimal base only; then a
+# user with sudo runs scripts/test.sh, the rendering tests with EGL only, and scripts/render.sh. The
+# committed sources (HEAD) are tested. Takes about half an hour and 3 GB per suite. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,7 +20,7 @@ mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 place=$PWD/build/distros # of installations, logs and downloaded packages
 mkdir -p "$place/packages"
 
-# make_root ROOT SUITE: a bare installation.
+# make_root ROOT SUITE: creates a bare installation.
 make_root() {
   rm -rf --one-file-system "$1"
   debootstrap --variant=minbase --cache-dir="$place/packages" "$2" "$1" "$mirror" \
@@ -31,15 +31,15 @@ make_root() {
   chroot "$1" useradd --create-home --shell /bin/bash someone
 }
 
-# put_sources ROOT: what is committed, in /home/someone/twrench.
+# put_sources ROOT: copies the committed sources to /home/someone/twrench.
 put_sources() {
   mkdir "$1/home/someone/twrench"
   git archive HEAD | tar --extract --directory "$1/home/someone/twrench"
 }
 
-# inside ROOT USER COMMAND: runs it in the folder of the sources. The installation is the root of a
-# mount namespace, not only of a process, so that the tests may make namespaces of their own; what
-# is left running, and what is mounted, ends with it.
+# inside ROOT USER COMMAND: runs the command in the source folder. The installation is the root of a
+# mount namespace, not only of a process, so that the tests can create namespaces of their own;
+# processes left running and mounts end with it.
 inside() {
   ROOT=$1 AS=$2 COMMAND=$3 unshare --mount --pid --fork bash -euc '
     mount --bind "$ROOT" "$ROOT"
@@ -54,7 +54,7 @@ inside() {
       su --shell /bin/bash - "$AS" -c "cd /home/someone/twrench && $COMMAND"' </dev/null
 }
 
-# timed LOG ROOT USER COMMAND: runs it, prints the seconds it took, or "failed".
+# timed LOG ROOT USER COMMAND: runs the command and prints the seconds it took, or "failed".
 timed() {
   local start=$SECONDS
   if inside "$2" "$3" "$4" >"$1" 2>&1; then
@@ -66,14 +66,14 @@ timed() {
   fi
 }
 
-# version ROOT PACKAGE: without epoch and revision.
+# version ROOT PACKAGE: prints the version without epoch and revision.
 version() {
   local found
   found=$(chroot "$1" dpkg-query --show --showformat='${Version}' "$2" 2>/dev/null) || found='-'
   sed -e 's/^[0-9]*://' -e 's/[-+].*//' <<<"$found"
 }
 
-# "912 passed, 3 skipped" of ctest's log.
+# Prints the result in ctest's log, for example "912 passed, 3 skipped".
 counts() {
   local skipped
   skipped=$(grep -cE '\*\*\*Skipped' "$1" || true)
@@ -122,7 +122,7 @@ for suite in "${suites[@]}"; do
 done
 
 if ((${#rows[@]})); then
-  echo '| suite | GCC, CMake | Mesa | ffmpeg | `render.sh`, s | `test.sh`, s | tests | those that draw, EGL alone | draws with |'
+  echo '| suite | GCC, CMake | Mesa | ffmpeg | `render.sh`, s | `test.sh`, s | tests | rendering tests, EGL only | backends |'
   echo '|---|---|---|---|---|---|---|---|---|'
   printf '%s\n' "${rows[@]}"
 fi

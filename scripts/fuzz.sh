@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# fuzz.sh TARGET SECONDS: libFuzzer over one of the targets in fuzz/ (manifest, png, range, scene),
-# under ASan and UBSan, from the kept corpus. What it grows stays in build/fuzz/corpus/TARGET; an
-# input that breaks something is left in build/fuzz and belongs, once mended, into fuzz/corpus.
-# Needs clang-14 (scripts/setup.sh tidy installs it).
+# fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in fuzz/ (manifest, png, range,
+# scene) with ASan and UBSan, starting from the saved corpus. New inputs go to
+# build/fuzz/corpus/TARGET; an input that causes a failure is saved in build/fuzz and belongs in
+# fuzz/corpus once fixed. Needs clang-14 (scripts/setup.sh tidy installs it).
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -12,6 +12,6 @@ scripts/setup.sh tidy
 scripts/build.sh fuzz "fuzz_$target"
 grown=build/fuzz/corpus/$target
 mkdir -p "$grown"
-# The scenes' own computations allocate by what a scene asks for: no more than this for any input.
+# Scenes allocate memory in proportion to what they ask for: at most this much for any input.
 exec "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 \
   -max_len=8192 -print_final_stats=1 -artifact_prefix="build/fuzz/$target-" "$grown" "fuzz/corpus/$target"

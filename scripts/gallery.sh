@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/gallery.md and of the README anew, each by the command that stands there.
+# Redraws the pictures of docs/gallery.md and of the README, each with the command shown there.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -7,7 +7,7 @@ program=${TWRENCH:-build/release/bin/twrench}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# picture NAME FRAME [OPTION ...]: one frame as docs/images/NAME.jpg, at most 1280 pixels wide
+# picture NAME FRAME [OPTION ...]: draws one frame as docs/images/NAME.jpg, at most 1280 pixels wide
 picture() {
   local name=$1 frame=$2
   shift 2

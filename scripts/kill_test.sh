@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# kill_test.sh [N]: kills a small render with SIGKILL at N (100) instants, the same ones every time
-# as far as a clock can tell, and goes on with --resume each time. After each kill every frame there
-# must be that of an undisturbed run, and after each run that got to its end the film must decode to
-# the same frames; then it begins anew.
+# kill_test.sh [N]: kills a small render with SIGKILL at N (100) points in time, as reproducible as
+# a clock allows, and resumes it with --resume each time. After each kill every existing frame must
+# match an undisturbed run's, and after each run that finishes the video must decode to the same
+# frames; then it starts over.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -47,8 +47,8 @@ while ((killed < kills)); do
     137) killed=$((killed + 1)) kept=$((kept + $(wc -l <f.sums 2>/dev/null || echo 0))) ;;
     0)
       ended=$((ended + 1))
-      cmp whole.sums f.sums || fail "frames are missing after a run to the end"
-      decoded f.mp4 | cmp - whole.md5 || fail "the film is another"
+      cmp whole.sums f.sums || fail "frames are missing after a completed run"
+      decoded f.mp4 | cmp - whole.md5 || fail "the video differs"
       rm -r f f.mp4
       ;;
     *) fail "exit code $code after $killed kills: $(cat said)" ;;
@@ -56,7 +56,7 @@ while ((killed < kills)); do
 done
 render f --resume
 sums f | cmp - whole.sums || fail "frames are missing at the end"
-decoded f.mp4 | cmp - whole.md5 || fail "the film is another at the end"
+decoded f.mp4 | cmp - whole.md5 || fail "the video differs at the end"
 leftovers=$(find . -name '.*.tmp' | wc -l)
-echo "$killed kills survived ($kept whole frames found after them, 0 others), $((ended + 1)) runs to" \
-  "the end, each the same 240 frames and film; $leftovers ignorable temporaries"
+echo "$killed kills survived ($kept intact frames found after them, 0 others), $((ended + 1)) completed" \
+  "runs, each with the same 240 frames and video; $leftovers hidden temporary files"

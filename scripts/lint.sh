@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Holds our C++ sources against .clang-format and .clang-tidy (version 14 of both tools):
-#   lint.sh format   says which lines are laid out differently
-#   lint.sh fix      lays them out
-#   lint.sh tidy     clang-tidy over all of them: installs it, then runs for minutes
+# Checks our C++ sources against .clang-format and .clang-tidy (version 14 of both tools):
+#   lint.sh format   lists lines with different formatting
+#   lint.sh fix      reformats them
+#   lint.sh tidy     installs clang-tidy and runs it on all sources; takes minutes
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -15,20 +15,20 @@ sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | so
 case "${1-}" in
   format)
     if ! command -v clang-format-14 >/dev/null; then
-      echo "twrench: clang-format 14 is not here: the layout of the sources is not checked" >&2
+      echo "twrench: clang-format 14 is not installed: the formatting of the sources is not checked" >&2
       exit 0
     fi
     if ! sources | xargs -0 clang-format-14 --dry-run -Werror; then
-      echo "twrench: error: some lines are laid out differently; $0 fix lays them out" >&2
+      echo "twrench: error: some lines are formatted differently; run $0 fix to reformat them" >&2
       exit 1
     fi
     ;;
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
     scripts/setup.sh tidy
-    # The compile commands and the generated headers; clang does not read GCC's precompiled ones.
+    # The compile commands and the generated headers; clang does not read GCC's precompiled headers.
     cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
-    # The pattern keeps generated sources out: they lie under build/.
+    # The pattern excludes generated sources, which are under build/.
     run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench|torture)/"
     ;;
   *)

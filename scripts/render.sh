@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The main job, on a bare Debian or Ubuntu too: installs what is missing, builds what is
-# out of date, then runs `twrench render` with the arguments given (none: the default film).
+# The main command, also on a bare Debian or Ubuntu: installs what is missing, builds what is out of
+# date, then runs `twrench render` with the given arguments (default: the default scene).
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
-# Installs what is missing of the Debian or Ubuntu packages that this project uses:
-#   setup.sh render   to build the program and make films with it
-#   setup.sh test     to run its tests as well
-#   setup.sh check    to run the checks of the project as well
-#   setup.sh tidy     to run clang-tidy and the fuzzers over it as well
-#   setup.sh bench    to build its benchmarks, and the rival to run beside it
-#   setup.sh coverage to count the lines that the tests run, and to run them under valgrind
-#   setup.sh arm64    to build for arm64 and run the tests of the core in an emulator
-#   setup.sh distros  to try the project in other releases of Debian
-# Packages are chosen by what the release has, not by its name. When nothing is missing it says
+# Installs the missing Debian or Ubuntu packages for:
+#   setup.sh render   building the program and making videos
+#   setup.sh test     running its tests as well
+#   setup.sh check    running the project's checks as well
+#   setup.sh tidy     running clang-tidy and the fuzzers as well
+#   setup.sh bench    building the benchmarks and the programs they compare with
+#   setup.sh coverage measuring line coverage, and running the tests under valgrind
+#   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
+#   setup.sh distros  testing the project on other releases of Debian
+# Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-# What it is for | what it is | packages, of which the first that the release has is taken | what is
-# done where there is none; where this is left out, the package must be there.
+# Purpose | description | packages, of which the first that the release has is used | the fallback
+# if there is none; without it the package is required.
 needs() {
   cat <<'END'
 render   | the C++ compiler              | g++
@@ -53,7 +53,7 @@ test     | a typeface of many scripts    | fonts-freefont-ttf
 test     | gnuplot, for figures          | gnuplot-nox gnuplot
 test     | ImageMagick, to read our PNG  | imagemagick
 test     | libpng's tools, for the same  | libpng-tools
-check    | clang-format 14               | clang-format-14           | the layout of the sources is not checked
+check    | clang-format 14               | clang-format-14           | the formatting of the sources is not checked
 tidy     | clang-tidy 14                 | clang-tidy-14
 tidy     | Clang 14                      | clang-14
 tidy     | Clang 14's sanitizers         | libclang-rt-14-dev
@@ -76,8 +76,8 @@ arm64    | GLM                           | libglm-dev
 arm64    | CLI11                         | libcli11-dev
 arm64    | nlohmann-json                 | nlohmann-json3-dev
 arm64    | Boost's headers for arm64     | libboost-dev:arm64
-arm64    | the typeface Roboto           | fonts-roboto-unhinted
-arm64    | the typeface Fira Code        | fonts-firacode
+arm64    | the font Roboto               | fonts-roboto-unhinted
+arm64    | the font Fira Code            | fonts-firacode
 arm64    | stb for arm64                 | libstb-dev:arm64
 arm64    | toml++ for arm64              | libtomlplusplus-dev:arm64
 arm64    | fmt for arm64                 | libfmt-dev:arm64
@@ -119,7 +119,7 @@ done < <(needs)
 
 if ! command -v apt-get >/dev/null; then
   die "this system has no apt-get: scripts/setup.sh installs packages of Debian and Ubuntu only" \
-    "cmake --preset release names what is missing, and its package on Fedora and Arch" \
+    "cmake --preset release lists what is missing and its packages on Fedora and Arch" \
     "(docs/platforms.md); then: cmake --build --preset release"
 fi
 
@@ -137,11 +137,11 @@ for i in "${!roles[@]}"; do
   missing+=("$i")
   [[ -n ${otherwise[i]} ]] || must=1
 done
-# What the project does without is installed along with the rest, never for its own sake.
+# Optional packages are installed together with the others, never on their own.
 ((must)) || exit 0
 require_writable build
 
-# Sets as_root to the words that go before a command to run it as root; false if there are none.
+# Sets as_root to the command prefix for running as root; returns false if there is none.
 find_root() {
   as_root=()
   ((EUID == 0)) && return
@@ -151,8 +151,8 @@ find_root() {
   [[ -t 0 && -t 2 ]] && say "sudo is needed to install ${#missing[@]} packages" && sudo -v
 }
 
-# Sets `chosen` to a package for each that is missing, `absent` to what the release has none for, and
-# `notes` to what is done without.
+# Sets `chosen` to a package for each missing item, `absent` to items for which the release has
+# none, and `notes` to the fallbacks used.
 choose() {
   chosen=() absent=() notes=()
   local offered='' i package
@@ -177,7 +177,7 @@ choose() {
 if ! find_root; then
   choose
   command="apt-get update && apt-get install --yes --no-install-recommends ${chosen[*]}"
-  # Without package lists nothing is on offer: then the first that may provide each.
+  # Without package lists no candidates are known: use the first package that may provide each item.
   if ((${#absent[@]})); then
     command="apt-get update && apt-get install --yes --no-install-recommends"
     for i in "${missing[@]}"; do
@@ -185,14 +185,14 @@ if ! find_root; then
     done
   fi
   ! command -v sudo >/dev/null || command="sudo sh -c '$command'"
-  die "${#missing[@]} packages are missing, and installing them takes an administrator's rights" \
-    "have an administrator run this one command, then start again:" "$command"
+  die "${#missing[@]} packages are missing, and installing them requires administrator rights" \
+    "have an administrator run this command, then try again:" "$command"
 fi
 
 log=$PWD/build/setup.log
 : >"$log"
-# run_apt COMMAND...: runs it as root; its words go to the log, in English, for they are read below.
-# Waits for a lock: on a machine just started apt is often at work.
+# run_apt COMMAND...: runs it as root; its output goes to the log, in English, because it is parsed
+# below. Waits for a lock: apt is often busy on a machine that was just started.
 run_apt() {
   local patience=300 told='' words status
   while true; do
@@ -204,48 +204,48 @@ run_apt() {
     ((SECONDS < patience)) || return "$status"
     if [[ -z $told ]]; then
       told=$(grep -m 1 -oE 'process [0-9]+ \([^)]*\)' <<<"$words" || echo "another program")
-      say "waiting, five minutes at most: $told holds apt's lock"
+      say "waiting for at most five minutes: $told holds apt's lock"
     fi
     sleep 2
   done
 }
 
-# Why apt-get failed, of what its log says; the last resort is its own last lines.
+# Explains why apt-get failed, from its log; the last resort is its own last lines.
 explain() {
   said() { grep -qE "$1" "$log"; }
   if said 'Could not get lock|Unable to acquire'; then
     die "apt's lock was not free within five minutes: $(grep -oE 'It is held by .*' "$log" | tail -n 1)" \
-      "wait until that has ended, then start again"
+      "wait until that process has ended, then try again"
   elif said 'dpkg was interrupted'; then
     die "an earlier installation of packages was interrupted" \
-      "end it, then start again: ${as_root[*]:+sudo }dpkg --configure -a"
+      "complete it, then try again: ${as_root[*]:+sudo }dpkg --configure -a"
   elif said 'fix-broken|Unmet dependencies|unmet dependencies|half-installed|very bad inconsistent state'; then
-    die "packages of this system are broken or only half installed ($log says which)" \
-      "mend them, then start again: ${as_root[*]:+sudo }apt-get --fix-broken install"
+    die "packages of this system are broken or only half installed (see $log)" \
+      "repair them, then try again: ${as_root[*]:+sudo }apt-get --fix-broken install"
   elif said 'enough free space|No space left'; then
-    die "the disk is too full to install ${#chosen[@]} packages" "free some space, then start again"
+    die "the disk is too full to install ${#chosen[@]} packages" "free some space, then try again"
   elif [[ $lists == partial ]] || said 'Failed to fetch|Could not resolve'; then
     die "packages could not be fetched: $(grep -m 1 -E '^[EW]: ' "$log" | cut -c 4-)" \
-      "check the network and the sources in /etc/apt, then start again"
+      "check the network and the sources in /etc/apt, then try again"
   fi
   tail -n 15 "$log" >&2
-  die "apt-get could not install ${chosen[*]}" "its last lines are above, all of them in $log"
+  die "apt-get could not install ${chosen[*]}" "its last lines are above, the full log is $log"
 }
 
-say "installing what is missing with apt-get, which takes a minute or two (log: $log)"
+say "installing missing packages with apt-get, which takes a minute or two (log: $log)"
 lists=whole
 if [[ $1 == arm64 ]] && ! dpkg --print-foreign-architectures | grep -qx arm64; then
   "${as_root[@]}" dpkg --add-architecture arm64
 fi
-# A source that cannot be reached need not hold what is missing: the installation decides.
+# An unreachable source may not matter for the missing packages: the installation decides.
 run_apt apt-get update --error-on=any || lists=partial
 choose
 if ((${#absent[@]})); then
   [[ $lists == whole ]] || explain
   printf -v names '%s, ' "${absent[@]}"
   die "this release has no package for ${names%, }" \
-    "on Ubuntu some are in 'universe', which the Components of its sources must name;" \
-    "for a copy from elsewhere see docs/platforms.md"
+    "on Ubuntu some are in 'universe', which the Components of its sources must include;" \
+    "for copies from elsewhere see docs/platforms.md"
 fi
 for note in "${notes[@]}"; do say "$note"; done
 say "packages: ${chosen[*]}"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# slurm_test.sh: farm/ on a real Slurm of this one machine: submits the array and the dependent
-# encode job, takes one task its process away midway and requeues it, and holds the film's decoded
-# frames and every frame's digest against those of a single run. Root, and Debian's
-# slurmctld slurmd slurm-client munge; some minutes.
+# slurm_test.sh: tests farm/ on a real one-machine Slurm cluster: submits the array and the
+# dependent encode job, kills the process of one task midway and requeues it, and compares the
+# video's decoded frames and every frame's digest with those of a single run. Needs root and
+# Debian's slurmctld slurmd slurm-client munge; takes some minutes.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -35,7 +35,7 @@ cat >slurm.conf <<CONF
 ClusterName=test
 SlurmctldHost=$host(127.0.0.1)
 AuthType=auth/munge
-# A job that is requeued waits until its credentials are no longer valid.
+# A requeued job waits until its credentials have expired.
 AuthInfo=cred_expire=5
 SlurmUser=root
 SlurmdUser=root
@@ -75,7 +75,7 @@ film=(dzhanibekov --size 320x180 --fps 15 --speed 6 --duration 96) # 240 frames
 
 array=$(sbatch --parsable --array=1-4 "$farm/render.slurm" "${film[@]}" --frames-dir "$folder/f")
 encode=$(sbatch --parsable --dependency=afterok:"$array" "$farm/encode.slurm" "$folder/f" -o "$folder/film.mp4")
-say "submitted the array $array of 4 shards, and $encode, which waits for them"
+say "submitted the array $array of 4 shards, and $encode, which depends on it"
 
 # Frame 60 is the second shard's first.
 for ((i = 0; i < 600; ++i)); do
@@ -89,12 +89,12 @@ for ((i = 0; i < 1200; ++i)); do
   sleep 0.25
 done
 squeue --noheader
-[[ -e film.mp4 ]] || fail "no film"
-say "the film is there; of the second shard its log says:"
+[[ -e film.mp4 ]] || fail "no video"
+say "the video is complete; the second shard's log:"
 tail -n 4 "twrench-${array}_2.log"
 
 sums() { (cd "$1" && sha256sum frame_*.png); }
 cmp <(sums single) <(sums f) || fail "frames differ"
 decoded() { ffmpeg -v error -i "$1" -f framemd5 -; }
-cmp <(decoded single.mp4) <(decoded film.mp4) || fail "the film differs"
-say "240 frames have the digests of a single run's, and the film decodes to the same frames"
+cmp <(decoded single.mp4) <(decoded film.mp4) || fail "the video differs"
+say "240 frames have the digests of a single run's, and the video decodes to the same frames"

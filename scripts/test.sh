@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every test, on a bare Debian or Ubuntu too: installs what is missing, builds what is out of date,
-# then runs all tests of the program that users run. scripts/check.sh has the checks beyond them.
+# Runs every test, also on a bare Debian or Ubuntu: installs what is missing, builds what is out of
+# date, then runs all tests of the release build. scripts/check.sh runs the checks beyond them.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# torture.sh [MINUTES] [SEED]: tries what nobody thought of, for so many minutes (3), in four parts:
+# torture.sh [MINUTES] [SEED]: randomised tests for the given number of minutes (3), in four parts:
 #   scenes    random scenes, drawn under AddressSanitizer and UndefinedBehaviorSanitizer
-#   motions   random motions, under them too, the exact one against the Taylor series
-#   commands  random command lines, in a folder full of traps
-#   faults    small runs in which one system call or allocation fails, or all from one on
-# The same SEED (2020) draws the same cases, of which a faster machine tries more. Each part's last
-# line is printed, and each fault with its case: build/PRESET/bin/torture_PART 0 SEED CASE tries
-# that one again. Exit code 1 when there was a fault.
+#   motions   random motions, also under sanitizers, comparing exact with the Taylor series
+#   commands  random command lines in a folder full of traps
+#   faults    small runs in which one system call or allocation fails, or all after the first
+# The same SEED (2020) draws the same cases; a faster machine runs more of them. It prints the last
+# line of each part, and each fault with its case: build/PRESET/bin/torture_PART 0 SEED CASE repeats
+# it. Exit code 1 if there was a fault.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +19,7 @@ fi
 seconds=$((minutes * 60 / 4))
 scripts/setup.sh test
 
-# build PRESET TARGET...: configures anew only where that was done without these programs.
+# build PRESET TARGET...: configures again only if it was last configured without these programs.
 build() {
   local cache=build/$1/CMakeCache.txt
   [[ -f $cache ]] || scripts/build.sh --tests "$1" twrench
@@ -42,12 +42,12 @@ run_part() {
   say "error: torture_$2 found a fault; to try a case again: $program 0 $seed CASE"
 }
 
-# As in scripts/check.sh: GCC's sanitizers, and random addresses of too many bits.
+# As in scripts/check.sh: GCC's sanitizers fail with too many random address bits.
 launcher=()
 if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)
 fi
-# As tests/CMakeLists.txt has it.
+# As in tests/CMakeLists.txt.
 export LSAN_OPTIONS="suppressions='$PWD/tests/lsan.supp':print_suppressions=0:intercept_tls_get_addr=0"
 
 build asan torture_scenes torture_motions

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# valgrind.sh [--quick] [PROGRAM...]: the tests of the core (all that is before OpenGL) under
-# valgrind's memcheck, for what the sanitizers do not see: values that nothing has set. All of them
-# take minutes; with --quick those that look for such values, and take seconds.
+# valgrind.sh [--quick] [PROGRAM...]: runs the tests of everything before OpenGL under valgrind's
+# memcheck, which finds what the sanitizers do not: uninitialised values. Takes minutes; with
+# --quick it runs only the tests that look for such values, which takes seconds.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh coverage
-# Not the longest; and not what is otherwise under valgrind: its vfork is a fork, so that only the
-# child's exit status 127 tells of a program that is not there; its long double has 64 bits.
+# Excludes the slowest tests, and those that valgrind makes fail: its vfork is a fork, so that only
+# the child's exit status 127 reports a missing program; its long double has 64 bits.
 left_out=-*OfTheLargest*:*WithoutEnd*
 left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
@@ -19,7 +19,7 @@ programs=(
 if [[ ${1-} == --quick ]]; then
   shift
   programs=(body_test scene_test image_test motion_test)
-  # Of the motion what does not walk far.
+  # Of the motion tests, only the short ones.
   of_the_motion='*EveryMethod*:*VisitSteps*:ExactMotion.*:Trajectory.*:Diagnostics*:Polhode*:Method*'
   left_out+=:*EndsWhen*
 fi

@@ -1,2 +1,2 @@
-// A part that has no other near it.
+// A part without occluders.
 void pass_on_neighbours() {}

@@ -1,5 +1,5 @@
-// Metal, or anything else, in a studio of soft boxes: GGX with Smith's shadowing and Schlick's
-// Fresnel, in the split-sum form (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
+// Metal or dielectric under softboxes: GGX with Smith's shadowing and Schlick's Fresnel, in the
+// split-sum form (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
 
 in vec3 stage_position;
 in vec3 stage_normal;
@@ -10,8 +10,9 @@ flat in float scale;
 
 out vec4 color;
 
-// The share of even light that is reflected towards the eye: a fit to the integral of GGX, Smith
-// and Schlick over the half sphere (Karis, "Physically Based Shading on Mobile", 2014).
+// The environment BRDF, the fraction of uniform incoming radiance that is reflected towards the
+// eye: a fit to the integral of GGX, Smith and Schlick over the hemisphere (Karis, "Physically
+// Based Shading on Mobile", 2014).
 vec3 reflected_share(float n_v) {
   vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
   float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
@@ -21,34 +22,34 @@ vec3 reflected_share(float n_v) {
 
 void main() {
   vec3 towards_eye = stage_eye - stage_position;
-  // Between the corners of a facet the normal is shorter than 1. In a cylinder of radius 1 it is the
-  // place across the axis, as deep in it as the facet; the eye sees the surface where it has come
-  // back to the length 1, t further towards it. Other surfaces keep their place.
+  // Between the vertices of a facet the interpolated normal is shorter than 1. In a cylinder of
+  // radius 1 it is the position across the axis, as deep as the facet; the visible surface is where
+  // its length is 1 again, t further towards the eye. Other surfaces stay where they are.
   float along = dot(stage_normal, bulge.xyz);
   float t = sqrt(max(along * along + 1.0 - dot(stage_normal, stage_normal), 0.0)) - along;
   vec3 n = stage_normal + t * bulge.xyz;
   vec3 place = stage_position + t * bulge.w * towards_eye;
   vec3 to_eye = normalize(towards_eye);
-  // Not nearer to edge-on than this: the last half pixel of an outline, where the mirrored
-  // direction runs away, would flicker.
+  // Limited near grazing angles: the last half pixel of a silhouette, where the mirrored direction
+  // varies rapidly, would flicker.
   float facing = dot(n, to_eye);
   float lifted = max(facing, 0.15);
-  // The root of 1 + x for the little x by which the square of the length grows.
+  // The square root of 1 + x for the small x by which the squared length grows.
   float length_back = 1.0 - 0.5 * (lifted * lifted - facing * facing);
   n = (n + (lifted - facing) * to_eye) * length_back;
   float n_v = lifted * length_back;
   vec3 mirrored = 2.0 * n_v * n - to_eye;
 
-  // Normals that turn within a pixel widen the lobe, or thin bevels would sparkle (Tokuyoshi and
-  // Kaplanyan, "Improved Geometric Specular Antialiasing", I3D 2019).
+  // Normals that vary within a pixel widen the lobe; otherwise thin bevels would sparkle (Tokuyoshi
+  // and Kaplanyan, "Improved Geometric Specular Antialiasing", I3D 2019).
   vec3 turn_x = dFdx(n);
   vec3 turn_y = dFdy(n);
   float alpha = roughness * roughness;
   float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.18);
-  // Reflection doubles the angle of the half vector, hence a half.
+  // Reflection doubles the angle of the half vector, hence the factor.
   float width_squared = 4.0 * (alpha * alpha + variance);
 
-  // Another part there shows the room's light, dimmed by one reflection more.
+  // An occluder shows the room's light, dimmed by one more reflection.
   float shade = shaded(place, mirrored, width_squared);
   vec3 arriving_there = arriving(place, mirrored, width_squared);
   vec3 reflected = mix(arriving_there, 0.5 * reflectance * room(mirrored), shade);

@@ -1,24 +1,26 @@
-// The body on the stage: the camera's axes, the body's centre at the origin, its bounding radius 1.
+// The body in stage coordinates: the camera's axes, with the body's centre at the origin and its
+// bounding radius scaled to 1.
 
 layout(location = 0) in vec3 position;  // body axes, cm
 layout(location = 1) in vec3 normal;
-layout(location = 2) in float offset;  // half pixels along the normal, as it is seen
+layout(location = 2) in float offset;  // half pixels along the normal on the screen
 
 uniform mat3 stage_from_body;
 uniform mat3 stage_normal_from_body;
 uniform mat4 clip_from_stage;
-uniform vec3 picture;  // half its size in pixels, and how many an offset of 1 is
+uniform vec3 picture;  // half its size in pixels, and the pixels of an offset of 1
 uniform vec3 eye;
-uniform float part_lift;    // pixels towards the eye: over a part that this one meets
-uniform float part_radius;  // stage; of the surface where its outline is, about
-uniform vec3 side_axis;     // stage, unit: of the cylinder whose side it is; else 0
+// Depth offset towards the eye in pixels, over a part that this one touches.
+uniform float part_lift;
+uniform float part_radius;  // stage; radius of curvature near the silhouette
+uniform vec3 side_axis;  // stage, unit vector: of the cylinder whose side this is; else 0
 
 out vec3 stage_position;
 out vec3 stage_normal;
-flat out vec3 stage_eye;  // at a pixel cheaper than a uniform
-out float coverage;     // 1 on the body, falling to 0 across a fin
-flat out vec4 bulge;    // the way to the surface that lies over a facet, see body.frag
-flat out float scale;   // pixels of a length 1
+flat out vec3 stage_eye;  // cheaper per pixel than a uniform
+out float coverage;  // 1 on the body, falling to 0 across an edge quad
+flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
+flat out float scale;  // pixels per unit length
 
 void main() {
   stage_position = stage_from_body * position;
@@ -44,7 +46,7 @@ void main() {
   bulge = vec4(across_axis, dot(side_axis, side_axis) * part_radius) *
           inversesqrt(max(dot(across_axis, across_axis), 1e-6));
 
-  // Moved in by s pixels it shows the surface there, where on a circle of radius r the cosine
+  // Shrunk by s pixels, it shows the surface there, where on a circle of radius r the cosine
   // between normal and line of sight is sqrt(2 s / r).
   float radius = part_radius * clip_from_stage[1][1] * picture.y / place.w;
   float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));

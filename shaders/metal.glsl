@@ -1,2 +1,2 @@
-// A metal reflects and scatters nothing.
+// A metal has no diffuse term.
 vec3 scattered(vec3 place, vec3 normal) { return vec3(0.0); }

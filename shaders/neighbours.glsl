@@ -1,22 +1,24 @@
-// What other parts near by, taken for capsules, hide of the light that comes to a part.
+// Shading of a part by its occluders, other parts approximated by capsules.
 
-flat in vec4 neighbour_end[neighbour_count];   // stage; an end of the axis, and the radius
-flat in vec4 neighbour_axis[neighbour_count];  // to the other end; 1 for a cylinder drawn before, else 0
-flat in vec3 neighbour_size[neighbour_count];  // the axis' length squared; 1 over that; 1 / radius
+flat in vec4 neighbour_end[neighbour_count];  // stage; an end of the axis, and the radius
+// To the other end; 1 for a cylinder drawn before, else 0.
+flat in vec4 neighbour_axis[neighbour_count];
+// Squared length of the axis; 1 over that; 1 / radius.
+flat in vec3 neighbour_size[neighbour_count];
 
-// The square of the distance from `place` to the point of the axis at the share s of its length.
+// The squared distance from `place` to the point at the fraction s of the axis.
 float square_to_axis(int i, vec3 place, float s) {
   vec3 to_end = neighbour_end[i].xyz - place;
   float along = dot(neighbour_axis[i].xyz, to_end);
   return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
 }
 
-// How much of a lobe about `direction` capsule i hides from `place`: 0 to 1, by how far the direction
-// misses it, seen as an angle.
+// The occlusion, 0 to 1, of a lobe about `direction` at `place` by capsule i, from the angle by
+// which the direction misses it.
 float hidden_by(int i, vec3 place, vec3 direction, float width_squared) {
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;
-  // The point of the axis that the ray passes nearest: the feet of the common normal of two lines.
+  // The point of the axis closest to the ray: the foot of the common normal of two lines.
   float along = dot(axis, direction);
   float end_ahead = dot(to_end, direction);
   float s = clamp((along * end_ahead - dot(axis, to_end)) /
@@ -24,13 +26,12 @@ float hidden_by(int i, vec3 place, vec3 direction, float width_squared) {
   float square = square_to_axis(i, place, s);
   float ahead = end_ahead + s * along;
   float aside = sqrt(max(square - ahead * max(ahead, 0.0), 0.0));
-  // Of what lies behind, the farther the less.
+  // Behind `place`, the effect decreases with distance.
   float miss = aside - (neighbour_end[i].w + min(ahead, 0.0));
   return 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
 }
 
-// What is left of the light close to where another part begins: there it comes by way of two
-// surfaces.
+// The contact shadow: the fraction of light that remains close to where another part begins.
 float seam(vec3 place) {
   float left = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {
@@ -42,10 +43,10 @@ float seam(vec3 place) {
   return left;
 }
 
-// How much of a pixel lies outside the cylinders that this part meets: where it enters one, it
-// fades over the width of a pixel, and there is no jagged edge. Not towards the cylinder's outline:
-// there, drawn in, it does not lie behind what fades. Nor over more than two pixels, as a face seen
-// edge-on would.
+// The fraction of a pixel outside the cylinders that this part touches. Where it enters one, it
+// fades over the width of a pixel, so that there is no jagged edge; but not near the cylinder's
+// silhouette, where the shrunk cylinder is not behind the fading part, nor over more than two
+// pixels, as for a face seen edge-on.
 float seam_coverage(vec3 place, vec3 to_eye, float scale) {
   float outside = 1.0;
   for (int i = 0; i < neighbour_count; ++i) {

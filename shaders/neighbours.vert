@@ -1,8 +1,10 @@
-// The parts near by, the same at every vertex of a part. They go on to the pixels as outputs: a
-// uniform is fetched anew for every pixel by llvmpipe, an output that does not vary is not.
+// Passes on the occluders, which are the same at every vertex of a part. They are passed to the
+// fragment shader as outputs, because llvmpipe reads a uniform for every pixel, but not a flat
+// output.
 
 uniform vec4 neighbours_from[neighbour_count];  // stage; an end of the axis, and the radius
-uniform vec4 neighbours_to[neighbour_count];    // the other end; 1 for a cylinder drawn before, else 0
+// The other end; 1 for a cylinder drawn before, else 0.
+uniform vec4 neighbours_to[neighbour_count];
 
 flat out vec4 neighbour_end[neighbour_count];  // see neighbours.glsl
 flat out vec4 neighbour_axis[neighbour_count];

@@ -1,15 +1,15 @@
 // From linear light to sRGB: the filmic curve of Hejl and Burgess-Dawson (2010), a fit to a film
-// stock that has the display's gamma in it, and so needs no power function.
+// stock that includes the display's gamma and needs no power function.
 vec3 filmic_srgb(vec3 light) {
   vec3 x = max(light - 0.004, 0.0);
   vec3 above = x * (6.2 * x + 0.5);
   vec3 below = x * (6.2 * x + 1.7) + 0.06;
-  float each = 1.0 / (below.r * below.g * below.b);  // one division for three
+  float each = 1.0 / (below.r * below.g * below.b);  // one division for all three
   return above * vec3(below.g * below.b, below.b * below.r, below.r * below.g) * each;
 }
 
-// Against banding: the background's pattern of two by two, up and down by quarter steps of 8 bits.
+// Avoids banding: the background's 2 x 2 pattern, up and down by quarter steps of 8 bits.
 float dither(vec2 pixel) {
-  vec2 f = fract(0.5 * pixel);  // a quarter on even ones, three on odd ones
+  vec2 f = fract(0.5 * pixel);  // a quarter on even pixels, three quarters on odd ones
   return (2.0 * f.x + 2.5 * f.y - 4.0 * f.x * f.y - 1.25) / 255.0;
 }

@@ -7,7 +7,7 @@
 
 namespace twrench {
 
-/// Runs a tool that a test holds our work against, as a shell does. A failed test when it fails.
+/// Runs a tool that a test compares our output with, in a shell. The test fails if the tool does.
 inline void run_command(const std::string& command) {
   EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(cert-env33-c): our own words
 }

@@ -9,7 +9,7 @@
 
 namespace twrench {
 
-/// An empty folder of the running test's own, removed with what is in it.
+/// An empty folder for the running test, removed afterwards with its contents.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -27,7 +27,7 @@ class ScratchFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// The names in the folder, hidden ones too.
+  /// The names in the folder, including hidden ones.
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {

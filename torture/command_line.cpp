@@ -11,7 +11,7 @@
 namespace twrench::torture {
 namespace {
 
-/// Bounds, where the command takes such an option and none was drawn.
+/// Limits that are added if the command has such an option and none was drawn.
 const std::vector<std::pair<std::string, std::string>> small{
     {"size", "64x48"},    {"duration", "1"}, {"fps", "4"},
     {"progress", "none"}, {"speed", "0.5"},  {"methods", "rk4"}};
@@ -25,7 +25,7 @@ Option option_of(const CLI::Option& option) {
 }
 
 const Value& draw_value(const Values& values, Dice& dice) {
-  // As root, whom nothing is refused, no case touches what the system has.
+  // As root, who is refused nothing, no case touches system files.
   const bool spare_system = ::geteuid() == 0;
   if (dice.chance(0.15)) {
     const Value& hostile = dice.one_of(values.hostile);
@@ -45,7 +45,7 @@ void add_option(CommandLine& line, const Option& option, Dice& dice) {
   const Value& value = draw_value(values_for(line.command, option.name), dice);
   line.may_last |= value.may_last;
   line.options[option.name] = value.text;
-  // What begins with a dash is a value only so.
+  // A value that begins with a dash must be attached.
   if (value.text.starts_with("-") || dice.chance(0.3)) {
     line.words.push_back("--" + option.name + "=" + value.text);
   } else {
@@ -60,7 +60,7 @@ void add_argument(CommandLine& line, const Option& argument, Dice& dice) {
   line.words.push_back(value.text);
 }
 
-/// What is no command line of the program's: words too many, too few, twice, unknown, cut.
+/// Distorts a command line: words too many, too few, repeated, unknown, truncated.
 void distort(CommandLine& line, Dice& dice) {
   line.is_odd = true;
   auto& words = line.words;
@@ -99,7 +99,7 @@ void distort(CommandLine& line, Dice& dice) {
 void draw_options(CommandLine& line, const std::vector<Option>& options, Dice& dice) {
   std::vector<Option> optional;
   for (const Option& option : options) {
-    // All that must be there, and mostly what a command works on.
+    // All required ones, and usually an optional input.
     if (option.is_argument ? option.is_required || dice.chance(0.8)
                            : option.is_required && dice.chance(0.98)) {
       option.is_argument ? add_argument(line, option, dice) : add_option(line, option, dice);
@@ -132,7 +132,7 @@ OptionTable read_option_table() {
 }
 
 CommandLine random_command_line(const OptionTable& table, Dice& dice) {
-  // The commands with much to go wrong more often.
+  // Commands that can fail in more ways are drawn more often.
   std::vector<std::string> commands{"render", "render", "render", "render", "simulate", "encode"};
   for (const auto& [command, options] : table) commands.push_back(command);
   CommandLine line;
@@ -147,7 +147,7 @@ CommandLine random_command_line(const OptionTable& table, Dice& dice) {
     line.words.insert(line.words.end(), {"--" + name, value});
     line.options[name] = value;
   }
-  // A film takes longest: every other one is left out.
+  // Video takes longest: every other one is omitted.
   if (line.command == "render" && !line.has("no-video") && !line.has("output") &&
       dice.chance(0.5)) {
     line.words.emplace_back("--no-video");

@@ -8,22 +8,26 @@
 
 namespace twrench::torture {
 
-/// A command line, and what is known of it.
+/// A command line, and what is known about it.
 struct CommandLine {
-  std::vector<std::string> words;              ///< without the program
-  std::string command;                         ///< "" where there is none, or an unknown one
-  std::map<std::string, std::string> options;  ///< what was given, by the long name without dashes
-  std::vector<std::string> arguments;          ///< those that are not options
-  bool may_last = false;                       ///< see Value
-  bool is_odd = false;  ///< not put together as a command line is: its meaning is not known here
+  std::vector<std::string> words;  ///< without the program
+  std::string command;             ///< "" where there is none, or an unknown one
+  /// given options, by their long names without dashes
+  std::map<std::string, std::string> options;
+  /// positional arguments
+  std::vector<std::string> arguments;
+  /// see Value
+  bool may_last = false;
+  /// malformed: its meaning is unknown
+  bool is_odd = false;
 
   bool has(const std::string& option) const { return options.contains(option); }
   std::string value(const std::string& option, const std::string& otherwise = {}) const;
 };
 
-/// An option of a command, as the program's own table has it.
+/// An option of a command, from the program's own table.
 struct Option {
-  std::string name;  ///< long, without dashes; of an argument, as its usage has it
+  std::string name;  ///< long name without dashes; for an argument, its name in the usage
   bool is_argument = false;
   bool is_flag = false;
   bool is_required = false;
@@ -31,11 +35,11 @@ struct Option {
 
 using OptionTable = std::map<std::string, std::vector<Option>>;  ///< by command
 
-/// From what the program itself parses its command line with.
+/// Reads the table with which the program parses its command line.
 OptionTable read_option_table();
 
-/// A random command line of these commands: mostly such as the program may accept, with one or two
-/// hostile values. Bounds on size and time are put before, for a run to be small.
+/// A random command line of these commands: usually one that the program may accept, with one or
+/// two hostile values. Limits on size and time are prepended to keep runs small.
 CommandLine random_command_line(const OptionTable& table, Dice& dice);
 
 }  // namespace twrench::torture

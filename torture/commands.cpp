@@ -1,9 +1,9 @@
-// torture_commands SECONDS SEED [CASE]: random command lines, made from each command's own table of
-// options, run by the real program in a folder full of traps, until the time is over; or one of
-// them. Case k is drawn by a generator seeded from SEED and k alone. What counts as a fault: how
-// the run ended and what it said (messages.h); a file that nobody asked for, an input or another's
-// file that was changed, an output that was said to be written and is not there; JSON that is none;
-// a small run that takes 30 seconds, and a long one that does not hear SIGTERM.
+// torture_commands SECONDS SEED [CASE]: runs random command lines, made from each command's own
+// table of options, with the real program in a folder full of traps, until the time is over; or a
+// single one of them. Case k is drawn by a generator seeded only from SEED and k. Faults are: a
+// wrong end or output of the run (messages.h); a file that was not requested; a changed input or
+// foreign file; an output that is missing although success was reported; invalid JSON; a small run
+// that takes 30 seconds, and a long one that ignores SIGTERM.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a name of the command line leads, relative to the folder it is given in.
+/// The location of a name on the command line, relative to the folder where it is given.
 std::string place_of(const std::string& name, const fs::path& folder) {
   fs::path path = fs::path(name).lexically_normal();
   std::error_code failed;
@@ -39,7 +39,7 @@ std::string place_of(const std::string& name, const fs::path& folder) {
   return text;
 }
 
-/// What a command was asked to write.
+/// The outputs that a command was asked to write.
 struct Asked {
   std::set<std::string> files;
   std::set<std::string> frame_folders;
@@ -52,7 +52,7 @@ struct Asked {
     return frame_folders.contains(folder) &&
            std::regex_match(as_path.filename().string(), in_frames);
   }
-  /// A folder on the way to what is asked.
+  /// Whether the folder is an ancestor of a requested output.
   bool leads_through(const std::string& folder) const {
     const auto is_below = [&](const std::string& path) { return path.starts_with(folder + "/"); };
     return frame_folders.contains(folder) || std::ranges::any_of(files, is_below) ||
@@ -60,7 +60,7 @@ struct Asked {
   }
 };
 
-/// The name that the outputs of a scene get of themselves.
+/// The default name of a scene's outputs.
 std::string default_name(const CommandLine& line) {
   return line.arguments.empty() ? "dzhanibekov" : fs::path(line.arguments.front()).stem().string();
 }
@@ -88,7 +88,7 @@ std::set<std::string> inputs_of(const CommandLine& line, const fs::path& folder)
   return inputs;
 }
 
-/// A case, run: what there was and what there is.
+/// A case that was run, with the folder before and after.
 struct Tried {
   CommandLine line;
   Ended ended;
@@ -103,7 +103,7 @@ using Faults = std::vector<std::string>;
 
 std::string printable(const std::string& path) { return shell_quoted({path}); }
 
-/// What there was is still as it was, but for what was asked to be written anew.
+/// Existing entries are unchanged unless they were to be replaced.
 void judge_old_entries(const Tried& tried, Faults& faults) {
   for (const auto& [path, was] : tried.before) {
     const auto found = tried.after.find(path);
@@ -134,7 +134,7 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
   }
 }
 
-/// What is new was asked for, and is not there where the run was refused.
+/// New entries were requested, and there are none if the command was rejected.
 void judge_new_entries(const Tried& tried, Faults& faults) {
   for (const auto& [path, entry] : tried.after) {
     if (tried.before.contains(path)) continue;
@@ -205,7 +205,7 @@ class Commands {
   Commands(const Commands&) = delete;
   Commands& operator=(const Commands&) = delete;
 
-  /// How many faults case `number` has, which are told; `aloud`: as well as what was run.
+  /// Runs case `number` and reports its faults; with `aloud` also the command.
   void try_case(std::uint32_t number, bool aloud);
 
   std::size_t faults() const { return faults_; }

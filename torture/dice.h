@@ -7,10 +7,11 @@
 
 namespace twrench::torture {
 
-/// Random numbers that are the same with every standard library, as its distributions are not.
+/// Random numbers that are the same with every standard library; the standard distributions are
+/// not.
 class Dice {
  public:
-  /// Those of case `number`, whatever was drawn for the cases before it.
+  /// Those of case `number`, independent of earlier cases.
   Dice(std::uint32_t seed, std::uint32_t number) {
     std::seed_seq sequence{seed, number};
     engine_.seed(sequence);

@@ -22,8 +22,8 @@ const std::map<std::string, int>& error_numbers() {
   return numbers;
 }
 
-/// With what the calls of a kind may fail, as their manual pages say. After EINTR a call is tried
-/// again: that it fails for ever is no fault that occurs.
+/// The errors with which the calls of each kind may fail, from their manual pages. A call is
+/// retried after EINTR, which never occurs for ever.
 const std::map<std::string, std::vector<std::string>>& errors_of_kinds() {
   static const std::map<std::string, std::vector<std::string>> errors{
       {"open", {"EACCES", "EMFILE", "ENOSPC", "EIO", "ENOMEM"}},

@@ -7,35 +7,35 @@
 
 namespace twrench::torture {
 
-/// One call that is made to fail; see fault_shim.cpp.
+/// A call that is made to fail; see fault_shim.cpp.
 struct FaultPoint {
   std::string scenario;
   std::string kind;     ///< "open", "memory" ...
-  long number = 1;      ///< of the call, from 1
+  long number = 1;      ///< of the call, starting at 1
   std::string error;    ///< "ENOSPC"
-  bool always = false;  ///< this call and all that follow, else this one alone
+  bool always = false;  ///< this call and all later ones, otherwise only this one
 
-  /// "SCENARIO/KIND/NUMBER/ERROR/once|always"
+  /// Returns "SCENARIO/KIND/NUMBER/ERROR/once|always".
   std::string text() const;
-  /// TWRENCH_FAULT's value
+  /// Returns the value of TWRENCH_FAULT.
   std::string order() const;
 };
 
-/// Throws std::invalid_argument where the text names no such point.
+/// Throws std::invalid_argument if the text names no such point.
 FaultPoint parse_fault_point(const std::string& text);
 
-/// How many calls of each kind a scenario makes, of a log of the shim's.
+/// Returns the number of calls of each kind that a scenario makes, from the shim's log.
 std::map<std::string, long> read_call_counts(const std::string& log);
 
-/// What is known of a scenario before its calls are made to fail.
+/// The calls of a scenario without faults.
 struct CallCounts {
   std::string scenario;
   std::map<std::string, long> calls;  ///< by kind
-  long memory_points = 0;             ///< how many of the allocations are tried, at most
+  long memory_points = 0;             ///< maximum number of allocations to try
 };
 
-/// All points in a random order of the seed: those of system calls, in which each call fails once
-/// before any fails in another way, each followed by two of memory.
+/// Returns all points in a random order given by the seed: system calls first, each of which fails
+/// once before any fails in another way, with two memory points after each.
 std::vector<FaultPoint> all_fault_points(const std::vector<CallCounts>& counts, std::uint32_t seed);
 
 }  // namespace twrench::torture

@@ -38,7 +38,7 @@ void make(const fs::path& folder, const fs::path& twrench, const Words& words) {
 
 bool is_manifest(const std::string& path) { return fs::path(path).filename() == "manifest.json"; }
 
-/// Why the manifest is not one of the frames beside it; empty where it is.
+/// Why the manifest does not match the frames next to it; empty if it does.
 std::string objection_to_manifest(const fs::path& path) {
   try {
     const auto bytes = read_file(path, std::size_t{1} << 26U);
@@ -115,7 +115,7 @@ std::vector<std::string> faults_in_files(const Course& course, const fs::path& f
   std::vector<std::string> faults = faults_of_manifests(course.after, folder);
   for (const auto& [path, was] : course.before) {
     const auto is = course.after.find(path);
-    // What is drawn over is gone before the first frame of the other film.
+    // Frames to be replaced are removed before the first frame of the other video.
     if (is == course.after.end()) {
       if (path != "old/manifest.json") faults.push_back("removed: " + path);
     } else if (!is_manifest(path) && is->second != was && !course.scenario.varies &&

@@ -8,26 +8,26 @@
 
 namespace twrench::torture {
 
-/// What is done while calls fail.
+/// A command to run while calls fail.
 struct Scenario {
   std::string name;
   std::vector<std::string> words;  ///< the command line, without the program
-  std::vector<std::string> again;  ///< that with which one goes on after a failure
-  int code = 0;                    ///< with which it ends undisturbed
-  long memory_points = 0;          ///< how many of its allocations are made to fail, at most
-  bool varies = false;             ///< what it writes holds measured times
+  std::vector<std::string> again;  ///< the command that continues after a failure
+  int code = 0;                    ///< its exit code without faults
+  long memory_points = 0;          ///< maximum number of allocations that are made to fail
+  bool varies = false;             ///< whether its output contains measured times
 };
 
-/// All of them, by what the program takes, which is asked in the folder; each begins in a copy of
-/// the folder that furnish_scenarios() filled.
+/// Returns all scenarios, depending on the options that the program in `twrench` has; each starts
+/// in a copy of the folder that furnish_scenarios() filled.
 std::vector<Scenario> all_scenarios(const std::filesystem::path& twrench,
                                     const std::filesystem::path& scratch);
 
-/// What was made before: frames of the film and of another, films, pictures, data. Throws
-/// std::runtime_error where that cannot be made.
+/// Creates what exists beforehand: frames of the same and another video, videos, pictures, data.
+/// Throws std::runtime_error on failure.
 void furnish_scenarios(const std::filesystem::path& folder, const std::filesystem::path& twrench);
 
-/// A scenario's folder before, after an undisturbed run, and after one in which calls failed.
+/// A scenario's folder before, after an undisturbed run, and after one with faults.
 struct Course {
   const Scenario& scenario;
   const Snapshot& before;
@@ -35,11 +35,11 @@ struct Course {
   const Snapshot& after;
 };
 
-/// What is wrong with the files after a run that failed: what stood there is neither as it was nor
-/// whole and new; something is there that an undisturbed run does not leave.
+/// Checks the files after a run that failed: existing ones must be either unchanged or complete and
+/// new, and nothing may be left that an undisturbed run does not leave.
 std::vector<std::string> faults_in_files(const Course& course, const std::filesystem::path& folder);
 
-/// What is wrong with them after one that did not: they differ from an undisturbed run's.
+/// Checks the files after a run that succeeded: they must equal those of an undisturbed run.
 std::vector<std::string> faults_at_the_end(const Course& course,
                                            const std::filesystem::path& folder);
 

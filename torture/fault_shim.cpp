@@ -1,20 +1,19 @@
-// Loaded with LD_PRELOAD before all else: counts the calls of a kind that the program makes, and
-// makes one of them fail, or all from one on, as a full disk, a limit, or too little memory would.
+// Loaded with LD_PRELOAD: counts the calls of each kind that the program makes, and makes one of
+// them, or all from one on, fail as a full disk, a limit or a lack of memory would.
 //
-//   TWRENCH_FAULT=KIND:N:ERRNO:once|always   the N-th call, from 1, fails with errno's number ERRNO
-//   TWRENCH_FAULT_LOG=FILE                   gets the number of calls of each kind, when the
-//                                            program ends, and from where the first that failed was
-//                                            called
+//  TWRENCH_FAULT=KIND:N:ERRNO:once|always   the N-th call, from 1, fails with errno's number ERRNO
+//  TWRENCH_FAULT_LOG=FILE                   gets the number of calls of each kind when the program
+//                                           ends, and the place of the first call that failed
 //
-// Only what our own code calls counts and fails: calls from the program's own file, and from the
-// C++ libraries that work for it (libstdc++, fmt, toml++) where the first caller outside of them is
-// the program. So the calls of OpenGL's drivers, LLVM, Cairo and OpenSSL always succeed: some of
-// them are known to abort without memory, which is not ours to mend. What libc does on its own
-// account (the mmap below a malloc, a write below a printf) cannot be had like this; the functions
-// that call it can, and do fail.
+// Only calls by our own code count and fail: those from the program's file, and from the C++
+// libraries that work for it (libstdc++, fmt, toml++) if the first caller outside of them is the
+// program. Calls by OpenGL drivers, LLVM, Cairo and OpenSSL always succeed: some of them abort
+// without memory, which is not ours to fix. Internal calls of libc (the mmap below a malloc, a
+// write below a printf) cannot be intercepted like this; the functions that make them can, and do
+// fail.
 //
-// The functions have names of their own, and those of libc by asm labels, since libc's headers
-// promise, differently from release to release, which of them throw nothing.
+// The functions have names of their own, and those of libc through asm labels, because libc's
+// headers declare, differently from release to release, which of them throw nothing.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -83,7 +82,7 @@ State& state() {
   return the_state;
 }
 
-/// While this shim itself is at work, nothing counts.
+/// Set while the shim itself runs, when nothing counts.
 __attribute__((tls_model("initial-exec"))) thread_local bool inside = false;
 
 class Inside {
@@ -109,7 +108,7 @@ Range range_of(const dl_phdr_info& info) {
   return range;
 }
 
-/// The first that is told of is the program itself.
+/// The first one reported is the program itself.
 int note_library(dl_phdr_info* info, std::size_t, void*) {
   State& s = state();
   if (s.program.end == 0) {
@@ -132,7 +131,7 @@ bool is_helper(const void* address) {
   return false;
 }
 
-/// Whether the program called, by itself or through those that work for it.
+/// Whether the program made the call, directly or through its helpers.
 bool is_ours(const void* caller) {
   if (state().program.has(caller)) return true;
   if (!is_helper(caller)) return false;
@@ -146,7 +145,7 @@ bool is_ours(const void* caller) {
   return false;
 }
 
-/// From where; with addr2line -Cfie PROGRAM the numbers in brackets are lines.
+/// Logs the callers; addr2line -Cfie PROGRAM translates the numbers in brackets to lines.
 void log_place(int log) {
   std::array<void*, 24> frames{};
   const int depth = ::backtrace(frames.data(), static_cast<int>(frames.size()));
@@ -160,7 +159,7 @@ int open_log() {
   return open_file(state().log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
 }
 
-/// The errno with which this call is to fail; 0 where it is not.
+/// Returns the errno with which this call should fail; 0 if it should not.
 int failure(Kind kind, const void* caller) {
   State& s = state();
   if (!s.ready || inside || (!s.counts_all && s.target != kind)) return 0;
@@ -246,7 +245,7 @@ void* __libc_memalign(std::size_t, std::size_t);
     return libc arguments;                                              \
   }
 
-// Those with an optional last argument, which is passed on whether or not it is there.
+// Functions with an optional last argument, which is passed on whether or not it is present.
 #define FAULT_OPEN(name)                                                        \
   extern "C" int fault_##name(const char* path, int flags, ...) __asm__(#name); \
   extern "C" int fault_##name(const char* path, int flags, ...) {               \
@@ -352,7 +351,7 @@ FAULT_FUNCTION(controlling, -1, int, flock, (int file, int how), (file, how))
 FAULT_FCNTL(fcntl)
 FAULT_FCNTL(fcntl64)
 
-// These return the error and leave errno.
+// These return the error and leave errno unchanged.
 #define FAULT_ERROR(kind, name, parameters, arguments)                              \
   extern "C" int fault_##name parameters __asm__(#name);                            \
   extern "C" int fault_##name parameters {                                          \
@@ -375,7 +374,7 @@ FAULT_ERROR(threading, pthread_create,
 
 // NOLINTEND(bugprone-macro-parentheses)
 
-// What cannot be closed is closed all the same: only that what was written is lost is told.
+// A descriptor is closed even if close reports lost data.
 extern "C" int fault_close(int file) __asm__("close");
 extern "C" int fault_close(int file) {
   const int error = failure(closing, __builtin_return_address(0));
@@ -424,7 +423,7 @@ extern "C" int fault_posix_memalign(void** at, std::size_t to, std::size_t size)
 
 namespace {
 
-/// As the standard has it: the handler that the program has set is called, and may throw.
+/// As the standard requires: calls the program's new handler, which may throw.
 void* allocate(std::size_t size, const void* caller) {
   bool fails = failure(memory, caller) != 0;
   while (true) {
@@ -439,7 +438,7 @@ void* allocate(std::size_t size, const void* caller) {
 
 }  // namespace
 
-// Before those of libstdc++, so that their callers are seen; its others call these, or malloc.
+// Replaces libstdc++'s, so that the callers are visible; its other operators call these, or malloc.
 void* operator new(std::size_t size) { return allocate(size, __builtin_return_address(0)); }
 void* operator new[](std::size_t size) { return allocate(size, __builtin_return_address(0)); }
 void operator delete(void* place) noexcept { std::free(place); }

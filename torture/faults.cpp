@@ -1,13 +1,13 @@
-// torture_faults SECONDS SEED [CASE]: small runs of the real program in which one system call, or
-// one allocation, fails, or all from one on, in a random order of the seed until the time is over
-// or each call has failed in every way; or the one CASE, SCENARIO/KIND/NUMBER/ERRNO/once|always.
-// What counts as a fault: how the run ended and what it said (messages.h); files that stood there
-// and are now neither as they were nor whole and new; anything left that an undisturbed run does
-// not leave; a run that takes 30 seconds; and that the same command, with --resume where frames are
-// drawn, does not then come to the same end as an undisturbed run.
+// torture_faults SECONDS SEED [CASE]: small runs of the real program in which one system call or
+// allocation, or all from one on, fails, in a random order given by the seed, until the time is
+// over or each call has failed in every way; or the single CASE,
+// SCENARIO/KIND/NUMBER/ERRNO/once|always. Faults are: a wrong end or output of the run
+// (messages.h); existing files that are neither unchanged nor complete and new; leftovers; a run
+// that takes 30 seconds; and a repeated command, with --resume where frames are drawn, that does
+// not reach the result of an undisturbed run.
 //
-// Too little memory may end a run with exit code 70 and the message that says so, or, where there
-// is not the memory for that, with none; these are counted apart.
+// A lack of memory may end a run with exit code 70 and the corresponding message or, if there is
+// not enough memory for that, without one; such runs are counted separately.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string text_of(const fs::path& path) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Where in the program the call was made, of the shim's log; innermost first.
+/// The callers in the program from the shim's log, innermost first.
 std::string callers_in(const std::string& log) {
   static const std::regex place(R"(/twrench\(\+(0x[0-9a-f]+)\))");
   std::string places;
@@ -75,9 +75,9 @@ class Faults {
   const Scenario& scenario_called(const std::string& name) const;
   void run_undisturbed(const Scenario& scenario);
   static Ended run_shimmed(const Words& words, const std::string& order, const fs::path& folder);
-  /// What is wrong with the run that was disturbed.
+  /// What is wrong with the disturbed run.
   Words judge(const FaultPoint& point, const Ended& ended);
-  /// What is wrong with the end that the same command then comes to.
+  /// What is wrong with the result of repeating the command.
   static void go_on(const Course& course, const fs::path& folder, Words& faults, Snapshot& after);
   static void tell_of(const FaultPoint& point, const Scenario& scenario, const Ended& ended,
                       const Words& faults, const fs::path& folder);

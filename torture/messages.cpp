@@ -32,7 +32,7 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-/// C0, DEL and C1 (two bytes in UTF-8), but for the end of a line.
+/// C0, DEL and C1 (two bytes in UTF-8), except for line ends.
 bool has_control_characters(const std::string& text, const std::string& allowed) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -44,7 +44,7 @@ bool has_control_characters(const std::string& text, const std::string& allowed)
   return false;
 }
 
-/// A word that is "nan", "inf" or "infinity".
+/// Whether it contains the word "nan", "inf" or "infinity".
 bool has_not_a_number(const std::string& text) {
   std::string word;
   for (const char c : text + ' ') {

@@ -7,18 +7,18 @@
 
 namespace twrench::torture {
 
-/// What a run is allowed to say.
+/// What a run may print.
 struct Manner {
-  bool has_progress = false;     ///< lines of its progress, before the error too
-  bool has_bar = false;          ///< which moves the cursor
-  bool out_is_text = true;       ///< and no film
-  bool may_lack_memory = false;  ///< which exit code 70 tells
-  bool may_be_mute = false;      ///< where nothing can be written
+  bool has_progress = false;     ///< progress lines, also before the error
+  bool has_bar = false;          ///< a bar, which moves the cursor
+  bool out_is_text = true;       ///< text, not video
+  bool may_lack_memory = false;  ///< may end with exit code 70
+  bool may_be_mute = false;      ///< may end silently, if nothing can be written
 };
 
-/// What is wrong with how the run ended and what it said, one sentence each: an exit code that no
-/// page promises, a signal, not exactly one error line and at most one remedy with an exit code
-/// that has one, control characters, numbers that are none with exit code 0.
+/// Returns what is wrong with the end and output of the run, one sentence each: an undocumented
+/// exit code, a signal, not exactly one error line and at most one remedy for an exit code that has
+/// one, control characters, NaN or infinity with exit code 0.
 std::vector<std::string> faults_in_manner(const Ended& run, const Manner& manner);
 
 }  // namespace twrench::torture

@@ -1,9 +1,9 @@
-// torture_motions SECONDS SEED [CASE]: random motions, from nanograms to planets, symmetric to the
-// last digit or nearly so, on the separatrix or beside it. The closed form is held against Taylor
-// series in more digits, the method `taylor`, and what the motion conserves; every other method
-// must give numbers or say why not. Exit 1 when there was a fault.
+// torture_motions SECONDS SEED [CASE]: random motions, from nanograms to planets, exactly or nearly
+// symmetric, on or near the separatrix. Compares the closed form with Taylor series in more digits,
+// with the method `taylor`, and with the conserved quantities; every other method must return
+// numbers or an error. Exits with 1 if there was a fault.
 //
-// Case k depends on SEED and k alone; CASE runs that one, and prints it.
+// Case k depends only on SEED and k; CASE runs that one and prints it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 #include <random>
 #include <string>
 
-#include "base/error.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/taylor.h"
 #include "motion/trajectory.h"
@@ -29,7 +29,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Numbers that are the same with every standard library, as its distributions are not.
+/// Random numbers that are the same with every standard library; the standard distributions are
+/// not.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t number) {
@@ -40,7 +41,7 @@ class Random {
     return a + (b - a) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-  /// Of any magnitude from 10^a to 10^b.
+  /// A random magnitude from 10^a to 10^b.
   double magnitude(double a, double b) { return std::pow(10, between(a, b)); }
   double sign() { return below(2) == 0 ? 1.0 : -1.0; }
 
@@ -54,11 +55,11 @@ struct Case {
   double t;          ///< s
 };
 
-/// Ascending, and 1 the least.
+/// Ascending; the least is 1.
 Vector3d ascending_moments(Random& random) {
   const double offset = random.below(4) == 0 ? 0 : random.magnitude(-16, -1);
   switch (random.below(6)) {
-    case 0: {  // a box: each moment is at most the other two together
+    case 0: {  // a box: each moment is at most the sum of the other two
       const Vector3d s =
           Vector3d(random.between(0.01, 1), random.between(0.01, 1), random.between(0.01, 1))
               .cwiseAbs2();
@@ -70,7 +71,7 @@ Vector3d ascending_moments(Random& random) {
       const double length = random.magnitude(0, 11.9);
       return {1, length, length + random.between(0, 1)};
     }
-    case 2: {  // what no body has
+    case 2: {  // physically impossible
       const double a = random.magnitude(0, 6), b = random.magnitude(0, 5.9);
       return {1, a, a * b};
     }
@@ -85,7 +86,7 @@ Vector3d ascending_moments(Random& random) {
   }
 }
 
-/// For ascending moments; of length 1 or so.
+/// For ascending moments; of length about 1.
 Vector3d direction(Random& random, const Vector3d& I) {
   const auto entry = [&] { return random.sign() * random.between(0, 1); };
   const auto small = [&] {
@@ -125,13 +126,13 @@ Case random_case(Random& random) {
   return c;
 }
 
-/// What the bounds below depend on.
+/// The quantities that determine the bounds below.
 struct Condition {
-  double angle;  ///< rad, no less than what the body turns by, nor than lambda t
+  double angle;  ///< rad, at least the angle of rotation and lambda t
   double mc;     ///< 1 - k^2 of eq. (E3), the distance from the separatrix
 };
 
-/// mc of eq. (E3), for ascending moments and the direction of the momentum.
+/// Returns mc of eq. (E3) for ascending moments and the direction of the momentum.
 double complementary_parameter(const Vector3d& I, const Vector3d& mu) {
   const auto D = [&](int i) {
     return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
@@ -142,14 +143,14 @@ double complementary_parameter(const Vector3d& I, const Vector3d& mu) {
 }
 
 Condition condition_of(const Case& c, const FreeBody& body, const ExactMotion& exact) {
-  const Vector3d I = body.principal.moments / body.principal.moments[0];
-  const Vector3d w = body.principal.axes.transpose() * c.omega / c.omega.stableNorm();
+  const Vector3d I = body.principal().moments / body.principal().moments[0];
+  const Vector3d w = body.principal().axes.transpose() * c.omega / c.omega.stableNorm();
   // |omega| <= G/I_1 at all times, and <= sqrt(2T/I_1).
   const Vector3d m = w.cwiseProduct(I);
   double rate = c.omega.stableNorm() * std::min(m.norm(), std::sqrt(w.dot(m)));
   if (const auto flips = exact.flips()) {
     rate = std::max(rate, std::numbers::pi / flips->interval);
-    // Near the separatrix lambda is ln(16/mc) over this.
+    // Near the separatrix lambda is ln(16/mc) divided by this.
     rate = std::max(rate, 2.5 / flips->asymptotic_interval);
   }
   return {std::max(1.0, rate * std::abs(c.t)), complementary_parameter(I, m.normalized())};
@@ -191,7 +192,7 @@ class Trial {
   }
 
   void run() {
-    const FreeBody body = free_body(case_.moments.asDiagonal(), case_.omega);
+    const FreeBody body(case_.moments.asDiagonal(), case_.omega);
     const ExactMotion exact(body);
     const Sample sample = exact.at(case_.t);
     const Condition condition = condition_of(case_, body, exact);
@@ -202,21 +203,21 @@ class Trial {
     try_another_method(body);
   }
 
-  /// Round-off alone, whatever t: 6e-15 is what docs/exact.md promises of the energy.
+  /// Only round-off, for any t: docs/exact.md promises 6e-15 for the energy.
   void expect_conserved(const FreeBody& body, const Sample& sample) {
     const Vector3d& I = case_.moments;
     const Matrix3d& X = sample.X;
     expect_within("|X^T X - Id|", (X.transpose() * X - Matrix3d::Identity()).norm(), 4e-15);
-    const double G = body.momentum.stableNorm();
+    const double G = body.momentum().stableNorm();
     if (G == 0) return expect_within("omega at rest", sample.omega.stableNorm(), 0);
     const Vector3d m = I.cwiseProduct(sample.omega) / G;
-    expect_within("|X I omega - L|/|L|", (X * m - body.momentum / G).norm(), 4e-15);
-    const Vector3d m0 = body.momentum / G, scaled = I.minCoeff() * I.cwiseInverse();
+    expect_within("|X I omega - L|/|L|", (X * m - body.momentum() / G).norm(), 4e-15);
+    const Vector3d m0 = body.momentum() / G, scaled = I.minCoeff() * I.cwiseInverse();
     const double energy = m.cwiseAbs2().dot(scaled), energy0 = m0.cwiseAbs2().dot(scaled);
     expect_within("energy's drift", std::abs(energy / energy0 - 1), 8e-15);
   }
 
-  /// Where the closed form says that omega's intermediate component vanishes, it does.
+  /// At the predicted times, omega's intermediate component vanishes.
   void expect_flips(const FreeBody& body, const ExactMotion& exact, const Condition& condition) {
     const auto flips = exact.flips();
     if (!flips || !(std::abs(case_.t) < 100 * flips->interval)) return;
@@ -224,15 +225,15 @@ class Trial {
     for (const double t : exact.flip_times(std::abs(case_.t))) {
       if (!(t > before)) fault(fmt::format("a flip at {:.17g} after {:.17g}", t, before));
       before = t;
-      const double rate = body.principal.axes.col(1).dot(exact.at(t).omega);
-      // All of omega, turned by what an angle is known to.
+      const double rate = body.principal().axes.col(1).dot(exact.at(t).omega);
+      // All of omega, rotated by the uncertainty of the angle.
       const double bound = 1e-14 * condition.angle / std::abs(case_.t) * condition.angle;
       expect_within("omega at a flip", std::abs(rate), bound);
     }
   }
 
-  /// Against Taylor series in more digits: what docs/exact.md promises, 2e-15 for each radian. The
-  /// series starts from |omega| = 1 or so, to which the motion is scaled by a power of two.
+  /// Compares with Taylor series in more digits: docs/exact.md promises 2e-15 per radian. The
+  /// series starts from |omega| of about 1, to which the motion is scaled by a power of two.
   void expect_reference(const Sample& sample, const Condition& condition) {
     using Quad = boost::multiprecision::cpp_bin_float_quad;
     const double speed = std::exp2(std::floor(std::log2(case_.omega.stableNorm())));
@@ -244,8 +245,8 @@ class Trial {
       expect_within("omega against the series", (sample.omega / speed - reference.omega()).norm(),
                     bound * condition.angle / std::abs(case_.t * speed));
     };
-    // Each flip multiplies the reference's own roundings by 1/mc at most, or by exp(lambda t): 64
-    // bits have 11 to spare, 113 bits 60.
+    // Each flip multiplies the reference's own rounding errors by at most 1/mc, or by exp(lambda
+    // t): 64 bits have 11 to spare, 113 bits 60.
     if (condition.mc > 0.01 && std::numeric_limits<long double>::digits >= 64) {
       hold_against(TaylorMotion<long double, 22>(case_.moments, case_.omega / speed));
     } else if (condition.angle <= 40) {
@@ -254,14 +255,15 @@ class Trial {
   }
 
   /// The method's own error. Where the series converges everywhere (a symmetric body), a step is as
-  /// long as 0.4 of the order, some 8 rad, at which terms as large as e^8 cancel: 1e-12 for each
-  /// radian holds that. A needle's steps, of a few I_1/G, are short, and many: 1e-14 each. Near the
-  /// separatrix the energy, known to a few eps, decides when the next flip comes: that error is
+  /// long as 0.4 of the order, about 8 rad, where terms as large as e^8 cancel: 1e-12 per radian
+  /// covers that. A needle's steps, of a few I_1/G, are short and many: 1e-14 each. Near the
+  /// separatrix the energy, known to a few eps, determines the time of the next flip: that error is
   /// 1/mc times larger.
   void expect_taylor(const FreeBody& body, const Sample& sample, const Condition& condition) {
-    const double units = std::abs(body.momentum.stableNorm() / body.principal.moments[0] * case_.t);
+    const double units =
+        std::abs(body.momentum().stableNorm() / body.principal().moments[0] * case_.t);
     const double bound = (1e-12 * condition.angle + 5e-15 * units) / std::max(condition.mc, 1e-300);
-    // A needle that turns end over end takes it too many steps.
+    // A needle that rotates end over end takes too many steps.
     if (bound > 0.1 || units > 4e4) return;
     const std::array<double, 1> times{case_.t};
     const Sample other =
@@ -269,7 +271,7 @@ class Trial {
     expect_within("X against taylor", (sample.X - other.X).norm(), bound);
   }
 
-  /// Numbers, or a word why not.
+  /// Must return numbers or an error.
   void try_another_method(const FreeBody& body) {
     const auto all = methods();
     const Method& method =
@@ -281,7 +283,7 @@ class Trial {
     const std::array<double, 1> times{std::clamp(case_.t, -1e9, 1e9)};
     try {
       const Sample sample = trajectory(body, method, control, times).samples[0];
-      const Diagnostics d = diagnose(body, energy(body.inertia, body.omega), sample);
+      const Diagnostics d = diagnose(body, energy(body.inertia(), body.omega()), sample);
       const bool finite = sample.X.allFinite() && sample.omega.allFinite() &&
                           std::isfinite(d.energy) && std::isfinite(d.energy_drift) &&
                           std::isfinite(d.orthogonality_error) && std::isfinite(d.momentum_error);
@@ -289,7 +291,7 @@ class Trial {
         fault(fmt::format("{} with step {:.17g} and tolerance {:.17g} is not finite", method.name,
                           control.step, control.tolerance));
       }
-    } catch (const UsageError&) {
+    } catch (const MotionError&) {
     }
   }
 

@@ -20,7 +20,7 @@ std::vector<Value> joined(std::initializer_list<std::vector<Value>> parts) {
   return whole;
 }
 
-/// What no option is prepared for.
+/// Values that no option expects.
 const std::vector<Value>& odd_words() {
   static const std::vector<Value> words =
       values({"", " ", "-", "--", "\xff\xfe", "\x1b[31mred", "a\nb", "\t", "%s%n", "caf\xc3\xa9",
@@ -63,7 +63,7 @@ Values numbers(const Words& sensible, const Words& edges) {
                                     odd_words()})};
 }
 
-/// Numbers with commas between.
+/// Numbers separated by commas.
 Values lists(const Words& sensible, const Words& edges) {
   return {values(sensible),
           joined({values(edges, true),
@@ -145,7 +145,7 @@ Values folders_of_frames() {
                   values({"m_fifo", "fifo"}, true), odd_words()})};
 }
 
-/// Names of files to be written, with these endings.
+/// Names of files to be written, with these extensions.
 Values outputs(const Words& endings) {
   Words sensible;
   Words hostile{"-",
@@ -310,7 +310,7 @@ const std::map<std::string, Values>& known() {
   return map;
 }
 
-/// Of every kind there is.
+/// Values of every kind.
 const Values& any_values() {
   static const Values all = [] {
     Values whole;

@@ -102,7 +102,7 @@ void put_pictures(const fs::path& folder) {
   fs::create_symlink("b.png", folder / "link.png");
 }
 
-/// Folders with manifests that are not as we write them.
+/// Creates folders with manifests that the program would not write.
 void put_broken_frames(const fs::path& folder) {
   const std::vector<std::pair<std::string, std::string>> manifests{
       {"m_empty", ""},

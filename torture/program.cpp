@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Starts the words as a program in a group of its own, its output to files.
+/// Starts a program in a process group of its own, with output to files.
 pid_t start(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
@@ -45,7 +45,7 @@ pid_t start(const std::vector<std::string>& words, const fs::path& out, const fs
   return pid;
 }
 
-/// True, and its status, when it ended in this time.
+/// Whether it ends within this time; sets its status.
 bool ends_within(pid_t pid, Seconds time, int& status) {
   const auto end = Clock::now() + time;
   for (auto pause = std::chrono::microseconds(500); ::waitpid(pid, &status, WNOHANG) == 0;) {

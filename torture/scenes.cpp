@@ -1,11 +1,11 @@
-// torture_scenes SECONDS SEED [CASE]: draws random scenes, all of them valid, until the time is
-// over, or one of them. What counts as a fault: an exception that no header promises, a picture of
-// another size than its film's or with changes beyond its edges, and a frame drawn in an earlier
-// one's memory that differs from the same frame drawn in new memory. Layers that leave the picture
-// are assertions, and the rest is for sanitizers: build with both.
+// torture_scenes SECONDS SEED [CASE]: draws random valid scenes until the time is over, or a single
+// one of them. Faults are: an undocumented exception, a picture of the wrong size or with damaged
+// areas beyond its edges, and a frame drawn in reused memory that differs from the same frame in
+// new memory. Layers outside the picture are assertions, and the rest is for sanitizers: build with
+// both.
 //
-// Case k is made by a generator seeded from SEED and k alone. Its number stands on standard error
-// while it is drawn, so that the last one is the one that crashed.
+// Case k is made by a generator seeded only from SEED and k. Its number is printed on standard
+// error while it is drawn, so that the last one is the one that crashed.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -24,10 +24,10 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "gl/backend.h"
 #include "image/png.h"
 #include "math/so3.h"
+#include "motion/error.h"
 #include "motion/method.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -39,7 +39,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Random numbers that are the same with every standard library, as its distributions are not.
+/// Random numbers that are the same with every standard library; the standard distributions are
+/// not.
 class Dice {
  public:
   Dice(std::uint32_t seed, std::uint32_t number) {
@@ -51,7 +52,7 @@ class Dice {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
   }
-  /// As often in each decade.
+  /// Log-uniform.
   double spread(double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
@@ -131,7 +132,7 @@ Motion random_motion(Dice& dice) {
   return motion;
 }
 
-/// Mostly of some 10^5 pixels and of any aspect ratio, at times as long as they come.
+/// Usually about 10^5 pixels with any aspect ratio, sometimes as long as possible.
 Film random_film(Dice& dice, const Motion& motion) {
   Film film;
   const bool extreme = dice.chance(0.15);
@@ -261,7 +262,7 @@ void check(const Frame& frame, const Scene& scene) {
   }
 }
 
-/// Draws some frames of the scene as the program does, and each again.
+/// Draws some frames of the scene as the program does, each of them twice.
 void draw(const Scene& scene, Dice& dice) {
   const auto opened = gl::open_context({});
   const Timeline timeline(scene, random_frames(dice, scene.frame_count()));
@@ -288,7 +289,7 @@ void draw(const Scene& scene, Dice& dice) {
 
 enum class Outcome { drawn, refused, fault };
 
-/// Errors that a user is told are no faults, but where they say that they are.
+/// Expected errors are not faults, except those that report one.
 Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>& refusals) {
   Dice dice(seed, number);
   const Scene scene = random_scene(dice);
@@ -296,14 +297,14 @@ Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>
   try {
     draw(scene, dice);
     return Outcome::drawn;
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     what = error.what();
-    if (error.code() == ExitCode::usage) {
+    const bool is_refusal = dynamic_cast<const UsageError*>(&error) != nullptr ||
+                            dynamic_cast<const MotionError*>(&error) != nullptr;
+    if (is_refusal) {
       ++refusals[what.substr(0, what.find(':'))];
       return Outcome::refused;
     }
-  } catch (const std::exception& error) {
-    what = error.what();
   }
   fmt::print("\nscenes: fault: seed {} case {}: {}\n{}\n", seed, number, what,
              scene_json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));

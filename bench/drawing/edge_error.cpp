@@ -1,8 +1,8 @@
-// edge_error REFERENCE DIR...: how well the edges of the frames in each DIR are smoothed. The
-// frames in REFERENCE have the same names and are four times as wide and high, not smoothed: their
-// mean over 4 x 4 pixels is what a frame should be. Told is the mean absolute error, in steps of
-// 1/255 of a channel, over the pixels in which an edge is: those whose sixteen differ by more than
-// 32 in a channel.
+// edge_error REFERENCE DIR...: measures the antialiasing quality of the frames in each DIR. The
+// frames in REFERENCE have the same names and four times the width and height, without
+// antialiasing: the mean over 4 x 4 pixels is the correct value. Prints the mean absolute error, in
+// steps of 1/255 of a channel, over the pixels that contain an edge: those whose sixteen samples
+// differ by more than 32 in a channel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Block {
   int spread = 0;
 };
 
-/// Of one channel of the reference's pixels that one pixel of a frame stands for.
+/// One channel of the reference's pixels for one pixel of a frame.
 Block block(const Image& reference, int x, int y, int channel) {
   int sum = 0, low = 255, high = 0;
   for (int j = 0; j < times; ++j) {

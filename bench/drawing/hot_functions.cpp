@@ -1,4 +1,4 @@
-// What a film's time goes into, function by function, at 1920x1080 unless the name says otherwise.
+// Times the main functions of a render individually, at 1920x1080 unless the name says otherwise.
 #include <benchmark/benchmark.h>
 
 #include "gl/backend.h"
@@ -20,7 +20,7 @@ Scene full_scene() {
 
 gl::OpenedContext context() { return gl::open_context({}); }
 
-/// A pose that differs from frame to frame and shows all sides.
+/// A pose that varies from frame to frame and shows all sides.
 Eigen::Matrix3d pose(int frame) {
   return so3::exp(Eigen::Vector3d(0.11 * frame, 0.05 * frame, 0.3));
 }
@@ -64,7 +64,7 @@ void Background(benchmark::State& state) {
 }
 BENCHMARK(Background)->Unit(benchmark::kMillisecond);
 
-/// Of a square in the middle with that share of the frame.
+/// A square in the middle with that fraction of the frame.
 void ConvertToYuv(benchmark::State& state) {
   Yuv420 yuv(1920, 1080);
   const int percent = static_cast<int>(state.range(0));

@@ -1,4 +1,4 @@
-// What one call of the hot functions of a motion costs.
+// Times single calls of the hot functions of a motion.
 #include <benchmark/benchmark.h>
 
 #include "math/so3.h"
@@ -11,7 +11,7 @@ namespace twrench {
 namespace {
 
 /// Tumbling about its intermediate axis.
-FreeBody tumbler() { return free_body(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02}); }
+FreeBody tumbler() { return FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02}); }
 
 void exponential(benchmark::State& state) {
   Eigen::Vector3d u(0.01, -0.02, 0.03);
@@ -37,7 +37,7 @@ BENCHMARK_CAPTURE(step, rkmk45, "rkmk45");
 void taylor_step(benchmark::State& state) {
   const FreeBody body = tumbler();
   TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
-  TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum);
+  TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum());
   for (auto _ : state) {
     series.expand(at);
     at = series.at(series.reach(1e-10));
@@ -49,7 +49,7 @@ BENCHMARK(taylor_step);
 void taylor_sample(benchmark::State& state) {
   const FreeBody body = tumbler();
   TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
-  series.expand(series.state_of(Eigen::Matrix3d::Identity(), body.momentum));
+  series.expand(series.state_of(Eigen::Matrix3d::Identity(), body.momentum()));
   double t = 0;
   for (auto _ : state) {
     t = t < 1 ? t + 1e-3 : 0;
@@ -65,7 +65,7 @@ void exact_sample(benchmark::State& state) {
 }
 BENCHMARK(exact_sample);
 
-/// What it costs to begin.
+/// The cost of initialisation.
 void exact_set_up(benchmark::State& state) {
   const FreeBody body = tumbler();
   for (auto _ : state) benchmark::DoNotOptimize(ExactMotion(body));

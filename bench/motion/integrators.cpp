@@ -1,4 +1,4 @@
-// CPU time to reach an attitude error, of our integrators and of other libraries' side by side.
+// CPU time to reach an attitude error, for our integrators and other libraries'.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::array levels{1e-6, 1e-9, 1e-12};
 constexpr std::size_t level_count = levels.size();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// How a candidate fares on a problem.
+/// The results of a candidate on a problem.
 struct Score {
   const Candidate* candidate;
   double least_error = infinite;
@@ -30,7 +30,7 @@ struct Score {
   std::array<double, level_count> seconds{infinite, infinite, infinite};
 };
 
-/// Tries every parameter; past 20 ms for one run, dearer ones are not worth having.
+/// Tries every parameter; those more expensive than 20 ms per run are skipped.
 Score search(const Candidate& candidate, const Problem& problem) {
   constexpr double too_long = 0.02;
   Score score{.candidate = &candidate};
@@ -52,8 +52,8 @@ Score search(const Candidate& candidate, const Problem& problem) {
   return score;
 }
 
-/// Rounds over all candidates, so that a slow moment of the machine hits all alike; the least time
-/// of each counts.
+/// Runs rounds over all candidates, so that a slow phase of the machine affects all of them, and
+/// keeps the minimum time of each.
 void measure(std::vector<Score>& scores, const Problem& problem, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     for (Score& score : scores) {
@@ -94,7 +94,7 @@ void print(const Problem& problem, const std::vector<Score>& scores) {
   }
 }
 
-/// The truth is the reference of 25 digits where it has that time, else the closed form.
+/// The exact result is the 25-digit reference if it has that time, otherwise the closed form.
 Problem problem(const std::string& name, double t_end) {
   const ReferenceCase reference = reference_case(name);
   const auto end = std::ranges::find(reference.samples, t_end, &Sample::t);

@@ -29,7 +29,7 @@ Candidate fixed_rk4() {
           }};
 }
 
-/// `make` takes a tolerance and gives a controlled stepper.
+/// `make` takes a tolerance and returns a controlled stepper.
 template <class Form, class Make>
 Candidate controlled(const char* name, Make make) {
   return {"odeint", std::string(name) + " (" + Form::name + ")", tolerances(),

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "base/error.h"
+#include "motion/error.h"
 #include "motion/method.h"
 #include "motion/trajectory.h"
 #include "problem.h"
@@ -20,7 +20,7 @@ Candidate candidate(const Method& method) {
             const double times[] = {problem.t_end};
             try {
               return trajectory(problem.body, method, control, times).samples[0].X;
-            } catch (const UsageError&) {  // a step too long for the method
+            } catch (const MotionError&) {  // a step too long for the method
               return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
             }
           }};
@@ -31,7 +31,7 @@ Candidate candidate(const Method& method) {
 std::vector<Candidate> own_candidates() {
   std::vector<Candidate> list;
   for (const Method& method : methods()) {
-    if (method.order > 2) list.push_back(candidate(method));
+    if (method.order.value_or(0) > 2) list.push_back(candidate(method));
   }
   return list;
 }

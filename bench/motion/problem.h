@@ -15,21 +15,21 @@ namespace twrench::bench {
 struct Problem {
   std::string name;
   FreeBody body;
-  double t_end;           ///< s
-  Eigen::Matrix3d X_end;  ///< the truth
+  double t_end;           ///< Duration in s.
+  Eigen::Matrix3d X_end;  ///< The exact attitude at the end.
 };
 
-/// An integrator, and the parameters (tolerances or numbers of steps) it is tried with, dearer ones
-/// later. `run` goes from t = 0 to t_end, set-up and clean-up included.
+/// An integrator, and the parameters (tolerances or numbers of steps) to try, cheapest first. `run`
+/// goes from t = 0 to t_end, including initialisation and clean-up.
 struct Candidate {
   std::string library, method;
   std::vector<double> parameters;
   std::function<Eigen::Matrix3d(const Problem&, double parameter)> run;
 };
 
-/// 10^-2 ... 10^-16 by quarters of a decade.
+/// Returns 10^-2 to 10^-16 in quarters of a decade.
 std::vector<double> tolerances();
-/// 2^5 ... 2^20 by quarters of an octave.
+/// Returns 2^5 to 2^20 in quarters of an octave.
 std::vector<double> step_counts();
 
 std::vector<Candidate> odeint_candidates();
@@ -37,10 +37,10 @@ std::vector<Candidate> sundials_candidates();
 std::vector<Candidate> gsl_candidates();
 std::vector<Candidate> own_candidates();
 
-/// Prints what ten thousand samples along the way cost.
+/// Prints the cost of ten thousand samples during the motion.
 void compare_samples(const Problem& problem, int rounds);
 
-/// The unit quaternion q = (w, x, y, z) in space_from_body(q), normalised first.
+/// Returns the rotation space_from_body of the quaternion q = (w, x, y, z), which it normalises.
 inline Eigen::Matrix3d rotation(const double* q) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
@@ -60,8 +60,8 @@ struct VelocityForm {
   using State = std::array<double, size>;
 
   explicit VelocityForm(const FreeBody& body)
-      : start{body.omega[0], body.omega[1], body.omega[2], 1} {
-    const Eigen::Vector3d I = body.inertia.diagonal();
+      : start{body.omega()[0], body.omega()[1], body.omega()[2], 1} {
+    const Eigen::Vector3d I = body.inertia().diagonal();
     euler = {(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]};
   }
 
@@ -84,9 +84,9 @@ struct MomentumForm {
   using State = std::array<double, size>;
 
   explicit MomentumForm(const FreeBody& body) : start{1, 0, 0, 0} {
-    const Eigen::Vector3d I = body.inertia.diagonal();
+    const Eigen::Vector3d I = body.inertia().diagonal();
     for (std::size_t i = 0; i < 3; ++i) {
-      L[i] = body.momentum[static_cast<int>(i)];
+      L[i] = body.momentum()[static_cast<int>(i)];
       inverse[i] = 1 / I[static_cast<int>(i)];
     }
   }

@@ -1,5 +1,5 @@
-// Ten thousand attitudes along the way, each within 1e-9 of the truth: the closed form, the series
-// and what other libraries offer for samples between steps.
+// Ten thousand attitudes during the motion, each within 1e-9 of the exact one: the closed form, the
+// series, and the dense output of other libraries.
 #include <cvode/cvode.h>
 #include <fmt/format.h>
 #include <nvector/nvector_serial.h>
@@ -42,7 +42,7 @@ Sampler own(const char* name) {
           }};
 }
 
-/// `make` takes a tolerance and gives a stepper with dense output.
+/// `make` takes a tolerance and returns a stepper with dense output.
 template <class Make>
 Sampler dense(const char* name, Make make) {
   return {fmt::format("odeint {}, dense output", name),

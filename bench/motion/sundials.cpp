@@ -12,9 +12,9 @@
 namespace twrench::bench {
 namespace {
 
-constexpr long most_steps = 100'000;  // more would take longer than is worth having
+constexpr long most_steps = 100'000;  // more would take too long to be useful
 
-/// One for the program: it is no part of an integration.
+/// One per program: it is not part of an integration.
 SUNContext context() {
   static const sundials::Context the_context;
   return the_context;
@@ -38,7 +38,7 @@ Vector initial(const Form& form) {
   return y;
 }
 
-/// The attitude where the solver came to its end, else nonsense.
+/// The attitude if the solver reached its end, otherwise NaN.
 template <class Form>
 Eigen::Matrix3d result(int flag, const Vector& y) {
   if (flag < 0) return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());

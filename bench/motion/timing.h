@@ -12,7 +12,7 @@ inline double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// CPU seconds of one call, from as many as fill two milliseconds.
+/// CPU seconds of one call, from as many calls as take two milliseconds.
 template <class Work>
 double seconds_each(Work&& work) {
   constexpr double enough = 2e-3;
@@ -27,7 +27,7 @@ double seconds_each(Work&& work) {
   return spent / calls;
 }
 
-/// The least of a few single calls, fewer where they are long: for a first look.
+/// The minimum of a few single calls, fewer if they are long: for a first estimate.
 template <class Work>
 double seconds_at_best(Work&& work) {
   constexpr double enough = 1e-3;

@@ -51,7 +51,7 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& wh
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
   const std::vector<double> v = split_numbers(text, ',', what);
   if (v.size() == 3) return {v[0], v[1], v[2]};
-  throw UsageError(what, fmt::format("'{}' is not three numbers with commas between", text));
+  throw UsageError(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {

@@ -7,20 +7,20 @@
 
 namespace twrench {
 
-// Words of the command line as values. Each throws UsageError about `what`, the option. Numbers
-// have a '.' whatever the locale; ranges are for the caller to check.
+// Conversions of command-line arguments to values. Each throws UsageError about `what`, the option.
+// Numbers use '.' whatever the locale; the caller checks ranges.
 
-/// "A,B,...": the words as they are
+/// Splits "A,B,..." into its words.
 std::vector<std::string> parse_words(const std::string& text);
 double parse_number(const std::string& text, const std::string& what);
-/// "T1,T2,..."
+/// Parses "T1,T2,...".
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);
-/// "X,Y,Z"
+/// Parses "X,Y,Z".
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
-/// "WxH", not yet checked
+/// Parses "WxH" without checking the values.
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 
-/// A check for CLI::Option: of a value that is to be one of `names`. Throws where it is none.
+/// Returns a check for CLI::Option that the value is one of `names`; it throws UsageError if not.
 std::function<std::string(const std::string&)> one_of(const std::string& what,
                                                       std::vector<std::string> names);
 

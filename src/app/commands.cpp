@@ -13,14 +13,14 @@ namespace {
 
 constexpr const char* exit_codes =
     "Exit codes:\n"
-    "  0         done\n"
-    "  1         it ran, and the answer is no: compare, study\n"
-    "  2         a bad option or scene\n"
-    "  3         no usable OpenGL\n"
-    "  4         ffmpeg, or gnuplot for a figure, is missing or failed\n"
+    "  0         success\n"
+    "  1         compare: the images differ; study: a bound was exceeded\n"
+    "  2         invalid option or scene\n"
+    "  3         no usable OpenGL context\n"
+    "  4         ffmpeg (or gnuplot, for plots) is missing or failed\n"
     "  5         a file could not be read or written\n"
-    "  70        a fault of twrench itself\n"
-    "  130, 143  interrupted; what was written is whole";
+    "  70        internal error: a bug in twrench, or out of memory\n"
+    "  130, 143  interrupted; all files written are complete";
 
 }  // namespace
 

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/error.h"
+#include "app/exit_code.h"
 
 namespace twrench {
 
-// Each adds one command, whose callback does the work and throws an Error when it cannot.
+// Each adds one command, whose callback does the work and throws an Error on failure.
 void add_render(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_plot(CLI::App& app);
@@ -18,10 +18,10 @@ void add_doctor(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
 void add_scenes(CLI::App& app);
 
-/// Adds all of them, and what all have in common.
+/// Adds all commands and what they have in common.
 void add_commands(CLI::App& app, ExitCode& code);
 
-/// Throws UsageError, with the nearest offered, when `word` is neither an option nor a command.
+/// Throws UsageError, suggesting the nearest command, if `word` is neither an option nor a command.
 void require_known_command(const CLI::App& app, const std::string& word);
 
 }  // namespace twrench

@@ -30,8 +30,8 @@ ExitCode compare_files(const Options& options) {
   const DeepImage a = read_deep_png(options.a), b = read_deep_png(options.b);
   const std::optional<Difference> difference = compare(a, b, threshold);
   if (!difference) {
-    write_output("-", fmt::format("different: {}x{} with {} channels against {}x{} with {}\n",
-                                  a.width, a.height, a.channels, b.width, b.height, b.channels));
+    write_output("-", fmt::format("different: {}x{} with {} channels, and {}x{} with {}\n", a.width,
+                                  a.height, a.channels, b.width, b.height, b.channels));
     return ExitCode::answer_is_no;
   }
   if (!options.diff.empty()) {
@@ -47,23 +47,22 @@ ExitCode compare_files(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, ExitCode& code) {
-  CLI::App* command = app.add_subcommand(
-      "compare", "Two PNG images: exit 0 when they are alike, 1 when they differ");
+  CLI::App* command = app.add_subcommand("compare", "Compare two PNG images");
   command->footer(
       "Example: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
-      "Exit code 0 alike, 1 different, 5 when an image cannot be read or is damaged.");
+      "Exit codes: 0 alike, 1 different, 5 an image cannot be read or is damaged.");
   const auto options = std::make_shared<Options>();
-  command->add_option("A", options->a, "a PNG file")->required();
-  command->add_option("B", options->b, "a PNG file")->required();
+  command->add_option("A", options->a, "PNG file")->required();
+  command->add_option("B", options->b, "PNG file")->required();
   command
       ->add_option("--threshold", options->threshold,
-                   "a pixel differs when a channel is further apart than this, of 255")
+                   "largest channel difference, of 255, at which pixels count as equal")
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--share", options->share, "the share of pixels that may differ, 0 to 1")
+  command->add_option("--share", options->share, "fraction of pixels that may differ, 0 to 1")
       ->type_name("S")
       ->capture_default_str();
-  command->add_option("--diff", options->diff, "write the difference, amplified, to this PNG")
+  command->add_option("--diff", options->diff, "write the amplified difference to this PNG file")
       ->type_name("D.png");
   command->callback([options, &code] { code = compare_files(*options); });
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/commands.h"
 #include "app/message.h"
 #include "app/output.h"
+#include "app/report.h"
 #include "base/child_process.h"
 #include "base/disk_space.h"
 #include "base/file.h"
@@ -17,29 +19,30 @@
 #include "figure/gnuplot.h"
 #include "gl/backend.h"
 #include "movie/encoder.h"
+#include "movie/error.h"
 
 namespace twrench {
 namespace {
 
-/// One thing of the machine.
+/// The result of one check of the machine.
 struct Finding {
   std::string name;
   std::string used_for;
-  std::string found;   ///< what there is; empty where it is missing
-  std::string why;     ///< what is wrong, where it is missing
-  std::string remedy;  ///< likewise
+  std::string found;   ///< what was found; empty if it is missing
+  std::string why;     ///< why it is missing
+  std::string remedy;  ///< how to provide it if it is missing
 
   bool is_there() const { return !found.empty(); }
 };
 
-/// What `look` finds, or the Error that it throws.
+/// Returns what `look` finds, or the Error that it throws.
 Finding examine(std::string name, std::string used_for, const std::function<std::string()>& look) {
   Finding finding{std::move(name), std::move(used_for), {}, {}, {}};
   try {
     finding.found = look();
   } catch (const Error& error) {
     finding.why = error.what();
-    finding.remedy = error.remedy();
+    finding.remedy = remedy_for(error);
   }
   return finding;
 }
@@ -49,27 +52,27 @@ std::vector<Finding> examine_backends() {
   std::vector<Finding> findings;
   findings.reserve(reports.size());
   for (const gl::BackendReport& report : reports) {
-    const std::size_t line = report.why_not.find('\n');
-    findings.push_back({"OpenGL by " + report.name, "drawing", report.renderer,
-                        report.why_not.substr(0, line),
-                        line == std::string::npos ? "" : report.why_not.substr(line + 1)});
+    findings.push_back(examine("OpenGL by " + report.name, "drawing", [&] {
+      if (report.failure) std::rethrow_exception(report.failure);
+      return report.renderer;
+    }));
   }
   const auto usable = std::ranges::find_if(findings, &Finding::is_there);
   if (usable == findings.end()) return findings;
   for (Finding& finding : findings) {
     if (!finding.is_there())
-      finding.used_for += fmt::format("; not needed: {} does it", usable->name);
+      finding.used_for += fmt::format("; not needed: {} is available", usable->name);
   }
   return findings;
 }
 
-/// The first line of what ffmpeg says when it is asked for nothing.
+/// The first line that ffmpeg prints without arguments.
 std::string ffmpeg_version() {
   auto ffmpeg = start_program<EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
   ffmpeg.wait();
   const std::string& said = ffmpeg.error_output();
   const std::string line = said.substr(0, said.find('\n'));
-  return line.empty() ? "it does not say its version" : line;
+  return line.empty() ? "unknown version" : line;
 }
 
 std::string figure_formats() {
@@ -77,16 +80,16 @@ std::string figure_formats() {
   return "writes SVG, PDF and PNG";
 }
 
-/// Whether a file can be made there or, while it is not made yet, where it would be.
+/// Checks that a file can be created in the folder or, if it does not exist yet, at its location.
 std::string try_to_write_in(const std::string& folder) {
-  const PendingFile trial(existing_folder(folder) / "trial");  // is gone again
+  const PendingFile trial(existing_folder(folder) / "trial");  // removed again
   return format_bytes(static_cast<double>(free_space(folder))) + " free";
 }
 
 struct Diagnosis {
-  std::vector<Finding> backends;  ///< one is enough
-  std::vector<Finding> encoder;   ///< all are needed
-  std::vector<Finding> disk;      ///< likewise
+  std::vector<Finding> backends;  ///< one is sufficient
+  std::vector<Finding> encoder;   ///< all are required
+  std::vector<Finding> disk;      ///< all are required
   std::vector<Finding> others;
 
   ExitCode code() const {
@@ -109,31 +112,31 @@ Diagnosis diagnose() {
   constexpr VideoFormat usual{1920, 1080, 60, Container::mp4, false};
   Diagnosis diagnosis;
   diagnosis.backends = examine_backends();
-  diagnosis.encoder.push_back(examine("ffmpeg", "films", &ffmpeg_version));
+  diagnosis.encoder.push_back(examine("ffmpeg", "videos", &ffmpeg_version));
   const auto encoder = [&](const char* name, const char* use, Container container, bool alpha) {
     VideoFormat format = usual;
     format.container = container;
     format.transparent = alpha;
     return examine(fmt::format("ffmpeg's {}", name), use, [format] {
       require_encoder(format);
-      return "it made a tiny film";
+      return "encoded a test video";
     });
   };
-  diagnosis.encoder.push_back(encoder("libx264", "films: H.264 in MP4", Container::mp4, false));
+  diagnosis.encoder.push_back(encoder("libx264", "H.264 video in MP4", Container::mp4, false));
   diagnosis.disk.push_back(examine("disk",
-                                   "frames and films, here in out/; others by -o and "
-                                   "--frames-dir",
+                                   "frames and videos in out/; -o and --frames-dir choose "
+                                   "other folders",
                                    [] { return try_to_write_in("out"); }));
   diagnosis.others.push_back(
-      encoder("libvpx-vp9", "films in WebM, with alpha too", Container::webm, true));
-  diagnosis.others.push_back(encoder("prores_ks", "films with alpha in MOV", Container::mov, true));
-  diagnosis.others.push_back(examine("fonts", "words in the picture", [] {
+      encoder("libvpx-vp9", "video in WebM, optionally with alpha", Container::webm, true));
+  diagnosis.others.push_back(encoder("prores_ks", "video with alpha in MOV", Container::mov, true));
+  diagnosis.others.push_back(examine("fonts", "text in the picture", [] {
     for (const char* name : {"sans", "mono"}) load_typeface(name);
     return "sans and mono, built in";
   }));
   diagnosis.others.push_back(
-      examine("gnuplot", "figures: plot, study --plot; films do without", &figure_formats));
-  diagnosis.others.push_back(examine("processors", "drawing and compressing at once",
+      examine("gnuplot", "plot and study --plot; videos do not need it", &figure_formats));
+  diagnosis.others.push_back(examine("processors", "drawing and compressing in parallel",
                                      [] { return fmt::format("{}", processor_count()); }));
   return diagnosis;
 }
@@ -152,9 +155,8 @@ std::string as_text(const Diagnosis& diagnosis) {
     if (!finding.remedy.empty())
       text += format_message("{:<{}}  {}\n", "", width + 9, finding.remedy);
   }
-  return text + (diagnosis.code() == ExitCode::done
-                     ? "The main job, twrench render, can run.\n"
-                     : "The main job, twrench render, cannot run.\n");
+  return text + (diagnosis.code() == ExitCode::done ? "twrench render can run.\n"
+                                                    : "twrench render cannot run.\n");
 }
 
 std::string as_json(const Diagnosis& diagnosis) {
@@ -176,10 +178,10 @@ std::string as_json(const Diagnosis& diagnosis) {
 
 void add_doctor(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
-      "doctor", "What of this machine can be used, and a remedy for what is missing");
+      "doctor", "Check what this machine provides and how to install what is missing");
   command->footer(
-      "Example: twrench doctor\nExit code 0 when twrench render can run; 3 without OpenGL, 4 "
-      "without ffmpeg,\n5 where nothing can be written.");
+      "Example: twrench doctor\nExit codes: 0 twrench render can run, 3 no OpenGL, 4 no "
+      "ffmpeg, 5 the output\nfolder is not writable.");
   const auto format = std::make_shared<std::string>("text");
   command->add_option("--format", *format, "text or json")
       ->check(one_of("--format", {"text", "json"}))

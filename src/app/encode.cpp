@@ -29,24 +29,25 @@ void encode(const Options& options) {
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;
-  progress.warn(fmt::format("{}: the film is without the missing frames {}", options.film.output,
+  progress.warn(fmt::format("{}: the video lacks the missing frames {}", options.film.output,
                             brief_frame_range(left_out)));
 }
 
 }  // namespace
 
 void add_encode(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("encode", "A video from frames written earlier");
+  CLI::App* command = app.add_subcommand("encode", "Encode a video from frames rendered earlier");
   command->footer("Example: twrench encode out/dzhanibekov -o flip.mp4");
   const auto options = std::make_shared<Options>();
   command
       ->add_option("FRAMES_DIR", options->folder,
-                   "folder of frames and their manifest.json, or those of shards")
+                   "folder with frames and their manifest.json, or the manifests of all shards")
       ->required();
   options->film.add_to(*command, "");
   command->add_flag("--allow-missing", options->allow_missing,
-                    "a film of the frames that are there, though some are missing");
-  command->add_flag("--overwrite", options->overwrite, "replace another film that stands there");
+                    "encode the frames that exist even if some are missing");
+  command->add_flag("--overwrite", options->overwrite,
+                    "replace an existing video of something else");
   Progress::add_option(*command, options->progress);
   command->callback(
       [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });

@@ -7,22 +7,22 @@
 
 namespace twrench {
 
-/// The options that say where a film goes, and in which container.
+/// The options for the destination and container of a video.
 struct FilmOptions {
-  /// Adds --output and --container. `standard` is said to be the default, where there is one.
+  /// Adds --output and --container. `standard` is the default output shown in the help, if any.
   void add_to(CLI::App& command, const std::string& standard);
 
   bool is_streamed() const { return output == "-"; }
 
-  /// The container that was named, or that the film's name ends with. Throws UsageError.
+  /// Returns the container given by name or by the file extension. Throws UsageError.
   Container container(const std::filesystem::path& film) const;
 
-  /// Throws UsageError where standard output is to be the film and cannot be: it is a terminal, or
-  /// `progress` has it.
+  /// Throws UsageError if the video should go to standard output but cannot: it is a terminal, or
+  /// `progress` uses it.
   void require_free_output(const std::string& progress) const;
 
   std::string output;          ///< a file, "-", or empty
-  std::string container_name;  ///< may be empty
+  std::string container_name;  ///< May be empty.
 };
 
 }  // namespace twrench

@@ -11,16 +11,16 @@
 namespace twrench {
 namespace {
 
-/// Throws where the run would destroy frames unasked.
+/// Throws if the run would destroy frames without permission.
 void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
                        const Shard& shard, Reuse reuse) {
   if (objection.empty() || reuse == Reuse::overwrite) return;
-  throw UsageError(
+  throw OverwriteError(
       folder.string(), objection,
       shard.is_whole()
-          ? "--overwrite draws over them, --frames-dir goes elsewhere"
-          : "all shards of a film need the same program, scene, and kind of machine; --frames-dir "
-            "goes elsewhere, --overwrite draws over them");
+          ? "use --overwrite to replace them, or --frames-dir to choose another folder"
+          : "all shards of a video need the same program version, scene and kind of machine; use "
+            "--frames-dir to choose another folder, or --overwrite to replace them");
 }
 
 }  // namespace
@@ -50,9 +50,9 @@ FrameSequence& FramesOutput::open() {
   std::ranges::set_union(parse_frame_range(film_.range, max_frame_count), told,
                          std::back_inserter(range));
   film_.range = format_frame_range(range);
-  sequence_ = std::make_unique<FrameSequence>(folder_, film_);  // which locks the folder
+  sequence_ = std::make_unique<FrameSequence>(folder_, film_);  // locks the folder
   for (const auto& manifest : earlier_.foreign_manifests()) {
-    std::error_code gone;  // another shard may have been first
+    std::error_code gone;  // another shard may have removed it first
     std::filesystem::remove(manifest, gone);
   }
   for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record, record.sha256);

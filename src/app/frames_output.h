@@ -10,31 +10,32 @@
 
 namespace twrench {
 
-/// What a run may do with the frames that it finds.
+/// What a run may do with existing frames.
 enum class Reuse {
-  none,       ///< draw over those of this film, refuse to touch others
-  resume,     ///< keep those of this film that are whole, refuse to touch others
-  overwrite,  ///< draw over any
+  none,       ///< Redraw frames of this video; do not touch others.
+  resume,     ///< Keep intact frames of this video; do not touch others.
+  overwrite,  ///< Redraw any frames.
 };
 
-/// The folder that a run writes its frames to, with what earlier runs left there.
+/// The folder to which a run writes its frames, with what earlier runs left there.
 class FramesOutput {
  public:
   /// Looks, and touches nothing. `film` is the manifest to be written, all but its frames, with the
   /// whole range that was asked for; `frames` are those that this run draws.
-  /// Throws UsageError where the run would write over frames that it does not know to be of the
+  /// Throws OverwriteError where the run would write over frames that it does not know to be of the
   /// same film.
   FramesOutput(std::filesystem::path folder, Manifest film, std::vector<int> frames, Reuse reuse);
 
-  /// How many of the frames have no file yet.
+  /// Returns how many of the frames have no file yet.
   std::size_t count_without_file() const;
 
-  /// Begins to write. The manifest goes on with what it told of the same film, so that a run which
-  /// is killed at its start loses nothing; those of another film go, for so do its frames.
+  /// Begins to write. The manifest keeps its earlier records of the same video, so that a run
+  /// killed at its start loses nothing; records of another video are dropped, as its frames are.
   /// Throws FileError.
   FrameSequence& open();
 
-  /// With `resume`, the record of the frame where it need not be drawn: it is whole, and kept.
+  /// With `resume`, returns the record of a frame that need not be drawn because it is intact, and
+  /// keeps it.
   std::optional<FrameRecord> kept(const FrameRecord& wanted);
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -45,7 +46,7 @@ class FramesOutput {
   std::vector<int> frames_;
   Reuse reuse_;
   EarlierRun earlier_;
-  std::unique_ptr<FrameSequence> sequence_;  ///< once open
+  std::unique_ptr<FrameSequence> sequence_;  ///< Set by open().
 };
 
 }  // namespace twrench

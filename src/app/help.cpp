@@ -75,10 +75,10 @@ std::string Help::make_help(const CLI::App* command, std::string name, CLI::AppF
 }
 
 void add_help(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("help", "This help, or that of a command");
+  CLI::App* command = app.add_subcommand("help", "Print this help or that of a command");
   command->footer("Example: twrench help render");
   const auto word = std::make_shared<std::string>();
-  command->add_option("COMMAND", *word, "the command");
+  command->add_option("COMMAND", *word, "name of a command");
   command->callback([&app, word] {
     const CLI::App* asked = &app;
     std::vector<std::string> names;

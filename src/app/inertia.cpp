@@ -38,7 +38,7 @@ std::string text(const Scene& scene, const MassProperties& body) {
       "centre of mass, cm\n  {}"
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
-      "principal axes, the columns, in body axes\n{}",
+      "principal axes as columns, in body axes\n{}",
       escape(scene.name), mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
       matrix(body.axes));
 }
@@ -51,7 +51,7 @@ nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
 
 std::string json(const Scene& scene, const MassProperties& body) {
   nlohmann::ordered_json document{{"scene", scene.name}};
-  document["mass"] = body.mass;  // NaN, where only moments are given, becomes null
+  document["mass"] = body.mass;  // NaN, if only moments are given, becomes null
   document["centre_of_mass"] = numbers(body.centre_of_mass);
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
@@ -63,14 +63,14 @@ std::string json(const Scene& scene, const MassProperties& body) {
 
 void add_inertia(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "inertia", "Mass, centre of mass, inertia matrix, principal moments and axes");
+      "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
   command->footer("Example: twrench inertia dzhanibekov --format json");
   const auto options = std::make_shared<Options>(*command);
-  command->add_option("--format", options->format, "text or json")
+  command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))
       ->type_name("FORMAT")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file, or - for standard output")
+  command->add_option("-o,--output", options->output, "output file, or - for standard output")
       ->capture_default_str();
   command->callback([options] {
     options->scene.require_not_input(options->output);

@@ -1,4 +1,4 @@
-// The commands that list what there is.
+// The commands that print lists.
 #include <fmt/format.h>
 
 #include "app/commands.h"
@@ -9,12 +9,12 @@
 namespace twrench {
 
 void add_methods(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("methods", "The methods of integration, a line each");
+  CLI::App* command = app.add_subcommand("methods", "List the integration methods");
   command->footer("Example: twrench methods");
   command->callback([] {
     std::string text;
     for (const Method& m : methods()) {
-      const std::string order = m.order == 0 ? "exact  " : fmt::format("order {}", m.order);
+      const std::string order = m.exact() ? "exact  " : fmt::format("order {}", m.order.value());
       text += fmt::format("{:<19}{}  {}; {}\n", m.name, order, m.summary, m.source);
     }
     write_output("-", text);
@@ -22,7 +22,7 @@ void add_methods(CLI::App& app) {
 }
 
 void add_scenes(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("scenes", "The built-in scenes, a line each");
+  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
   command->footer("Example: twrench scenes");
   command->callback([] {
     std::string text;

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Runs the command that the words name, or prints the help or version that they ask for.
+/// Runs the given command, or prints the requested help or version.
 void parse(CLI::App& app, std::vector<std::string> words) try {
   app.parse(std::move(words));
 } catch (const CLI::Success& request) {
@@ -23,7 +23,7 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 }
 
 twrench::ExitCode run(int argc, char** argv) {
-  CLI::App app("From a rigid body's equations of motion to a film of it", "twrench");
+  CLI::App app("Turn a rigid body's equations of motion into a film", "twrench");
   twrench::ExitCode code = twrench::ExitCode::done;
   try {
     twrench::add_commands(app, code);
@@ -40,6 +40,6 @@ twrench::ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) try {
   twrench::prepare_process();
   return static_cast<int>(run(argc, argv));
-} catch (...) {  // there is not the memory to report it
+} catch (...) {  // there is not enough memory to report it
   twrench::end_at_once();
 }

@@ -13,8 +13,8 @@ struct Range {
   char32_t first, last;
 };
 
-/// Control characters, line separators, and the format characters (Unicode's category Cf) that
-/// nothing shows: those that turn the direction, join, separate or tag.
+/// Control characters, line separators, and invisible format characters (Unicode category Cf):
+/// those that change direction, join, separate or tag.
 constexpr std::array<Range, 11> unseen{{{0x00, 0x1F},
                                         {0x7F, 0x9F},
                                         {0xAD, 0xAD},
@@ -69,7 +69,7 @@ void write_message(const std::string& text) {
 
 void warn(const std::string& text, bool as_json) {
   if (as_json) {
-    const nlohmann::json line{{"warning", text}};  // in ASCII, whatever bytes the text has
+    const nlohmann::json line{{"warning", text}};  // In ASCII, whatever bytes the text has.
     return say("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
   }
   say("twrench: warning: {}\n", text);

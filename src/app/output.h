@@ -8,8 +8,8 @@
 
 namespace twrench {
 
-/// A command's data on its way to a file, which then holds all of it or nothing, or to standard
-/// output for "-". Piece by piece, so that no more than a piece is ever held.
+/// Writes a command's data to a file, atomically, or to standard output for "-". Data is written in
+/// pieces, so that it is never held in memory as a whole.
 class Output {
  public:
   /// Throws FileError.
@@ -18,18 +18,18 @@ class Output {
   /// Throws FileError.
   void write(std::string_view text);
 
-  /// To be called once, after the last piece: without it a file keeps its old content. Throws
+  /// Call this once after the last piece; without it a file keeps its old content. Throws
   /// FileError.
   void finish();
 
  private:
   void pass_on();
 
-  std::optional<PendingFile> file_;  ///< else standard output
-  std::string waiting_;              ///< small pieces are passed on together
+  std::optional<PendingFile> file_;  ///< Empty for standard output.
+  std::string waiting_;              ///< Small pieces are written together.
 };
 
-/// The same for data that is there already.
+/// Writes data that is already complete. Throws FileError.
 void write_output(const std::string& path, std::string_view text);
 
 }  // namespace twrench

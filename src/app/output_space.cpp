@@ -9,7 +9,7 @@
 namespace twrench {
 namespace {
 
-/// Bytes, as floating-point numbers because the largest that can be asked for are beyond integers.
+/// Bytes, in floating point because the largest possible requests exceed integers.
 struct Need {
   double frames = 0;
   double film = 0;
@@ -21,7 +21,7 @@ struct Shortage {
   double needed;
 };
 
-/// Where there is too little room for it, if anywhere.
+/// Returns the first location with too little room, if any.
 std::optional<Shortage> find_shortage(const PlannedOutput& output, const Need& need) {
   const bool shared = output.frames_folder && output.film &&
                       on_same_disk(*output.frames_folder, output.film->parent_path());
@@ -42,7 +42,7 @@ std::optional<Shortage> find_shortage(const PlannedOutput& output, const Need& n
 void require_space(const PlannedOutput& output, const std::function<Image()>& draw_one) {
   const auto new_frames = static_cast<double>(output.new_frames);
   const auto film_frames = static_cast<double>(output.film_frames);
-  constexpr double png_bytes_a_pixel = 4.1;  // RGBA as it is, and the filter and block headers
+  constexpr double png_bytes_a_pixel = 4.1;  // uncompressed RGBA with filter and block headers
   constexpr double film_bytes_a_pixel = 0.25;
   const Need bound{new_frames * output.frame_pixels * png_bytes_a_pixel,
                    film_frames * output.frame_pixels * film_bytes_a_pixel};
@@ -51,9 +51,9 @@ void require_space(const PlannedOutput& output, const std::function<Image()>& dr
   const Need estimate{1.25 * png * new_frames, 0.1 * png * film_frames};
   if (const auto shortage = find_shortage(output, estimate)) {
     throw FileError("cannot write " + shortage->path.string(),
-                    fmt::format("{} are free there, and the run is estimated to need {}",
+                    fmt::format("{} are free, but the run needs an estimated {}",
                                 format_bytes(shortage->free), format_bytes(shortage->needed)),
-                    "free some space, choose another disk, a smaller --size or fewer --frames");
+                    "free some space, or choose another disk, a smaller --size or fewer --frames");
   }
 }
 

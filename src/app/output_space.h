@@ -9,20 +9,25 @@
 
 namespace twrench {
 
-/// What a run is to write.
+/// What a run will write.
 struct PlannedOutput {
+  /// Folder of the frames; nothing if none are written.
   std::optional<std::filesystem::path> frames_folder;
+  /// File of the video; nothing if none is written.
   std::optional<std::filesystem::path> film;
-  std::size_t new_frames = 0;   ///< without a file yet
-  std::size_t film_frames = 0;  ///< of the film
+  /// Number of frames without a file yet.
+  std::size_t new_frames = 0;
+  /// Number of frames of the video.
+  std::size_t film_frames = 0;
+  /// Number of pixels of a frame.
   double frame_pixels = 0;
 };
 
-/// Throws FileError where the disk has no room for it. First it is asked whether there is room for
-/// frames that do not compress at all, and a film of two bits a pixel, which is mostly so. Only
-/// else is a frame drawn: the estimate is then that all are a quarter larger as PNG, and the film a
-/// tenth of them. (Measured of the default scene: no frame is a quarter larger than the mean, the
-/// film a fiftieth.)
+/// Throws FileError if the disk has not enough room. First it checks for room for uncompressed
+/// frames and a video of two bits per pixel, which is usually enough. Only otherwise is a frame
+/// drawn; the estimate is then that every PNG is a quarter larger, and the video a tenth of the
+/// PNGs. (Measured with the default scene: no frame is a quarter larger than the mean, and the
+/// video is a fiftieth.)
 void require_space(const PlannedOutput& output, const std::function<Image()>& draw_one);
 
 }  // namespace twrench

@@ -4,7 +4,7 @@
 
 namespace twrench {
 
-/// The options of what is drawn and how: size, theme, views, overlays, camera.
+/// Adds the options for what is drawn and how: size, theme, views, overlays, camera.
 void add_picture_options(SceneOptions& scene);
 
 }  // namespace twrench

@@ -22,7 +22,7 @@ struct DrawnFrame {
   std::shared_ptr<const Picture> picture;
 };
 
-/// The picture, given back when nobody holds it any more.
+/// Shares the picture, and returns it to its owner when the last user releases it.
 std::shared_ptr<const Picture> lent(Picture picture,
                                     const std::function<void(Picture)>& give_back) {
   if (!give_back) return std::make_shared<const Picture>(std::move(picture));
@@ -38,23 +38,23 @@ class Pipeline {
     try {
       start_stages();
     } catch (const std::system_error& error) {
-      close();  // those that were started end, and are joined
+      close();  // the threads already started end and are joined
       throw FileError("cannot start a thread", error.code().message(),
-                      "choose fewer --jobs, or raise the limit on processes (ulimit -u)");
+                      "use fewer --jobs, or raise the limit on processes (ulimit -u)");
     }
   }
 
-  /// False when a stage has failed: then there is no use in drawing on.
+  /// Returns false if a stage has failed, so that drawing more is pointless.
   bool pass_on(const DrawnFrame& frame) {
     const bool compress = outputs_.sequence != nullptr && frame.picture->is_new;
     return (!compress || to_compress_.push(frame)) &&
            (outputs_.encoder == nullptr || to_encode_.push(frame));
   }
 
-  /// Lets the stages end what is on its way, and throws what the first to fail threw.
+  /// Lets the stages complete the frames in flight, and rethrows the first error.
   void finish() {
     close();
-    threads_.clear();  // joins
+    threads_.clear();  // Joins.
     if (error_) std::rethrow_exception(error_);
   }
 
@@ -137,7 +137,7 @@ class Pipeline {
   std::atomic_flag first_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
-  std::vector<std::jthread> threads_;  ///< last: joined before what they use goes
+  std::vector<std::jthread> threads_;  ///< last: joined before what they use is destroyed
 };
 
 }  // namespace
@@ -145,7 +145,7 @@ class Pipeline {
 void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
-  std::deque<std::future<Picture>> begun;  // the frames from `done` on
+  std::deque<std::future<Picture>> begun;  // The frames from `done` on.
   std::size_t done = 0;
   const auto begin_next = [&] {
     const std::size_t next = done + begun.size();

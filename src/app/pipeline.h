@@ -15,37 +15,45 @@
 
 namespace twrench {
 
-/// Where the drawn frames go, and how.
+/// Where and how drawn frames are written.
 struct Outputs {
-  FrameSequence* sequence = nullptr;              ///< PNG files, or null
-  VideoEncoder* encoder = nullptr;                ///< a video, or null
-  int jobs = 1;                                   ///< threads that compress PNG files
-  std::chrono::steady_clock::time_point start{};  ///< of the command, for the first frame's time
+  /// PNG files, or null.
+  FrameSequence* sequence = nullptr;
+  /// The video, or null.
+  VideoEncoder* encoder = nullptr;
+  /// Number of threads that compress PNG files.
+  int jobs = 1;
+  /// Start of the command, for measuring the time to the first frame.
+  std::chrono::steady_clock::time_point start{};
 };
 
-/// A frame's picture, and whether it is new: one that was kept from an earlier run has its file.
+/// A frame's image, and whether it is new: one kept from an earlier run already has its file.
 struct Picture {
+  /// The frame's pixels.
   Image image;
+  /// Whether it was drawn in this run.
   bool is_new = true;
-  /// Where it is not the film's still background; nothing where that is not known.
+  /// The damaged areas, relative to the video's static background; nothing if unknown.
   std::optional<std::vector<Area>> changed = std::nullopt;
 };
 
 /// How frames are drawn.
 struct Drawing {
-  /// Begins a frame, whose get() ends it.
+  /// Begins a frame; get() of the result completes it.
   std::function<std::future<Picture>(const FrameRecord&)> begin;
-  std::size_t ahead = 0;  ///< how many are begun before the one that is being ended
-  /// Takes a picture when all stages are done with it, on the thread of the last; may be empty.
+  /// How many frames are begun before the oldest is completed.
+  std::size_t ahead = 0;
+  /// Takes back an image when all stages have finished with it, on the last stage's thread; may be
+  /// empty.
   std::function<void(Picture)> reuse = {};
 };
 
-/// Draws `frames` one after the other on this thread, while other threads compress and write those
-/// before it and feed the encoder. Between the stages stand bounded queues, so that memory does not
-/// depend on the film's length. Does not finish the outputs.
+/// Draws `frames` in sequence on this thread while other threads compress and write earlier frames
+/// and feed the encoder. Bounded queues connect the stages, so that memory use does not depend on
+/// the length of the video. Does not finish the outputs.
 ///
-/// The first error of any stage ends the run after the frames that are on their way, and is thrown.
-/// Throws FileError too where a thread cannot be started.
+/// The first error of any stage ends the run after the frames in flight, and is thrown. Throws
+/// FileError if a thread cannot be started.
 void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, Progress& progress, StageTimes& times);
 

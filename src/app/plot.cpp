@@ -24,7 +24,7 @@ struct Options {
   bool overlay = false;
 };
 
-/// So many that a turn is round, and no more than a figure can show.
+/// Enough times for smooth curves, but no more than a plot can show.
 std::vector<double> plot_times(const Scene& scene) {
   constexpr double a_turn = 60.0, fewest = 600.0, most = 20'000.0;
   const double turns = scene.motion.duration * scene.motion.omega.norm() / (2 * std::numbers::pi);
@@ -37,7 +37,7 @@ std::vector<double> plot_times(const Scene& scene) {
 }
 
 AttitudeCurve curve_of(const Scene& scene) {
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Method& method = find_method(scene.motion.method);
   AttitudeCurve curve;
   curve.title = scene.title.empty() ? scene.name : scene.title;
@@ -61,16 +61,16 @@ void plot(const Options& options) {
 }  // namespace
 
 void add_plot(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "plot", "The nine components of X against time, with the instants of the flips");
+  CLI::App* command =
+      app.add_subcommand("plot", "Plot the nine components of X against time and mark the flips");
   command->footer(std::string(about_defaults) +
                   "Example: twrench plot dzhanibekov stable-y stable-z -o components.svg");
   const auto options = std::make_shared<Options>(*command);
-  command->add_option("-o,--output", options->output, "the figure: .svg, .pdf or .png")
+  command->add_option("-o,--output", options->output, "plot file: .svg, .pdf or .png")
       ->required()
       ->type_name("FILE");
   command->add_flag("--overlay", options->overlay,
-                    "one panel for each column of X, a row of them for each scene");
+                    "one panel per column of X, one row of panels per scene");
   command->callback([options] { plot(*options); });
 }
 

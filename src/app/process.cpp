@@ -9,27 +9,28 @@
 #include <new>
 #include <string_view>
 
+#include "app/exit_code.h"
 #include "app/report.h"
-#include "base/error.h"
 #include "base/termination.h"
 
 namespace twrench {
 namespace {
 
-/// Opens those of standard input, output and error that are closed, so that they fail as before: a
-/// file that got one of their numbers would get what is meant for them.
+/// Opens closed standard streams in a way that still makes their use fail: otherwise a file could
+/// take their descriptor and receive their data.
 void fill_standard_streams() {
   for (const int descriptor : {0, 1, 2}) {
     if (::fcntl(descriptor, F_GETFD) >= 0) continue;
-    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // gets the lowest free number
+    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // takes the lowest free descriptor
   }
 }
 
 void write_error(std::string_view text) {
-  static_cast<void>(::write(STDERR_FILENO, text.data(), text.size()) < 0);  // nobody may listen
+  // Nothing can be done about a failure.
+  static_cast<void>(::write(STDERR_FILENO, text.data(), text.size()) < 0);
 }
 
-/// Compiled code that may not throw calls std::terminate without telling it of the exception.
+/// Some compilers let noexcept functions call std::terminate without an active exception.
 std::atomic<bool> memory_ran_out = false;
 
 void note_lack_of_memory() {
@@ -39,11 +40,11 @@ void note_lack_of_memory() {
 
 void write_lack_of_memory() {
   write_error(
-      "memory: there is not enough of it\n"
-      "  end other programs, or raise the limit on memory (ulimit -v)\n");
+      "memory: out of memory\n"
+      "  close other programs, or raise the limit on memory (ulimit -v)\n");
 }
 
-/// What could not be thrown to main(), if anything was.
+/// Writes the reason, if an exception could not reach main().
 void write_reason() {
   try {
     if (std::current_exception()) throw;
@@ -56,11 +57,11 @@ void write_reason() {
     write_error(error.what());
     write_error("\n");
   } catch (...) {
-    write_error("internal: an exception of no known type\n");
+    write_error("internal: an exception of unknown type\n");
   }
 }
 
-/// Before the libraries make their static objects, which also takes memory.
+/// Runs before the libraries' static initialisers, which also allocate.
 [[gnu::constructor(101)]] void handle_terminate() {
   std::set_terminate(&end_at_once);
   std::set_new_handler(&note_lack_of_memory);
@@ -70,12 +71,13 @@ void write_reason() {
 
 void prepare_process() {
   fill_standard_streams();
-  // A reader that went away, and a file that may not grow, are errors to report, not a death.
+  // A closed pipe, or a file at its size limit, is an error to report, not a reason to be killed.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
-  // Where the parent ignores it, nobody is told how a child ended.
+  // If the parent ignores it, exit statuses of children are lost.
   static_cast<void>(std::signal(SIGCHLD, SIG_DFL));
-  end_on_termination_signals(&report_termination);
+  end_on_termination_signals(
+      [](const auto& message) { return static_cast<int>(report_termination(message)); });
 }
 
 void end_at_once() noexcept {

@@ -2,12 +2,14 @@
 
 namespace twrench {
 
-/// Makes the process one whose faults can be told: standard streams that are open, signals that end
-/// it in order, writes that fail with an error and not with a signal. To be called first.
+/// Prepares the process so that all failures can be reported: opens missing standard streams,
+/// handles signals in order, and makes failed writes return errors instead of raising signals. Call
+/// it first.
 void prepare_process();
 
-/// Says that memory ran out, or else that there is a bug, and ends the process with exit code 70,
-/// its temporary files removed. For where nothing can be thrown to main(); takes no memory.
+/// Reports that memory ran out, or else that there is a bug, and ends the process with exit code 70
+/// after removing its temporary files. For situations in which nothing can be thrown to main();
+/// allocates no memory.
 [[noreturn]] void end_at_once() noexcept;
 
 }  // namespace twrench

@@ -26,15 +26,16 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
-/// Whole lines, at once. Who starts this program for an Open Job Description reads them; that it
-/// went away is no reason to end. A line end within a value would forge a line.
+/// Writes complete lines at once. The caller of an Open Job Description task reads them; it may
+/// have gone, which is not an error. A line break within a value would forge a line, so values are
+/// escaped.
 template <typename... T>
 void print_openjd(fmt::format_string<T...> format, const T&... values) {
   static_cast<void>(std::fputs(format_message<T...>(format, values...).c_str(), stdout));
   static_cast<void>(std::fflush(stdout));
 }
 
-/// Whether standard error is a terminal on which a line can be drawn over.
+/// Whether standard error is a terminal that can redraw a line.
 bool can_redraw() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
@@ -44,7 +45,7 @@ int terminal_columns() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   const char* const columns = std::getenv("COLUMNS");
-  const int told = columns == nullptr ? 0 : std::atoi(columns);  // 0 where it is no number
+  const int told = columns == nullptr ? 0 : std::atoi(columns);  // 0 if it is not a number
   return told > 0 ? told : 80;
 }
 
@@ -58,8 +59,9 @@ std::string summary_json(const Summary& summary, double rate) {
 }  // namespace
 
 std::string bar_line(double share, const std::string& figures, int columns) {
-  constexpr std::size_t widest = 30, narrowest = 5, frame = 3;           // frame: "[] "
-  const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));  // the last one would wrap
+  constexpr std::size_t widest = 30, narrowest = 5, frame = 3;  // frame: "[] "
+  // The last column would wrap.
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));
   std::string line = figures;
   if (room >= figures.size() + narrowest + frame) {
     const std::size_t width = std::min(widest, room - figures.size() - frame);
@@ -82,7 +84,7 @@ void Progress::tell_failure_of(const std::function<void()>& work, const std::str
 void Progress::add_option(CLI::App& command, std::string& style) {
   command
       .add_option("--progress", style,
-                  "auto, bar, plain, json, openjd or none; auto is a bar on a terminal")
+                  "progress: auto, bar, plain, json, openjd or none; auto = bar on a terminal")
       ->check(one_of("--progress", {"auto", "bar", "plain", "json", "openjd", "none"}))
       ->type_name("STYLE")
       ->capture_default_str();
@@ -148,7 +150,7 @@ void Progress::summarize(const Summary& summary) {
   std::string text =
       fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", summary.frames, summary.seconds, rate);
   if (summary.frames_folder) text += "; frames in " + summary.frames_folder->string();
-  if (summary.film) text += "; film " + summary.film->string();
+  if (summary.film) text += "; video in " + summary.film->string();
   say("{}\n", text);
 }
 

@@ -12,45 +12,50 @@
 
 namespace twrench {
 
-/// What a run made, for its last line.
+/// The result of a run, for its last line.
 struct Summary {
+  /// Number of frames.
   std::size_t frames = 0;
-  double seconds = 0.0;  ///< wall time
+  /// Wall time in s.
+  double seconds = 0.0;
+  /// Folder of the frames, if any were written.
   std::optional<std::filesystem::path> frames_folder;
+  /// The video, if one was written.
   std::optional<std::filesystem::path> film;
 };
 
-/// How far a run has come, on standard error: a bar that is redrawn on a terminal, a plain line now
-/// and then elsewhere, a JSON object a line for programs, or nothing. Or, on standard output, the
-/// lines that an Open Job Description runtime listens for: openjd_progress: 42.0, openjd_status.
+/// Reports the progress of a run on standard error: a bar that is redrawn on a terminal, an
+/// occasional plain line elsewhere, a JSON object per line for programs, or nothing. With openjd it
+/// prints the lines of the Open Job Description protocol on standard output: openjd_progress: 42.0,
+/// openjd_status.
 class Progress {
  public:
   /// Adds --progress to a command.
   static void add_option(CLI::App& command, std::string& style);
 
-  /// Whether that is json. Also for commands without it, where it is not.
+  /// Returns whether the command's style is json; false for commands without the option.
   static bool is_json(const CLI::App& command);
 
-  /// Does the work; where it throws, and the style is openjd, says openjd_fail before that goes on.
+  /// Does the work. If it throws and the style is openjd, prints openjd_fail before rethrowing.
   static void tell_failure_of(const std::function<void()>& work, const std::string& style);
 
-  /// `style` is auto, bar, plain, json, openjd or none; auto is a bar on a terminal that
-  /// can draw over a line, and plain elsewhere.
+  /// `style` is auto, bar, plain, json, openjd or none; auto is bar on a terminal that can redraw a
+  /// line, and plain elsewhere.
   explicit Progress(const std::string& style) : style_(style_called(style)) {}
 
-  /// To be called after each frame with the number done so far, from one thread at a time.
+  /// Call this after each frame with the number done so far, from one thread at a time.
   void update(int done, int total);
 
-  /// A line for people, before the first frame.
+  /// Prints a note for users, before the first frame.
   void note(const std::string& text) const;
 
-  /// A line that is not to be missed: in every style.
+  /// Prints a warning in every style.
   void warn(const std::string& text);
 
-  /// The last line.
+  /// Prints the last line.
   void summarize(const Summary& summary);
 
-  /// Ends the bar's line. Called by the destructor where it was not.
+  /// Ends the bar's line. The destructor calls it too.
   void finish();
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
@@ -66,12 +71,13 @@ class Progress {
   Style style_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_;
-  std::atomic<bool> open_ = false;  ///< a bar's line has not been ended
+  std::atomic<bool> open_ = false;  ///< Whether a bar's line is unfinished.
   const TerminationAction end_of_line_{[this](TerminationMessage&) { finish(); }};
 };
 
-/// A bar before the figures, as wide as fits a terminal of so many columns, with spaces behind that
-/// cover an earlier, longer line. Without the bar, and the figures cut, where there is no room.
+/// Returns a bar followed by `figures`, as wide as fits a terminal of that many columns, padded
+/// with spaces that erase an earlier, longer line. Omits the bar and truncates the text if there is
+/// no room.
 std::string bar_line(double share, const std::string& figures, int columns);
 
 }  // namespace twrench

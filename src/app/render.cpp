@@ -37,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A matrix row by row.
+/// A matrix in row-major order.
 template <std::size_t count, typename Matrix>
 std::array<double, count> row_major(const Matrix& matrix) {
   std::array<double, count> values;
@@ -74,11 +74,11 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
       .add_option_function<std::string>(
           "--backend",
           [&choice, names](const std::string& name) { choice.backend = names.at(name); },
-          "how OpenGL is reached: auto, osmesa or egl")
+          "OpenGL backend: auto, osmesa or egl")
       ->check(one_of("--backend", {"auto", "osmesa", "egl"}))
       ->type_name("NAME")
       ->default_str("auto");
-  command.add_option("--egl-device", choice.egl_device, "EGL's device by its number, or software")
+  command.add_option("--egl-device", choice.egl_device, "EGL device: its number, or software")
       ->type_name("N");
 }
 
@@ -86,9 +86,10 @@ Options::Options(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   add_picture_options(scene);
   film.add_to(command, "out/SCENE.mp4");
-  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames; default out/SCENE/")
+  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames (default: out/SCENE/)")
       ->type_name("DIR");
-  command.add_option("--frames", range, "draw only these: a-b, a-b:step, commas between")
+  command
+      .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");
   command
       .add_option_function<std::string>(
@@ -97,32 +98,33 @@ Options::Options(CLI::App& command) : scene(command) {
             shard = parse_shard(text);
             is_shard = no_video = true;
           },
-          "draw part i of n of the frames, into a folder that all n share; no video: see encode")
+          "draw part i of n of the frames into a folder shared by all n; no video (see encode)")
       ->type_name("i/n");
-  command.add_flag("--no-video", no_video, "PNG frames only");
-  command.add_flag("--no-frames", no_frames, "video only");
+  command.add_flag("--no-video", no_video, "write PNG frames only");
+  command.add_flag("--no-frames", no_frames, "write the video only");
   add_backend_options(command, backend);
-  command.add_option("--jobs", jobs, "threads that compress frames; default: half the processors")
+  command.add_option("--jobs", jobs, "threads that compress frames (default: half the processors)")
       ->type_name("N");
   Progress::add_option(command, progress);
-  auto* const keeps =
-      command.add_flag("--resume", resume, "keep the frames there that are whole and of this film");
-  command.add_flag("--overwrite", overwrite, "draw anew, over the frames and the film of another")
+  auto* const keeps = command.add_flag(
+      "--resume", resume, "keep existing frames that are intact and belong to this video");
+  command
+      .add_flag("--overwrite", overwrite, "replace frames and videos of other scenes or settings")
       ->excludes(keeps);
   command
       .add_flag("--timing{text}", timing,
-                "say at the end how long each stage was busy; --timing=json for programs")
+                "report how long each stage was busy; --timing=json for programs")
       ->check(one_of("--timing", {"text", "json"}));
 }
 
-/// Drawing and the encoder have the other half of the processors: more jobs would only take turns
-/// with them, in each other's caches.
+/// Drawing and the encoder use the other half of the processors: more jobs would only compete with
+/// them for time and cache.
 int job_count(const std::string& text) {
   if (text.empty()) return std::max(1, static_cast<int>(processor_count() / 2));
   return limits::check_whole({1, 256}, "--jobs", parse_number(text, "--jobs"));
 }
 
-/// The frames to draw, each with its pose at its own time; of the first take.
+/// The frames to draw, each with the first method's pose at its own time.
 std::vector<FrameRecord> frame_records(const Timeline& timeline, const Renderer& renderer) {
   std::vector<FrameRecord> frames(timeline.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -156,16 +158,17 @@ VideoFormat video_format(const Options& options, const Scene& scene) {
           scene.look.transparent, options.film.is_streamed()};
 }
 
-/// The trial of the encoder, under way: it takes as long as OpenGL takes to be there.
+/// Tests the encoder in the background, which takes about as long as creating the OpenGL context.
 std::future<void> try_encoder(const Options& options, const Scene& scene) {
   if (options.no_video) return {};
-  encoder_arguments(video_format(options, scene));  // what is wrong with the size
+  encoder_arguments(video_format(options, scene));  // throws for an invalid size
   return std::async(std::launch::async,
                     [format = video_format(options, scene)] { require_encoder(format); });
 }
 
-/// The encoder, known to work; null with --no-video. It starts while the trial comes to its end; a
-/// folder that is yet to be made is made when the trial is passed, so that none is left behind.
+/// Opens the encoder, tested before; null with --no-video. It starts while the test finishes; a
+/// missing folder is created only after the test has passed, so that none is left behind on
+/// failure.
 std::unique_ptr<VideoEncoder> open_encoder(const Options& options, const Scene& scene,
                                            const std::string& identity, std::future<void> trial) {
   if (options.no_video) return nullptr;
@@ -184,7 +187,7 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
                      const std::vector<int>& asked) {
   Manifest manifest;
   manifest.version = version;
-  // As it will be read back: its texts may hold bytes that are no UTF-8.
+  // As it will be read back: its strings may contain invalid UTF-8.
   manifest.scene = nlohmann::ordered_json::parse(
       scene_json(scene).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   manifest.font = typeface_digest(load_typeface(scene.overlay.font));
@@ -198,18 +201,18 @@ Manifest manifest_of(const Options& options, const Scene& scene, const Renderer&
   return manifest;
 }
 
-/// What is left when a signal ends the run, told of on disk and to the user.
+/// Records what remains on disk when a signal ends the run, and reports it to the user.
 void end_whole(FrameSequence* sequence, std::span<const FrameRecord> frames,
                TerminationMessage& message) {
   message.error = "render: " + message.error;
   if (sequence == nullptr) {
-    message.error += "; the film was not complete";
+    message.error += "; the video was not complete";
     return;
   }
   sequence->finish();
-  message.error += fmt::format(" after {} of {} frames, which are whole", sequence->count(frames),
-                               frames.size());
-  message.remedy = "the same command with --resume goes on";
+  message.error += fmt::format(" after {} of {} frames, which are complete",
+                               sequence->count(frames), frames.size());
+  message.remedy = "repeat the command with --resume to continue";
 }
 
 std::string film_name(const Options& options, const Scene& scene) {
@@ -223,7 +226,7 @@ Summary summary_of(const Options& options, const Scene& scene, std::size_t frame
   return summary;
 }
 
-/// A frame, begun: to be ended, or from the folder where --resume keeps it.
+/// Begins a frame: either drawn, or read from the folder if --resume keeps it.
 std::future<Picture> begin_picture(const FrameRecord& frame, FramesOutput* output, bool has_video,
                                    const std::function<PendingFrame()>& begin) {
   const auto kept = output != nullptr ? output->kept(frame) : std::nullopt;
@@ -258,17 +261,20 @@ Reuse reuse_of(const Options& options) {
   return options.resume ? Reuse::resume : Reuse::none;
 }
 
-/// Throws where options contradict each other.
+/// Throws if options contradict each other.
 void check(const Options& options) {
   if (options.no_video && options.no_frames) {
-    throw UsageError("render", "--no-video and --no-frames leave nothing to write");
+    throw UsageError("render", "--no-video and --no-frames together leave nothing to write");
   }
   if (options.no_video && !options.film.output.empty()) {
     throw UsageError(
-        "render", "with --no-video, and --shard, there is no film for --output",
-        "when all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
+        "render", "with --no-video or --shard, no video is written to --output",
+        "once all frames are drawn: twrench encode FRAMES_DIR -o " + options.film.output);
   }
   if (!options.no_video) options.film.require_free_output(options.progress);
+  if (options.backend.backend == gl::Backend::osmesa && options.backend.egl_device) {
+    throw UsageError("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
+  }
 }
 
 void render(const Options& options) {
@@ -286,7 +292,7 @@ void render(const Options& options) {
   const bool is_file = !options.no_video && !options.film.is_streamed();
   if (is_file) options.scene.require_not_input(video_path(options, scene));
 
-  // Whatever can fail for a reason known beforehand fails here, before the first frame.
+  // Whatever can fail for a reason known in advance fails here, before the first frame.
   std::future<void> trial = try_encoder(options, scene);
   const gl::OpenedContext opened = gl::open_context(options.backend);
   const Timeline timeline = [&] {
@@ -339,11 +345,11 @@ void render(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "render", "The main job: simulate, draw every frame, write PNG frames and the video");
+  CLI::App* command =
+      app.add_subcommand("render", "Simulate, draw every frame, and write PNG frames and a video");
   command->footer(std::string(about_defaults) +
                   "Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4\n"
-                  "Exit code 3 without OpenGL, 4 without ffmpeg, 130 or 143 when interrupted.");
+                  "Exit codes: 3 no OpenGL, 4 no ffmpeg, 130 or 143 interrupted.");
   const auto options = std::make_shared<Options>(*command);
   command->callback(
       [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });

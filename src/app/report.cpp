@@ -1,6 +1,9 @@
 #include "app/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -8,6 +11,12 @@
 
 #include "app/message.h"
 #include "base/file.h"
+#include "canvas/error.h"
+#include "figure/gnuplot.h"
+#include "gl/error.h"
+#include "motion/error.h"
+#include "movie/error.h"
+#include "movie/frame_range.h"
 
 namespace twrench {
 namespace {
@@ -18,28 +27,87 @@ ExitCode report(ExitCode code, const std::string& message, const std::string& re
   return code;
 }
 
-ExitCode report(const Error& error) { return report(error.code(), error.what(), error.remedy()); }
+std::string remedy_for(MotionError::Reason reason) {
+  switch (reason) {
+    case MotionError::Reason::step_too_long:
+      return "take a shorter --step";
+    case MotionError::Reason::diverged:
+      return "take a shorter --step, or a method that stays on SO(3)";
+    case MotionError::Reason::too_many_steps:
+      return "take a longer --step or a shorter --duration";
+    case MotionError::Reason::out_of_steps:
+      return "take a larger --tolerance or a shorter --duration";
+    case MotionError::Reason::step_underflow:
+      return "take a larger --tolerance, or a slower motion";
+    case MotionError::Reason::too_many_flips:
+      break;
+  }
+  return "give a shorter --duration";
+}
 
-/// What the running command could be asked for less of.
+std::string remedy_for_frames(const FramesError& error) {
+  switch (error.reason()) {
+    case FramesError::Reason::no_manifest:
+      return "name the folder that twrench render wrote its frames to";
+    case FramesError::Reason::contradictory:
+      return "render again with --overwrite what is not wanted, or remove its manifest";
+    case FramesError::Reason::missing:
+      return "render them, by the same command with --resume or with --frames; or leave them out: "
+             "--allow-missing";
+    case FramesError::Reason::altered:
+      break;
+  }
+  return "render it again: --resume --frames " + format_frame_range(error.frames());
+}
+
+std::string remedy_for_gl(const gl::GlError& error) {
+  switch (error.reason()) {
+    case gl::GlError::Reason::egl_device_refused:
+      return "choose another --egl-device, or --backend";
+    case gl::GlError::Reason::no_osmesa:
+      return error.remedy() + ": --backend egl";
+    case gl::GlError::Reason::failed:
+      break;
+  }
+  return error.remedy();
+}
+
+/// The error as one of that kind, or null.
+template <typename Kind>
+const Kind* as(const Error& error) {
+  return dynamic_cast<const Kind*>(&error);
+}
+
+ExitCode exit_code_of(const Error& error) {
+  if (as<gl::GlError>(error)) return ExitCode::no_gl;
+  if (as<EncoderError>(error) || as<FigureError>(error)) return ExitCode::encoder;
+  return as<FileError>(error) ? ExitCode::file : ExitCode::usage;
+}
+
+ExitCode report(const Error& error) {
+  return report(exit_code_of(error), error.what(), remedy_for(error));
+}
+
+/// Which resources the running command could use less of.
 std::string remedy_for_memory(const CLI::App& app) {
   const auto has_jobs = [](const CLI::App* command) {
     return command->get_option_no_throw("--jobs") != nullptr;
   };
   const bool draws = std::ranges::any_of(app.get_subcommands(), has_jobs);
-  if (draws) return "choose a smaller --size, fewer --samples, or fewer --jobs";
-  return "end other programs, or raise the limit on memory (ulimit -v)";
+  if (draws) return "use a smaller --size, fewer --samples or fewer --jobs";
+  return "close other programs, or raise the limit on memory (ulimit -v)";
 }
 
-/// What the system refused, which no code of ours expected.
+/// The FileError for a system error that no code of ours expected.
 FileError refused(const std::system_error& error) {
   const int number = error.code().value();
   if (error.code() == std::errc::resource_unavailable_try_again) {
     return {"cannot start a thread", error.code().message(),
-            "raise the limit on processes (ulimit -u), or that of the container"};
+            "raise the limit on processes (ulimit -u, or that of the container)"};
   }
   const auto* at = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
   const bool has_path = at != nullptr && !at->path1().empty();
-  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot go on", number);
+  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot continue", number);
 }
 
 bool is_of_the_system(const std::system_error& error) {
@@ -49,13 +117,29 @@ bool is_of_the_system(const std::system_error& error) {
 
 }  // namespace
 
+std::string remedy_for(const Error& error) {
+  if (const auto* gl = as<gl::GlError>(error)) return remedy_for_gl(*gl);
+  if (!error.remedy().empty()) return error.remedy();
+  if (const auto* motion = as<MotionError>(error)) return remedy_for(motion->reason());
+  if (const auto* frames = as<FramesError>(error)) return remedy_for_frames(*frames);
+  if (const auto* size = as<FilmSizeError>(error)) {
+    return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),
+                       size->height());
+  }
+  if (as<OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (as<MissingGlyph>(error)) {
+    return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud none";
+  }
+  return {};
+}
+
 ExitCode report_current_exception(const CLI::App& app) {
   try {
     throw;
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    return report(ExitCode::internal, "memory: there is not enough of it", remedy_for_memory(app));
+    return report(ExitCode::internal, "memory: out of memory", remedy_for_memory(app));
   } catch (const std::system_error& error) {
     if (is_of_the_system(error)) return report(refused(error));
     return report(ExitCode::internal, std::string("internal: ") + error.what());
@@ -64,8 +148,9 @@ ExitCode report_current_exception(const CLI::App& app) {
   }
 }
 
-void report_termination(const TerminationMessage& message) {
-  report(ExitCode::interrupted, message.error, message.remedy);
+ExitCode report_termination(const TerminationMessage& message) {
+  return report(message.signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated,
+                message.error, message.remedy);
 }
 
 }  // namespace twrench

@@ -2,17 +2,22 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/exit_code.h"
 #include "base/error.h"
 #include "base/termination.h"
 
 namespace twrench {
 
-/// Prints what is being thrown on standard error, as "twrench: error: WHAT: WHY" with the remedy on
-/// a second line, and returns its exit code. To be called in a catch clause. `app` tells which
+/// What a user of the command line can do about it: the error's own remedy or, where that takes an
+/// option, which; may be empty.
+std::string remedy_for(const Error& error);
+
+/// Prints the exception being handled on standard error, as "twrench: error: WHAT: WHY" with the
+/// remedy on a second line, and returns its exit code. Call it in a catch clause. `app` tells which
 /// command was running.
 ExitCode report_current_exception(const CLI::App& app);
 
-/// Prints, in the same way, that a signal ends the program.
-void report_termination(const TerminationMessage& message);
+/// Prints, in the same way, that a signal ends the program, and returns its exit code.
+ExitCode report_termination(const TerminationMessage& message);
 
 }  // namespace twrench

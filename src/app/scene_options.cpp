@@ -18,8 +18,8 @@ void warn_of_unreal_moments(const Scene& scene, bool as_json) {
   const Eigen::Vector3d& moments = *scene.body.moments;
   constexpr double round_off = 1e-12;
   if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
-  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one is more than the other "
-                   "two together",
+  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one exceeds the sum of the "
+                   "other two",
                    scene.name, moments[0], moments[1], moments[2]),
        as_json);
 }
@@ -31,7 +31,7 @@ std::string format_vector(const Eigen::Vector3d& v) {
 }  // namespace
 
 SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
-  command.add_option("SCENE", names_, "a .toml file, or a built-in scene")
+  command.add_option("SCENE", names_, ".toml file or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
       ->default_str("dzhanibekov");
 }
@@ -61,7 +61,7 @@ void SceneOptions::add_flag(const std::string& name, const std::string& help,
 }
 
 void SceneOptions::add_inertia_option() {
-  add("--inertia", "A,B,C", "principal moments, g cm^2; the body is then only these",
+  add("--inertia", "A,B,C", "replace the body by its principal moments of inertia, g cm^2",
       [](Scene& scene, const std::string& text) {
         scene.body.parts.clear();
         scene.body.moments = limits::check_moments(
@@ -71,26 +71,26 @@ void SceneOptions::add_inertia_option() {
 }
 
 void SceneOptions::add_motion_options() {
-  add("--omega", "X,Y,Z", "angular velocity at t = 0, body axes, rad/s",
+  add("--omega", "X,Y,Z", "initial angular velocity in body axes, rad/s",
       [](Scene& scene, const std::string& text) {
         scene.motion.omega = limits::check_omega("--omega", parse_vector(text, "--omega"));
       })
       ->default_str(format_vector(Scene().motion.omega));
   add_inertia_option();
-  add("--method", "NAME", "method of integration; see twrench methods",
+  add("--method", "NAME", "integration method (see twrench methods)",
       [](Scene& scene, const std::string& text) {
         scene.motion.method = find_method(text, "--method").name;
       })
       ->default_str(Scene().motion.method);
-  add_number("--step", "H", "step of a fixed-step method, first step of an adaptive one, s",
-             limits::step, [](Scene& s) -> double& { return s.motion.control.step; });
-  add_number("--tolerance", "T", "error an adaptive method allows in a step", limits::tolerance,
+  add_number("--step", "H", "step size, s; initial step size of adaptive methods", limits::step,
+             [](Scene& s) -> double& { return s.motion.control.step; });
+  add_number("--tolerance", "T", "error tolerance per step of adaptive methods", limits::tolerance,
              [](Scene& s) -> double& { return s.motion.control.tolerance; });
-  add_number("--duration", "S", "how long the motion lasts, s", limits::duration,
+  add_number("--duration", "S", "duration of the motion, s", limits::duration,
              [](Scene& s) -> double& { return s.motion.duration; });
-  add_number("--fps", "N", "frames, and samples, a second", limits::fps,
+  add_number("--fps", "N", "frames (and output samples) per second", limits::fps,
              [](Scene& s) -> double& { return s.film.fps; });
-  add_number("--speed", "F", "seconds of motion per second of film", limits::speed,
+  add_number("--speed", "F", "seconds of motion per second of video", limits::speed,
              [](Scene& s) -> double& { return s.film.speed; });
 }
 

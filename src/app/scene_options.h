@@ -11,56 +11,58 @@
 
 namespace twrench {
 
-/// For the footer of a command with options of the scene.
+/// Footer for the help of commands with scene options.
 inline constexpr const char* about_defaults =
-    "What an option does not say, the scene says; the defaults are for what neither does.\n";
+    "Options override the scene; the defaults apply to what neither sets.\n";
 
-/// The SCENE argument, or several, and the options that override its values. Lives as long as the
-/// command.
+/// The SCENE argument, one or several, and the options that override its values. Must live as long
+/// as the command.
 class SceneOptions {
  public:
   using Override = std::function<void(Scene&, const std::string& text)>;
 
-  /// How many scenes the command takes.
+  /// How many scenes the command accepts.
   enum class Count { one, several };
 
   explicit SceneOptions(CLI::App& command, Count count = Count::one);
 
-  /// --omega, --inertia, --method, --step, --tolerance, --duration, --fps, --speed.
+  /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
-  /// An option whose text changes the scene. `apply` throws UsageError about the option's name.
-  /// The default_str of what is returned is for the help: what a scene has that does not say.
+  /// Adds an option whose text changes the scene. `apply` throws UsageError about the option's
+  /// name. Set the default_str of the result to the default shown in the help.
   CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
                    Override apply);
-  /// An option that is a number within `limit`, to be written to where `target` points.
+  /// Adds a numeric option within `limit`, stored where `target` points.
   void add_number(const std::string& name, const std::string& value, const std::string& help,
                   const limits::Limit& limit, std::function<double&(Scene&)> target);
 
-  /// An option without a value that changes the scene.
+  /// Adds a flag that changes the scene.
   void add_flag(const std::string& name, const std::string& help,
                 std::function<void(Scene&)> apply);
 
-  /// --inertia alone.
+  /// Adds only --inertia.
   void add_inertia_option();
 
-  /// The scene with everything overridden. Throws as load_scene, and UsageError. Warns on standard
-  /// error of moments that no real body has.
+  /// Returns the scene with all overrides applied. Throws as load_scene() does, and UsageError.
+  /// Warns on standard error about moments that no real body has.
   Scene scene() const { return scenes().front(); }
 
-  /// Throws UsageError where `output` is a scene file that was named, or a font of such a scene.
+  /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a
+  /// scene.
   void require_not_input(const std::filesystem::path& output) const;
 
-  /// All of them, each as scene() is.
+  /// Returns all scenes, each as scene() does.
   std::vector<Scene> scenes() const;
 
  private:
-  /// The scenes, without a word.
+  /// Loads the scenes without warnings.
   std::vector<Scene> load() const;
 
   CLI::App& command_;
   std::vector<std::string> names_{"dzhanibekov"};
-  std::vector<std::function<void(Scene&)>> overrides_;  ///< in the order of the options' definition
+  /// In the order of the options' definition.
+  std::vector<std::function<void(Scene&)>> overrides_;
 };
 
 }  // namespace twrench

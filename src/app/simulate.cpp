@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "base/error.h"
 #include "motion/diagnostics.h"
 #include "motion/trajectory.h"
 
@@ -35,7 +36,7 @@ class RegularTimes {
       throw UsageError("simulate",
                        fmt::format("there would be {} samples, but at most {} are allowed", whole,
                                    limits::most_frames),
-                       "give a shorter --duration, a lower --fps, or --times");
+                       "use a shorter --duration, a lower --fps, or --times");
     }
     regular_ = static_cast<std::size_t>(whole) + 1;
   }
@@ -58,7 +59,7 @@ std::vector<double> times_asked_for(const Options& options) {
   return times;
 }
 
-/// What stands before, between and after the samples, and the text of one.
+/// The text before, between and after the samples, and that of a sample.
 struct Format {
   std::string before, between, after;
   std::function<std::string(const Sample&, const Diagnostics&)> row;
@@ -81,7 +82,7 @@ Format csv() {
       "", "", csv_row};
 }
 
-/// Indented as deep as it stands in the document.
+/// Indented to its depth in the document.
 std::string json_row(const Sample& s, const Diagnostics& d) {
   std::vector<double> X;
   for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));
@@ -113,8 +114,8 @@ void simulate(const Options& options) {
   options.scene.require_not_input(options.output);
   const Scene scene = options.scene.scene();
   const Method& method = find_method(scene.motion.method);
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const double start = energy(body.inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const double start = energy(body.inertia(), scene.motion.omega);
   const Format format = options.format == "csv" ? csv() : json(scene);
   Output output(options.output);
   output.write(format.before);
@@ -138,17 +139,20 @@ void simulate(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("simulate", "The trajectory as CSV or JSON");
+  CLI::App* command =
+      app.add_subcommand("simulate", "Compute the trajectory and write it as CSV or JSON");
   command->footer(std::string(about_defaults) +
                   "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
   const auto options = std::make_shared<Options>(*command);
-  command->add_option("--times", options->times, "sample at exactly these times, s")
+  command
+      ->add_option("--times", options->times,
+                   "sample at exactly these times, s (default: every 1/fps)")
       ->type_name("T1,T2,...");
-  command->add_option("--format", options->format, "csv or json")
+  command->add_option("--format", options->format, "output format: csv or json")
       ->check(one_of("--format", {"csv", "json"}))
       ->type_name("FORMAT")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file, or - for standard output")
+  command->add_option("-o,--output", options->output, "output file, or - for standard output")
       ->capture_default_str();
   command->callback([options] { simulate(*options); });
 }

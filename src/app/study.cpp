@@ -44,7 +44,7 @@ std::vector<const Method*> chosen_methods(const Options& options, const Scene& s
   return chosen;
 }
 
-/// The list that was given, or the one value that was given by `single`, or `ladder`.
+/// Returns the given list, or the value of option `single` if given, or `ladder`.
 std::vector<double> rungs(const Options& options, const std::string& name, const std::string& list,
                           const limits::Limit& limit, const std::string& single, double value,
                           std::vector<double> ladder) {
@@ -65,20 +65,20 @@ StudyPlan plan_of(const Options& options, const Scene& scene) {
                           "--tolerance", motion.control.tolerance, tolerance_ladder());
   plan.first_step = plan.steps.front();
   plan.duration = motion.duration;
-  // A long or fast motion need not be studied to the end of the ladder, unless that was asked for.
+  // A long or fast motion is not studied to the end of the ladder unless that was requested.
   constexpr std::int64_t most_steps = 1'000'000;
   if (options.steps.empty() && options.tolerances.empty()) plan.max_steps = most_steps;
   return plan;
 }
 
-/// An option that bounds a number of every run.
+/// An option that sets a bound for a quantity of every run.
 struct Bound {
   std::string name;
   double most;
   std::function<double(const Study&, const StudyRun&)> value;
 };
 
-/// A flip too many or too few is off by more than any number.
+/// A missing or additional flip exceeds every bound.
 double flip_error(const Study& study, const StudyRun& run) {
   if (run.flips.size() != study.flip_times.size()) return std::numeric_limits<double>::infinity();
   return study.flip_times.empty() ? 0.0 : run.flip_error;
@@ -98,7 +98,7 @@ std::vector<Bound> bounds_of(const Options& options) {
   return bounds;
 }
 
-/// A run that was refused is over every bound.
+/// A failed run exceeds every bound.
 ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
   ExitCode code = ExitCode::done;
   for (const Bound& bound : bounds) {
@@ -110,13 +110,10 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
     }
     if (over == 0) continue;
     code = ExitCode::answer_is_no;
-    say("twrench: study: a bound was exceeded: {} {} by {} of the runs\n", bound.name, bound.most,
-        over);
+    say("twrench: study: {} {} was exceeded in {} of the runs\n", bound.name, bound.most, over);
   }
   return code;
 }
-
-bool is_exact(const Method* method) { return method->order == 0; }
 
 std::string report(const Options& options, const Study& study, const Scene& scene) {
   if (options.format == "csv") return study_csv(study);
@@ -131,12 +128,12 @@ ExitCode run_study(const Options& options) {
   const std::vector<Bound> bounds = bounds_of(options);
   const Scene scene = options.scene.scene();
   const StudyPlan plan = plan_of(options, scene);
-  if (!options.plot.empty() && std::ranges::all_of(plan.methods, is_exact)) {
-    throw UsageError("--plot", "there is nothing to draw of exact alone: it has no steps");
+  if (!options.plot.empty() && std::ranges::all_of(plan.methods, &Method::exact)) {
+    throw UsageError("--plot", "the exact method alone has no steps to plot");
   }
-  const FreeBody body = free_body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
   const Study result = study(body, plan);
-  Output output(options.output);  // it and the figure, or neither
+  Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result, scene));
   if (!options.plot.empty()) draw_figure(options.plot, study_figure(result));
   output.finish();
@@ -145,34 +142,37 @@ ExitCode run_study(const Options& options) {
 
 void add_options(CLI::App& command, Options& options) {
   options.scene.add_motion_options();
-  command.add_option("--methods", options.methods, "only these; default: all, or that of --method")
+  command
+      .add_option("--methods", options.methods,
+                  "methods to compare (default: all, or the value of --method)")
       ->type_name("A,B,...");
-  command.add_option("--steps", options.steps, "steps to try, s; default: a ladder by halves")
+  command.add_option("--steps", options.steps, "step sizes, s (default: successive halvings)")
       ->type_name("H1,H2,...");
   command
       .add_option("--tolerances", options.tolerances,
-                  "tolerances to try of the adaptive methods; default: 1e-4 to 1e-12")
+                  "tolerances of the adaptive methods (default: 1e-4 to 1e-12)")
       ->type_name("T1,T2,...");
   command
       .add_option("--max-error", options.max_error,
-                  "exit 1 when the error of X at the end of a run is over this")
+                  "exit 1 if the error of X at the end of any run exceeds this")
       ->type_name("E");
   command
       .add_option("--max-energy-drift", options.max_energy_drift,
-                  "exit 1 when the relative energy drift of a run is ever over this")
+                  "exit 1 if the relative energy drift of any run exceeds this")
       ->type_name("E");
   command
       .add_option("--max-flip-error", options.max_flip_error,
-                  "exit 1 when a flip of a run is missed, or off by more than this, s")
+                  "exit 1 if any run misses a flip, or its time by more than this, s")
       ->type_name("S");
-  command.add_option("--format", options.format, "text, csv or json")
+  command.add_option("--format", options.format, "output format: text, csv or json")
       ->check(one_of("--format", {"text", "csv", "json"}))
       ->type_name("FORMAT")
       ->capture_default_str();
-  command.add_option("-o,--output", options.output, "file, or - for standard output")
+  command.add_option("-o,--output", options.output, "output file, or - for standard output")
       ->capture_default_str();
   command
-      .add_option("--plot", options.plot, "order, work and energy drift as a figure: svg, pdf, png")
+      .add_option("--plot", options.plot,
+                  "plot order, work-precision and energy drift: .svg, .pdf or .png")
       ->type_name("FILE");
 }
 
@@ -180,10 +180,10 @@ void add_options(CLI::App& command, Options& options) {
 
 void add_study(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
-      "study", "Methods held against the exact motion: order, error, drifts, flip times, cost");
+      "study", "Compare methods with the exact solution: order, error, drift, flip times, cost");
   command->footer(std::string(about_defaults) +
                   "Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20\n"
-                  "Exit code 1 when a bound, --max-..., is exceeded.");
+                  "Exit code 1 if a --max-... bound is exceeded.");
   const auto options = std::make_shared<Options>(*command);
   add_options(*command, *options);
   command->callback([options, &code] { code = run_study(*options); });

@@ -50,10 +50,10 @@ std::string timing_report(const StageTimes& times, double seconds, std::size_t f
     report["cpu_ms_per_frame"] = {{"twrench", own}, {"children", children}};
     return report.dump();
   }
-  std::string text = "busy milliseconds a frame: ";
+  std::string text = "busy time per frame, ms: ";
   for (const auto& [name, ms] : stages) text += fmt::format("{} {:.2f}, ", name, ms);
   return text + fmt::format(
-                    "in all {:.1f}; processor {:.1f} and the encoder's {:.1f}; first frame "
+                    "wall {:.1f}; CPU {:.1f}, encoder's CPU {:.1f}; first frame "
                     "after {:.0f} ms",
                     1e3 * seconds / count, own, children, milliseconds(times.first));
 }

@@ -8,30 +8,30 @@
 
 namespace twrench {
 
-/// User and system time in milliseconds. Of a process, and so with that of the shell that became
-/// this program, and of the shell's children before: only differences tell of this program.
+/// User and system time in milliseconds. It is that of the process, including the shell that became
+/// this program, and the shell's earlier children; only differences are meaningful.
 struct ProcessorTime {
-  double own, children;  ///< of the children, those that have ended
+  double own, children;  ///< `children` counts those that have ended.
 };
 
 ProcessorTime processor_time();
 
-/// Busy time of each stage of a film in nanoseconds, over all its threads.
+/// Busy time of each stage of a render in nanoseconds, summed over all its threads.
 struct StageTimes {
   using Counter = std::atomic<std::int64_t>;
 
-  Counter pose{0};      ///< the motion, integrated
-  Counter draw{0};      ///< drawing and reading back: a software rasteriser draws when it is read
-  Counter convert{0};   ///< to the encoder's colours
-  Counter compress{0};  ///< PNG
-  Counter write{0};     ///< PNG files with their digests
-  Counter encode{0};    ///< feeding the encoder, which is to wait for it
-  Counter first{0};     ///< not a stage: from the start to the first frame that was written
+  Counter pose{0};      ///< Integrating the motion.
+  Counter draw{0};      ///< Drawing and reading back; a software rasteriser draws when it is read.
+  Counter convert{0};   ///< Converting to the encoder's colours.
+  Counter compress{0};  ///< Compressing PNG.
+  Counter write{0};     ///< Writing PNG files and computing their digests.
+  Counter encode{0};    ///< Feeding the encoder, including waiting for it.
+  Counter first{0};     ///< Not a stage: the time from the start to the first frame written.
 
-  ProcessorTime before = processor_time();  ///< what is not this film's
+  ProcessorTime before = processor_time();  ///< CPU time before the render.
 };
 
-/// Adds the time of its own life to a stage.
+/// Adds its own lifetime to a stage.
 class Timed {
  public:
   explicit Timed(StageTimes::Counter& total) : total_(total) {}
@@ -47,8 +47,8 @@ class Timed {
   Clock::time_point start_ = Clock::now();
 };
 
-/// What a film took, for people: one line, or with `json` for programs: one JSON object on a line.
-/// `seconds` is the wall time of all of it. Processor time is what the system counts until now.
+/// Returns the timing of a render as one line for users, or with `json` as a JSON object on one
+/// line. `seconds` is the total wall time. CPU time is that counted by the system so far.
 std::string timing_report(const StageTimes& times, double seconds, std::size_t frames, bool json);
 
 }  // namespace twrench

@@ -19,7 +19,7 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   return command.get_options([](const CLI::Option*) { return true; });
 }
 
-/// What an error is about: the command, or before there is one the whole.
+/// The subject of an error: the command or, if none was given, the command line.
 std::string subject(const CLI::App& app, const CLI::App& command) {
   return &command == &app ? "command line" : command.get_name();
 }
@@ -47,11 +47,12 @@ UsageError unknown_word(const CLI::App& app, const CLI::App& command, const std:
 UsageError missing_command(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : all_commands(app)) names.push_back(command->get_name());
-  return {subject(app, app), "a command is missing",
+  return {subject(app, app), "no command was given",
           fmt::format("one of: {}; see twrench --help", fmt::join(names, ", "))};
 }
 
-/// The option of which the message speaks: the longest name in it, as one may begin with another.
+/// Finds the option that the message mentions: the longest name in it, as one may be a prefix of
+/// another.
 const CLI::Option* option_in(const CLI::App& command, std::string_view text) {
   const CLI::Option* found = nullptr;
   for (const CLI::Option* option : all_options(command)) {
@@ -63,10 +64,10 @@ const CLI::Option* option_in(const CLI::App& command, std::string_view text) {
 }
 
 std::string fault_of(const CLI::Option& option) {
-  if (option.get_expected_max() == 0) return "takes no value";
+  if (option.get_expected_max() == 0) return "it takes no value";
   if (option.count() > 1)
-    return fmt::format("can be given only once, not {} times", option.count());
-  return fmt::format("its value, {}, is missing", option.get_type_name());
+    return fmt::format("it can be given only once, but was given {} times", option.count());
+  return fmt::format("its value {} is missing", option.get_type_name());
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ void refuse_empty_values(CLI::App& app) {
       if (name == "--title") continue;
       option->check([name](const std::string& value) -> std::string {
         if (value.empty())
-          throw UsageError(name, "its value is empty", "give one, or leave it out");
+          throw UsageError(name, "its value is empty", "give a value, or omit the option");
         return {};
       });
     }

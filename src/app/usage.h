@@ -8,16 +8,16 @@
 
 namespace twrench {
 
-/// The words of a command line as CLI11 takes them, the last first. "--name=" becomes "--name" and
-/// an empty word: some releases of CLI11 would take the next word for the value.
+/// Returns the arguments as CLI11 takes them, the last first. "--name=" becomes "--name" and an
+/// empty word, because some CLI11 releases would take the next word as its value.
 std::vector<std::string> words_for_parser(int argc, const char* const* argv);
 
-/// Makes an empty value, which a script has from a variable that is not set, a mistake of the
-/// command line: to be called when all options are there. A title may be empty.
+/// Makes an empty value, as a script passes it from an unset variable, a usage error. Call it when
+/// all options have been added. A title may be empty.
 void refuse_empty_values(CLI::App& app);
 
-/// What is wrong with the command line that `app` could not parse, in our words, whatever release
-/// of CLI11 complains; with the nearest option offered for one that there is not.
+/// Returns our error message for a command line that `app` could not parse, independently of the
+/// CLI11 release; suggests the nearest option for an unknown one.
 UsageError usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace twrench

@@ -9,17 +9,17 @@
 
 namespace twrench {
 
-/// Joins two stages of a pipeline: first in, first out, any number of threads at either end, never
-/// more than `capacity` items inside, so that a fast stage waits for a slow one.
+/// A first-in, first-out queue between two stages of a pipeline, for any number of threads at
+/// either end. It holds at most `capacity` items, so that a fast stage waits for a slow one.
 ///
-/// Either end may close it: the producer when there is no more, the consumer when it failed. What
-/// is inside at that time can still be taken.
+/// Either end may close it: the producer when it is finished, the consumer when it has failed.
+/// Items already in the queue can still be taken.
 template <typename T>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits for room. False, and the item is dropped, when the queue is closed: nobody will take it.
+  /// Waits for room and adds the item. Returns false and drops the item if the queue is closed.
   bool push(T item) {
     {
       std::unique_lock lock(mutex_);
@@ -33,7 +33,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// Waits for an item. Nothing when the queue is closed and empty: there will be none.
+  /// Waits for an item and takes it. Returns nothing if the queue is closed and empty.
   std::optional<T> pop() {
     std::optional<T> item;
     {
@@ -49,7 +49,7 @@ class BoundedQueue {
     return item;
   }
 
-  /// Ends all waiting, now and later. May be called more than once.
+  /// Closes the queue and ends all waiting, now and later. May be called more than once.
   void close() {
     {
       const std::lock_guard lock(mutex_);

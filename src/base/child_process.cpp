@@ -17,7 +17,7 @@
 namespace twrench {
 namespace {
 
-/// Keeps SIGPIPE from this thread, so that EPIPE alone tells of a reader that is gone.
+/// Blocks SIGPIPE on this thread, so that only EPIPE reports a closed reader.
 class SigpipeBlocked {
  public:
   SigpipeBlocked() {
@@ -60,7 +60,7 @@ Pipe make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// What the child has where: input, output and errors at 0, 1 and 2.
+/// Assigns the child's descriptors 0, 1 and 2: input, output and errors.
 class SpawnActions {
  public:
   SpawnActions(const Descriptor& input, int output, const Descriptor& errors) {
@@ -82,7 +82,7 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A group of its own, and the signals as a program expects them, whatever this one does with them.
+/// A process group of its own, and default signal handling, whatever this process has set.
 class SpawnAttributes {
  public:
   SpawnAttributes() {
@@ -108,7 +108,7 @@ class SpawnAttributes {
 
 pid_t spawn(std::vector<std::string> command, const Descriptor& input, int output,
             const Descriptor& errors) {
-  std::vector<char*> arguments(command.size() + 1);  // the last is null
+  std::vector<char*> arguments(command.size() + 1);  // The last is null.
   std::transform(command.begin(), command.end(), arguments.begin(),
                  [](std::string& argument) { return argument.data(); });
   pid_t pid = -1;
@@ -120,14 +120,14 @@ pid_t spawn(std::vector<std::string> command, const Descriptor& input, int outpu
   return pid;
 }
 
-/// Time in which nothing happens, counted in short waits that ended without an event: so that
-/// what passes while this program is stopped, and cannot see events, is one of them at most.
+/// Measures idle time as the sum of short waits that ended without an event. Time during which this
+/// program is stopped, and cannot see events, thus counts as at most one wait.
 class Idleness {
  public:
   explicit Idleness(ChildProcess::Time most) : left_(most) {}
 
-  /// Waits for the events, and counts the time when there are none; then returns false. Looks at
-  /// what it can after a signal as well.
+  /// Waits for the events and returns whether there were any; idle time accumulates otherwise. A
+  /// wait interrupted by a signal counts as an event.
   bool wait(std::span<pollfd> events, ChildProcess::Time most = std::chrono::seconds(1)) {
     const ChildProcess::Time span = std::min(left_, most);
     const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
@@ -145,15 +145,15 @@ ssize_t copy_into(int pipe, std::span<const std::uint8_t> bytes) {
   return ::write(pipe, bytes.data(), bytes.size());
 }
 
-/// Copies where the system does not lend, as some sandboxes.
+/// Copies where the system does not support vmsplice, as in some sandboxes.
 ssize_t lend_to(int pipe, std::span<const std::uint8_t> bytes) {
-  const iovec pages{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // they are only read
+  const iovec pages{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // only read
   const ssize_t lent = ::vmsplice(pipe, &pages, 1, SPLICE_F_NONBLOCK);
   const bool as_write_would = errno == EAGAIN || errno == EINTR || errno == EPIPE;
   return lent >= 0 || as_write_would ? lent : copy_into(pipe, bytes);
 }
 
-/// As a shell gives it.
+/// Returns the exit status as a shell reports it.
 int exit_status(int status) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
@@ -165,20 +165,23 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patienc
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
   {
-    const auto hold = hold_termination();  // there is no child that would not be killed
+    // No signal may end us between starting the child and registering its kill action.
+    const auto hold = hold_termination();
     kill_.emplace([this](TerminationMessage&) { ::kill(-pid_, SIGKILL); });
     pid_ = spawn(command, input.read, output, errors.write);
   }
   input_ = std::move(input.write);
   errors_ = std::move(errors.read);
   ::fcntl(input_.get(), F_SETFL, O_NONBLOCK);
-  // A frame has megabytes: fewer, larger portions. Where the system refuses, it is only slower.
+  // A frame is several megabytes: a larger pipe means fewer, larger writes. If the system refuses,
+  // writing is merely slower.
   ::fcntl(input_.get(), F_SETPIPE_SZ, 1 << 20);
 }
 
 ChildProcess::~ChildProcess() {
   if (pid_ < 0) return;
-  const auto hold = hold_termination();  // once it is waited for, its number may be another's
+  // Once it has been waited for, its number may belong to another process.
+  const auto hold = hold_termination();
   ::kill(-pid_, SIGKILL);
   while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
@@ -189,7 +192,7 @@ bool ChildProcess::has_ended() {
   const auto hold = hold_termination();
   const pid_t ended = ::waitpid(pid_, &status_, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
-  if (ended < 0) {  // nobody says how it ended, or whether: it has not done its work
+  if (ended < 0) {  // its exit status is unknown, so its work may be incomplete
     ::kill(-pid_, SIGKILL);
     status_ = W_EXITCODE(255, 0);
   }
@@ -226,7 +229,8 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
   const SigpipeBlocked blocked;
   Idleness idle(patience_);
   while (!bytes.empty()) {
-    // Its errors are read meanwhile: a child that waits to tell them would not read on.
+    // Standard error is read meanwhile, because a child blocked on writing errors would stop
+    // reading.
     std::array<pollfd, 2> ready{{{input_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
     if (!idle.wait(ready)) {
       if (!idle.is_over()) continue;
@@ -256,7 +260,8 @@ int ChildProcess::wait(Time work_left) {
   Idleness idle(patience_ + work_left);
   std::array<pollfd, 1> ready{};
   while (!has_ended()) {
-    // Its end is mostly that of its errors. Where it closed them before, it is looked for often.
+    // The end of standard error usually means the end of the child. If the child closed it earlier,
+    // its exit is polled.
     ready[0] = {errors_.get(), POLLIN, 0};
     const Time most = errors_ ? Time(1000) : Time(1);
     if (idle.wait(ready, most)) read_errors();
@@ -273,16 +278,16 @@ std::string why_not_started(const std::system_error& error) {
     case ENOENT:
       return "it was not found in PATH";
     case EACCES:
-      return "the one in PATH may not be executed";
+      return "the file in PATH is not executable";
     case ENOEXEC:
-      return "the one in PATH is no program for this machine";
+      return "the file in PATH is not a program for this machine";
     case EMFILE:
     case ENFILE:
       return "too many files are open";
     case EAGAIN:
-      return "no more processes may be started";
+      return "the limit on processes has been reached";
     case ENOMEM:
-      return "there is not enough memory";
+      return "not enough memory";
     default:
       return error.code().message();
   }
@@ -293,16 +298,16 @@ std::string remedy_for_start(const std::system_error& error, const std::string& 
     case ENOENT:
       return installation;
     case EACCES:
-      return "make it executable (chmod +x), or take it out of PATH";
+      return "make it executable (chmod +x), or remove it from PATH";
     case ENOEXEC:
-      return "install the one for this machine";
+      return "install the version for this machine";
     case EMFILE:
     case ENFILE:
       return "raise the limit on open files (ulimit -n)";
     case EAGAIN:
       return "raise the limit on processes (ulimit -u)";
     case ENOMEM:
-      return "end other programs";
+      return "close other programs";
     default:
       return {};
   }
@@ -317,7 +322,7 @@ std::string last_words(std::string_view output) {
   for (std::size_t at = 0; (at = tail.find('\n', at)) != std::string::npos;) {
     tail.replace(at, 1, "; ");
   }
-  return tail.empty() ? "it said nothing" : tail;
+  return tail.empty() ? "it printed no message" : tail;
 }
 
 std::string shell_command(std::span<const std::string> command) {

@@ -18,53 +18,55 @@
 
 namespace twrench {
 
-/// A program that runs beside this one and is fed through a pipe. No shell is in between.
+/// A child process that is fed through a pipe, started without a shell.
 ///
-/// It is in a process group of its own, so that a Ctrl-C at the terminal is for this program alone,
-/// which then decides what becomes of its child. For use by one thread.
+/// It has a process group of its own, so that Ctrl-C at the terminal reaches only this program,
+/// which then decides what happens to the child. Not thread-safe.
 class ChildProcess {
  public:
   using Time = std::chrono::milliseconds;
 
-  /// After which a child that takes nothing, or does not end, is taken to hang. The time in which
-  /// this program is itself stopped is not counted.
+  /// The time after which a child that accepts no data, or does not exit, is considered hung. Time
+  /// during which this program itself is stopped does not count.
   static constexpr Time default_patience = std::chrono::seconds(60);
 
-  /// Where a child's standard output goes, if not to a descriptor of ours.
+  /// Where a child's standard output goes, if not to one of our descriptors.
   static constexpr int output_dropped = -1;
-  static constexpr int output_with_errors = STDERR_FILENO;  ///< into error_output()
+  /// To error_output().
+  static constexpr int output_with_errors = STDERR_FILENO;
 
-  /// Starts `command[0]`, looked for in PATH, with the rest as its arguments. Throws
-  /// std::system_error when it cannot be started.
+  /// Starts `command[0]`, searched in PATH, with the rest as its arguments. Throws
+  /// std::system_error if it cannot be started.
   explicit ChildProcess(const std::vector<std::string>& command, Time patience = default_patience,
                         int output = output_dropped);
 
-  /// Kills the child if it still runs. So does a signal that ends this process.
+  /// Kills the child if it is still running. So does a signal that ends this process.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Writes to the child's standard input, waiting until it has taken all. False when it takes no
-  /// more, which mostly means that it died; or it hangs, and was killed. Raises no SIGPIPE.
+  /// Writes to the child's standard input and waits until all is accepted. Returns false if the
+  /// child accepts no more, usually because it died; a child that hangs is killed. Raises no
+  /// SIGPIPE.
   bool write(std::span<const std::uint8_t> bytes);
 
-  /// As write(), but the bytes are lent to the pipe and not copied into it. They are to stay as
-  /// they are until pipe_size() bytes more were taken, or the child has ended: then they have been
-  /// read.
+  /// Like write(), but the pipe references the bytes instead of copying them. They must stay
+  /// unchanged until another pipe_size() bytes have been accepted or the child has ended, by when
+  /// they have been read.
   bool lend(std::span<const std::uint8_t> bytes);
 
-  /// How many bytes may have been taken that the child has not yet read.
+  /// Returns the maximum number of accepted bytes that the child has not yet read.
   std::size_t pipe_size() const;
 
-  /// Closes the child's standard input, waits for its end, and returns its exit status as a shell
-  /// does: 0 to 255, 128 + n when signal n ended it. Kills it when it takes longer than its
-  /// patience and this, which is for work that it is known to have left.
+  /// Closes the child's standard input, waits for it to exit, and returns its exit status as a
+  /// shell does: 0 to 255, or 128 + n if signal n ended it. Kills the child if it takes longer than
+  /// its patience plus `work_left`, which allows for work that it is known to have left.
   int wait(Time work_left = {});
 
-  /// Whether it was killed because it hung.
+  /// Returns whether it was killed because it hung.
   bool hung() const { return hung_; }
 
-  /// The last of what it wrote to standard error, up to 8 KiB.
+  /// Returns the last of its standard error output, up to 8 KiB.
   const std::string& error_output() const { return error_output_; }
 
  private:
@@ -73,27 +75,27 @@ class ChildProcess {
   bool send(std::span<const std::uint8_t> bytes, Put put);
   void read_errors();
   void give_up();
-  /// Asks, without waiting; its number is the system's again when it has.
+  /// Checks without waiting. If it has ended, its process number may be reused by the system.
   bool has_ended();
 
   Time patience_;
   bool hung_ = false;
-  Descriptor input_;   ///< to its standard input; does not block
-  Descriptor errors_;  ///< from its standard error; none after its end
-  pid_t pid_ = -1;     ///< -1 once it is reaped
+  Descriptor input_;   ///< To its standard input; non-blocking.
+  Descriptor errors_;  ///< From its standard error; none after its end.
+  pid_t pid_ = -1;     ///< -1 once it has been reaped.
   int status_ = 0;
   std::string error_output_;
-  std::optional<TerminationAction> kill_;  ///< until it is reaped
+  std::optional<TerminationAction> kill_;  ///< Until it has been reaped.
 };
 
-/// Why a program could not be started, in words: "it was not found in PATH".
+/// Returns why a program could not be started, for example "it was not found in PATH".
 std::string why_not_started(const std::system_error& error);
 
-/// What a user can do about it; `installation` where the program is missing.
+/// Returns what the user can do about it; `installation` if the program is missing.
 std::string remedy_for_start(const std::system_error& error, const std::string& installation);
 
-/// The program, running. Throws `Failure` when it cannot be started, with the remedy:
-/// `installation` where it is missing.
+/// Starts the program. Throws `Failure` with a remedy if it cannot be started; if it is missing,
+/// the remedy is `installation`.
 template <typename Failure>
 ChildProcess start_program(const std::vector<std::string>& command, const std::string& installation,
                            ChildProcess::Time patience = ChildProcess::default_patience,
@@ -106,10 +108,10 @@ ChildProcess start_program(const std::vector<std::string>& command, const std::s
   }
 }
 
-/// The last lines of what a program said, as one line for an error message.
+/// Returns the last lines of a program's output as one line for an error message.
 std::string last_words(std::string_view output);
 
-/// The command as it can be pasted into a POSIX shell.
+/// Returns the command in a form that can be pasted into a POSIX shell.
 std::string shell_command(std::span<const std::string> command);
 
 }  // namespace twrench

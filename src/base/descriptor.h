@@ -6,7 +6,7 @@
 
 namespace twrench {
 
-/// Owns a file descriptor of the system; -1 is none.
+/// Owns a file descriptor; -1 means none.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -23,7 +23,8 @@ class Descriptor {
   int get() const { return descriptor_; }
   explicit operator bool() const { return descriptor_ >= 0; }
 
-  /// Closes it now. False, with errno, when the system says that what was written is not all there.
+  /// Closes the descriptor. Returns false and sets errno if the system reports that not all data
+  /// was written.
   bool close() {
     const int descriptor = std::exchange(descriptor_, -1);
     return descriptor < 0 || ::close(descriptor) == 0;

@@ -6,17 +6,18 @@
 
 namespace twrench {
 
-/// The folder or, while it is not made yet, the nearest above it that is there.
+/// Returns the folder or, if it does not exist yet, its nearest existing ancestor.
 std::filesystem::path existing_folder(const std::filesystem::path& folder);
 
-/// What is free for us, in bytes, where the folder is or, while it is not made yet, would be. Where
-/// the system does not say, as much as can be.
+/// Returns the bytes available to this user at the folder or, if it does not exist yet, at its
+/// location; the maximum if the system does not tell.
 std::uintmax_t free_space(const std::filesystem::path& folder);
 
-/// Whether two folders share their space. Not known of one that lies nowhere: false.
+/// Returns whether two folders are on the same file system; false if the location of either is
+/// unknown.
 bool on_same_disk(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// "1.5 GB"
+/// Formats a number of bytes, for example "1.5 GB".
 std::string format_bytes(double bytes);
 
 }  // namespace twrench

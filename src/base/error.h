@@ -4,64 +4,66 @@
 #include <string>
 #include <utility>
 
+// The failures that callers are told of. They say what is wrong with which quantity; which option
+// of a program the quantity came from, and how the program then ends, is the program's affair.
+
 namespace twrench {
 
-/// What the process reports to its caller; the contract of the command line.
-enum class ExitCode : int {
-  done = 0,
-  answer_is_no = 1,   ///< it ran, and the answer is no (compare: the images differ)
-  usage = 2,          ///< a bad option or scene
-  no_gl = 3,          ///< no usable OpenGL context
-  encoder = 4,        ///< ffmpeg, or gnuplot for a figure, is missing, or it failed
-  file = 5,           ///< a file could not be read or written
-  internal = 70,      ///< a bug
-  interrupted = 130,  ///< by SIGINT; what was written is whole
-  terminated = 143,   ///< by SIGTERM; likewise
-};
-
-/// A failure that a user can act on: WHAT failed, WHY, and where there is one the remedy.
-/// Caught once, in the application, which prints "twrench: error: WHAT: WHY" and the remedy below.
+/// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& what, const std::string& why, std::string remedy = {})
-      : std::runtime_error(what + ": " + why), code_(code), remedy_(std::move(remedy)) {}
+  Error(const std::string& what, const std::string& why, std::string remedy = {})
+      : std::runtime_error(what + ": " + why), remedy_(std::move(remedy)) {}
 
-  ExitCode code() const noexcept { return code_; }
+  /// What can be done about it, whoever calls; may be empty.
   const std::string& remedy() const noexcept { return remedy_; }
 
  private:
-  ExitCode code_;
   std::string remedy_;
 };
 
-/// A bad option or scene (exit code 2).
-struct UsageError : Error {
-  UsageError(const std::string& what, const std::string& why, std::string remedy = {})
-      : Error(ExitCode::usage, what, why, std::move(remedy)) {}
+/// A value that is not allowed, or a name that nothing has.
+class UsageError : public Error {
+ public:
+  UsageError(const std::string& quantity, const std::string& why, std::string remedy = {})
+      : Error(quantity, why, std::move(remedy)), quantity_(quantity) {}
+
+  /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
+  const std::string& quantity() const noexcept { return quantity_; }
+
+ private:
+  std::string quantity_;
 };
 
-/// No usable OpenGL context, or the context cannot do what was asked (exit code 3).
-struct GlError : Error {
-  GlError(const std::string& what, const std::string& why, std::string remedy = {})
-      : Error(ExitCode::no_gl, what, why, std::move(remedy)) {}
+/// A number outside its bounds.
+class OutOfRange : public UsageError {
+ public:
+  /// What a number is, and what it may be, the bounds included unless the message says otherwise.
+  struct Range {
+    double value;
+    double least, greatest;  ///< infinite where there is no bound
+  };
+
+  OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
+             std::string remedy = {})
+      : UsageError(quantity, why, std::move(remedy)), range_(range) {}
+
+  double value() const noexcept { return range_.value; }
+  double least() const noexcept { return range_.least; }
+  double greatest() const noexcept { return range_.greatest; }
+
+ private:
+  Range range_;
 };
 
-/// ffmpeg is missing, lacks the encoder, or failed (exit code 4).
-struct EncoderError : Error {
-  EncoderError(const std::string& what, const std::string& why, std::string remedy = {})
-      : Error(ExitCode::encoder, what, why, std::move(remedy)) {}
-};
-
-/// gnuplot is missing, lacks the format, or failed (exit code 4).
-struct FigureError : Error {
-  FigureError(const std::string& what, const std::string& why, std::string remedy = {})
-      : Error(ExitCode::encoder, what, why, std::move(remedy)) {}
-};
-
-/// A file could not be read or written (exit code 5).
+/// A file could not be read or written, or does not hold what it should.
 struct FileError : Error {
-  FileError(const std::string& what, const std::string& why, std::string remedy = {})
-      : Error(ExitCode::file, what, why, std::move(remedy)) {}
+  using Error::Error;
+};
+
+/// An output would take the place of what nobody said may be lost.
+struct OverwriteError : Error {
+  using Error::Error;
 };
 
 }  // namespace twrench

@@ -19,25 +19,25 @@ namespace {
 std::string remedy_for(int error_number, Access access) {
   switch (error_number) {
     case ENOENT:
-      return access == Access::read ? "there is no such file: check its name"
-                                    : "make its folder first, or check the path";
+      return access == Access::read ? "there is no such file: check the name"
+                                    : "create its folder first, or check the path";
     case ENOTDIR:
-      return "something in the path is a file, not a folder";
+      return "part of the path is a file, not a folder";
     case ENAMETOOLONG:
-      return "choose a shorter name: 255 bytes at most between slashes";
+      return "choose a shorter name: at most 255 bytes per path component";
     case EISDIR:
       return access == Access::read ? "name a file in it" : "choose another name";
     case ELOOP:
-      return "its links lead in a circle";
+      return "its symbolic links form a loop";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose a place where you may read and write";
+      return "choose a location that you can read and write";
     case ENOSPC:
     case EDQUOT:
       return "free some space there, or choose another disk";
     case EFBIG:
-      return "raise the limit on the size of files (ulimit -f), or choose another disk";
+      return "raise the limit on file size (ulimit -f), or choose another disk";
     case EMFILE:
     case ENFILE:
       return "raise the limit on open files (ulimit -n)";
@@ -57,7 +57,8 @@ std::vector<std::uint8_t> read_all(const std::filesystem::path& path, const Desc
   if (!file || ::fstat(file.get(), &status) != 0) {
     throw file_error(what, errno, Access::read);
   }
-  // The size is a hint: a pipe has none. One byte more shows the end without growing.
+  // The size is only a hint, as a pipe has none. One extra byte detects the end of file without
+  // growing.
   const auto hint = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
   std::vector<std::uint8_t> bytes(std::min(std::max<std::size_t>(hint, 4096), max_bytes) + 1);
   std::size_t size = 0;
@@ -94,15 +95,15 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) {
-    throw file_error("cannot make the folder " + folder.string(), failed.value());
+    throw file_error("cannot create the folder " + folder.string(), failed.value());
   }
 }
 
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   if (!std::filesystem::equivalent(output, input, missing)) return;
-  throw UsageError(output.string(), "it is an input of this command, and would be lost",
-                   "choose another name for the output");
+  throw OverwriteError(output.string(), "it is an input of this command and would be overwritten",
+                       "choose another name for the output");
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
@@ -122,7 +123,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size
 
 std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
                                             std::size_t max_bytes) {
-  // Without O_NONBLOCK, to open a pipe is to wait for one who writes.
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (file && ::fstat(file.get(), &status) == 0 && !S_ISREG(status.st_mode)) {

@@ -4,9 +4,9 @@
 
 namespace twrench {
 
-/// Locks the open file or folder by flock(2) with `operation`, LOCK_EX or LOCK_SH. False where
-/// another process has a lock that excludes it, and still has it after a second: one that is being
-/// killed may take as long to end. Where the file system knows no locks, nobody is excluded.
+/// Locks the open file or folder by flock(2) with `operation`, LOCK_EX or LOCK_SH. Returns false if
+/// another process still holds a conflicting lock after a second, the time that a killed process
+/// may take to end. Returns true where the file system does not support locks.
 bool lock_file(const Descriptor& file, int operation);
 
 }  // namespace twrench

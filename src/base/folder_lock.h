@@ -6,15 +6,15 @@
 
 namespace twrench {
 
-/// Whether others may work in the folder at the same time: those that share it with each other.
+/// Whether other runs may use the folder at the same time; those with a shared lock may share it.
 enum class LockKind { exclusive, shared };
 
-/// Keeps other runs of this program out of a folder, while it lives. The system ends it with the
-/// process, however it dies; nothing is left in the folder. Where the file system knows no locks,
-/// it keeps nobody out.
+/// Keeps other runs of this program out of a folder during its lifetime. The system releases the
+/// lock when the process ends, however it ends; nothing remains in the folder. It has no effect
+/// where the file system does not support locks.
 class FolderLock {
  public:
-  /// Throws FileError where another process has the folder, and the two do not both share it.
+  /// Throws FileError if another process holds a conflicting lock.
   FolderLock(const std::filesystem::path& folder, LockKind kind);
 
  private:

@@ -10,7 +10,8 @@
 namespace twrench {
 namespace {
 
-/// The optimal string alignment distance: Levenshtein's with swaps of neighbours.
+/// Optimal string alignment distance: Levenshtein's distance with transpositions of adjacent
+/// letters.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);

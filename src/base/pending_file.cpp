@@ -24,8 +24,9 @@ namespace fs = std::filesystem;
 
 std::string cannot_write(const fs::path& path) { return "cannot write " + path.string(); }
 
-/// The descriptor that the path names, as /dev/fd/3 does; -1 for other paths. It is used itself: to
-/// open the path would begin at the start of a file that a shell has opened to append to.
+/// Returns the descriptor that the path names, as /dev/fd/3 does; -1 for other paths. The
+/// descriptor itself is used, because reopening the path would start at the beginning of a file
+/// that a shell opened for appending.
 int named_descriptor(const fs::path& path) {
   const std::string text = path.string();
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
@@ -38,9 +39,9 @@ int named_descriptor(const fs::path& path) {
   return -1;
 }
 
-/// What the links lead to, which need not exist. Throws FileError where they lead in a circle.
+/// Returns the target of the links, which need not exist. Throws FileError if they form a loop.
 fs::path follow_links(const fs::path& target) {
-  constexpr int most_links = 40;  // as Linux
+  constexpr int most_links = 40;  // As Linux.
   fs::path path = target;
   for (int n = 0; n < most_links; ++n) {
     std::error_code failed;
@@ -49,25 +50,25 @@ fs::path follow_links(const fs::path& target) {
     }
     const fs::path next = fs::read_symlink(path, failed);
     if (failed) throw file_error(cannot_write(target), failed.value());
-    path = path.parent_path() / next;  // an absolute one stands for itself
+    path = path.parent_path() / next;  // an absolute path replaces it
   }
   throw file_error(cannot_write(target), ELOOP);
 }
 
-/// What fits a path component of 255 bytes with room for the decoration.
+/// Fits a path component of 255 bytes with room for prefix and suffix.
 std::string shortened(const std::string& name) { return name.substr(0, 200); }
 
-/// Before and after the process's number in the name of a temporary.
+/// The part before the process number in the name of a temporary file.
 std::string temporary_prefix(const fs::path& target) {
   return fmt::format(".{}.", shortened(target.filename().string()));
 }
 constexpr std::string_view temporary_suffix = ".tmp";
 
-/// Makes and opens a file beside target, in its folder. O_EXCL neither follows a link nor takes
-/// another's file.
+/// Creates and opens a file in the target's folder. O_EXCL neither follows links nor opens an
+/// existing file.
 Descriptor open_beside(const fs::path& target, const Descriptor& folder, fs::path& path,
                        std::string& name) {
-  constexpr int most_leftovers = 10'000;  // of killed processes that had our number
+  constexpr int most_leftovers = 10'000;  // left by killed processes with our process number
   for (int n = 0; n < most_leftovers; ++n) {
     name = fmt::format("{}{}-{}{}", temporary_prefix(target), ::getpid(), n, temporary_suffix);
     path = target.parent_path() / name;
@@ -78,29 +79,30 @@ Descriptor open_beside(const fs::path& target, const Descriptor& folder, fs::pat
   return {};
 }
 
-/// The system's record of the target; of the link itself where those are replaced.
+/// Returns the status of the target, or of the link itself if links are replaced.
 std::optional<struct stat> status_of(const fs::path& path, Links links) {
   struct stat status {};
   const int failed =
       links == Links::follow ? ::stat(path.c_str(), &status) : ::lstat(path.c_str(), &status);
   if (failed == 0) return status;
-  if (errno != ENOENT) throw file_error(cannot_write(path), errno);  // its name is too long, say
+  // For example, if the name is too long.
+  if (errno != ENOENT) throw file_error(cannot_write(path), errno);
   return std::nullopt;
 }
 
-/// A device, a pipe: not to be replaced, but to be written to.
+/// Devices and pipes are written to, not replaced.
 bool is_device(const struct stat& status) {
   return !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// Throws where what stands there may not be written.
+/// Throws if the existing target must not be written.
 void check_target(const fs::path& target, const fs::path& destination, const struct stat& status,
                   Links links) {
   if (S_ISDIR(status.st_mode)) {
     throw FileError(cannot_write(target), "it is a folder", "choose another name");
   }
   if (is_device(status) && links == Links::replace) {
-    throw FileError(cannot_write(target), "it is there and is not a regular file",
+    throw FileError(cannot_write(target), "it exists and is not a regular file",
                     "choose another name");
   }
   if (!S_ISLNK(status.st_mode) &&
@@ -109,8 +111,8 @@ void check_target(const fs::path& target, const fs::path& destination, const str
   }
 }
 
-/// The owner first: a change of owner may take from the mode. That we may not give files away is no
-/// reason not to write this one.
+/// Changes the owner first, since that may reset mode bits. Being unable to change the owner is no
+/// reason not to write the file.
 void keep_mode_and_owner(const Descriptor& file, const struct stat& status) {
   static_cast<void>(::fchown(file.get(), status.st_uid, status.st_gid) == 0);
   static_cast<void>(::fchmod(file.get(), status.st_mode & 07777U) == 0);
@@ -145,15 +147,16 @@ void PendingFile::open_temporary() {
       destination_.has_parent_path() ? destination_.parent_path().string() : ".";
   folder_ = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) throw file_error(cannot_write(target_), errno);
-  const auto hold = hold_termination();  // there is no temporary that would not be removed
+  // No signal may end us between creating the temporary file and registering its removal.
+  const auto hold = hold_termination();
   removal_.emplace([this](TerminationMessage&) { remove_temporary(); });
-  // From here on nothing takes memory, for want of which the file would stay.
+  // From here on nothing allocates: a failed allocation would leave the file behind.
   descriptor_ = open_beside(destination_, folder_, path_, temporary_);
   if (!descriptor_) throw file_error(cannot_write(target_), errno);
 }
 
 void PendingFile::remove_temporary() const noexcept {
-  ::unlinkat(folder_.get(), temporary_.c_str(), 0);  // wherever the folder is by now
+  ::unlinkat(folder_.get(), temporary_.c_str(), 0);  // wherever the folder has moved
 }
 
 PendingFile::~PendingFile() {
@@ -175,8 +178,8 @@ void PendingFile::claim() {
     if (!is_of_target) continue;
     const Descriptor other(::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (other && !lock_file(other, LOCK_SH)) {
-      throw FileError(cannot_write(target_), "another run is writing it at this moment",
-                      "wait for its end, or choose another name");
+      throw FileError(cannot_write(target_), "another run is writing it",
+                      "wait for it to finish, or choose another name");
     }
   }
 }
@@ -192,7 +195,7 @@ void PendingFile::write(std::span<const std::uint8_t> bytes) {
 
 void PendingFile::commit() {
   const auto hold = hold_termination();
-  // On a network or a quota, close is where a full disk is told.
+  // On network file systems and with quotas, a full disk is reported only by close.
   const bool closed = descriptor_.close();
   if (!closed || (!is_direct() && std::rename(path_.c_str(), destination_.c_str()) != 0)) {
     throw file_error(cannot_write(target_), errno);

@@ -11,22 +11,22 @@
 
 namespace twrench {
 
-/// What becomes of a symbolic link that has the name of a file to be written.
+/// What to do if the name of an output file is a symbolic link.
 enum class Links {
-  follow,   ///< the file that it leads to is written, as a shell does
-  replace,  ///< it is replaced by the file: what it leads to is not ours to write
+  follow,   ///< Write the file that the link points to, as a shell does.
+  replace,  ///< Replace the link by the file; its target is not ours to write.
 };
 
-/// A new file beside `target`, under a name that nobody else has, which becomes the target by
-/// commit() or vanishes, also when a signal ends the process. So a reader of the target finds it
-/// old, new or missing, never half written; what SIGKILL leaves is a hidden file ".NAME.PID-N.tmp".
-/// A target that stands keeps its mode and, where we may give files away, its owner.
+/// A new file next to `target`, under a unique name, which commit() renames to the target;
+/// otherwise it is removed, even if a signal ends the process. A reader of the target therefore
+/// finds it old, new or missing, never partial; SIGKILL leaves a hidden file ".NAME.PID-N.tmp". An
+/// existing target keeps its mode and, where permitted, its owner.
 ///
 /// A target that is neither a regular file nor a folder (a device, a pipe, /dev/stdout) is never
-/// replaced: it is opened, and written to directly.
+/// replaced but opened and written directly.
 class PendingFile {
  public:
-  /// Throws FileError when the file cannot be made or the target may not be written to.
+  /// Throws FileError if the file cannot be created or the target is not writable.
   explicit PendingFile(std::filesystem::path target, Links links = Links::follow);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -34,23 +34,25 @@ class PendingFile {
 
   const std::filesystem::path& target() const { return target_; }
 
-  /// Where the bytes are now: the temporary name in the target's folder, or the device itself.
+  /// Returns where the bytes currently are: the temporary file in the target's folder, or the
+  /// device itself.
   const std::filesystem::path& path() const { return path_; }
 
-  /// Whether there is no temporary file: what is written is out at once, and cannot be read back.
+  /// Returns whether there is no temporary file: data is then written at once and cannot be read
+  /// back.
   bool is_direct() const { return !folder_; }
 
-  /// For a child process to write to.
+  /// The descriptor for a child process to write to.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Throws FileError where another process has a PendingFile of the same target that called this.
-  /// The system ends the claim with the process, however it dies.
+  /// Throws FileError if another process has a PendingFile for the same target that called this.
+  /// The system releases the claim when the process ends, however it ends.
   void claim();
 
   /// Appends the bytes. Throws FileError.
   void write(std::span<const std::uint8_t> bytes);
 
-  /// Closes the file and gives it the target's name. Throws FileError.
+  /// Closes the file and renames it to the target. Throws FileError.
   void commit();
 
  private:
@@ -58,13 +60,13 @@ class PendingFile {
   void open_temporary();
   void remove_temporary() const noexcept;
 
-  std::filesystem::path target_;       ///< as it was given, for messages
-  std::filesystem::path destination_;  ///< what the links lead to
+  std::filesystem::path target_;       ///< As given, for messages.
+  std::filesystem::path destination_;  ///< After following links.
   std::filesystem::path path_;
-  std::string temporary_;  ///< the name in path_: to remove it must not take memory
-  Descriptor folder_;      ///< of the temporary; none for a device
+  std::string temporary_;  ///< The name in path_, stored so that removing it needs no memory.
+  Descriptor folder_;      ///< The folder of the temporary file; none for a device.
   Descriptor descriptor_;
-  std::optional<TerminationAction> removal_;  ///< while there is a temporary
+  std::optional<TerminationAction> removal_;  ///< Set while there is a temporary file.
 };
 
 }  // namespace twrench

@@ -6,7 +6,7 @@
 
 namespace twrench {
 
-/// The SHA-256 (FIPS 180-4) of the bytes as 64 lower-case hexadecimal digits.
+/// Returns the SHA-256 digest (FIPS 180-4) of the bytes as 64 lower-case hexadecimal digits.
 std::string sha256_hex(std::span<const std::uint8_t> bytes);
 
 }  // namespace twrench

@@ -10,8 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include "base/error.h"
-
 namespace twrench {
 namespace {
 
@@ -20,8 +18,8 @@ struct Registry {
   std::list<const TerminationAction::Action*> actions;
 };
 
-/// Never destroyed, for the thread that waits for signals may use it while the process exits; and
-/// not allocated, for it is needed where there is no memory.
+/// Never destroyed, because the signal thread may use it during process exit; and not allocated,
+/// because it is needed when memory has run out.
 union Immortal {
   Immortal() : registry() {}
   ~Immortal() {}  // NOLINT(modernize-use-equals-default): that would be deleted
@@ -36,7 +34,8 @@ Registry& registry() {
 constexpr std::array<std::pair<int, const char*>, 4> ending_signals{
     {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
 
-/// Those signals that are not ignored: nohup, or a shell's `&`, ignores some for its children.
+/// Returns those of the signals that are not ignored: nohup, or a shell's `&`, ignores some for its
+/// children.
 sigset_t heeded_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -50,16 +49,15 @@ sigset_t heeded_signals() {
 
 TerminationMessage message_of(int arrived) {
   for (const auto& [signal, name] : ending_signals) {
-    if (signal == arrived) return {std::string("interrupted by ") + name, {}};
+    if (signal == arrived) return {arrived, std::string("interrupted by ") + name, {}};
   }
-  return {"interrupted", {}};
+  return {arrived, "interrupted", {}};
 }
 
-[[noreturn]] void end(int signal, const std::function<void(const TerminationMessage&)>& report) {
+[[noreturn]] void end(int signal, const std::function<int(const TerminationMessage&)>& report) {
   TerminationMessage message = message_of(signal);
   take_termination_actions(message);
-  report(message);
-  ::_exit(static_cast<int>(signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated));
+  ::_exit(report(message));
 }
 
 }  // namespace
@@ -79,7 +77,7 @@ std::unique_lock<std::recursive_mutex> hold_termination() {
 }
 
 void take_termination_actions(TerminationMessage& message) {
-  registry().mutex.lock();  // for good
+  registry().mutex.lock();  // never unlocked
   auto& actions = registry().actions;
   while (!actions.empty()) {
     const TerminationAction::Action* const action = actions.back();
@@ -91,7 +89,7 @@ void take_termination_actions(TerminationMessage& message) {
   }
 }
 
-void end_on_termination_signals(std::function<void(const TerminationMessage&)> report) {
+void end_on_termination_signals(std::function<int(const TerminationMessage&)> report) {
   const sigset_t signals = heeded_signals();
   sigset_t before;
   pthread_sigmask(SIG_BLOCK, &signals, &before);
@@ -103,7 +101,7 @@ void end_on_termination_signals(std::function<void(const TerminationMessage&)> r
       end(arrived, report);
     }).detach();
   } catch (
-      const std::system_error&) {  // no thread can be had: the signals end us as they always do
+      const std::system_error&) {  // without a thread, signals end the process in the default way
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 }

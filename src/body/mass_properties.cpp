@@ -1,10 +1,16 @@
 #include "body/mass_properties.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
+
+#include "base/require.h"
 
 namespace twrench {
 namespace {
@@ -12,12 +18,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The inertia about the origin of a point mass at d; the second term of the parallel-axis theorem.
+/// The inertia about the origin of a point mass at d, the second term of the parallel-axis theorem.
 Matrix3d point_inertia(double mass, const Vector3d& d) {
   return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
 }
 
-/// Flips the columns so that the choice of sign does not depend on the eigenvalue solver.
+/// Flips the columns so that their signs do not depend on the eigenvalue solver.
 Matrix3d with_definite_signs(Matrix3d axes) {
   for (int i = 0; i < 2; ++i) {
     Eigen::Index largest = 0;
@@ -28,16 +34,51 @@ Matrix3d with_definite_signs(Matrix3d axes) {
   return axes;
 }
 
+void check(const Shape& shape) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    require_positive("radius", cylinder->radius);
+    require_positive("length", cylinder->length);
+  } else if (const auto* box = std::get_if<Box>(&shape)) {
+    for (const double edge : box->size) require_positive("size", edge);
+  } else {
+    for (const double radius : std::get<Ellipsoid>(shape).radii) require_positive("radii", radius);
+  }
+}
+
+void check(const Part& part) {
+  check(part.shape);
+  require_positive("density", part.density);
+  for (const double coordinate : part.position) require_finite("position", coordinate);
+  constexpr double round_off = 1e-9;
+  const Matrix3d& R = part.body_from_part;
+  if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
+    throw UsageError("body_from_part", "must be a proper rotation");
+  }
+}
+
+/// Throws unless it is finite and, to round-off, symmetric.
+void check(const Matrix3d& inertia) {
+  constexpr double round_off = 1e-12;
+  if (!inertia.allFinite()) throw UsageError("inertia", "must be finite");
+  const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
+  if (asymmetry <= round_off * inertia.cwiseAbs().maxCoeff()) return;
+  throw UsageError("inertia", fmt::format("must be symmetric, but two entries that should be equal "
+                                          "are {} apart",
+                                          asymmetry));
+}
+
 }  // namespace
 
 MassProperties mass_properties(std::span<const Part> parts) {
+  if (parts.empty()) throw UsageError("parts", "there must be one at least");
+  for (const Part& part : parts) check(part);
   MassProperties body{};
   body.centre_of_mass.setZero();
   body.inertia.setZero();
   for (const Part& part : parts) {
     const double mass = part.density * volume(part.shape);
     body.mass += mass;
-    body.centre_of_mass += mass * part.position;  // eq. (44), divided by the mass below
+    body.centre_of_mass += mass * part.position;  // Eq. (44), divided by the mass below.
   }
   body.centre_of_mass /= body.mass;
   for (const Part& part : parts) {
@@ -46,6 +87,9 @@ MassProperties mass_properties(std::span<const Part> parts) {
     body.inertia += R * central_moments(part.shape, mass).asDiagonal() * R.transpose() +
                     point_inertia(mass, part.position - body.centre_of_mass);
   }
+  if (!body.inertia.allFinite()) {
+    throw UsageError("parts", "their inertia is beyond what double precision holds");
+  }
   const PrincipalAxes principal = principal_axes(body.inertia);
   body.moments = principal.moments;
   body.axes = principal.axes;
@@ -53,7 +97,8 @@ MassProperties mass_properties(std::span<const Part> parts) {
 }
 
 PrincipalAxes principal_axes(const Matrix3d& inertia) {
-  if (inertia.isDiagonal(0.0)) {  // the solver would be right, but not to the last digit
+  check(inertia);
+  if (inertia.isDiagonal(0.0)) {  // The solver would round the last digit.
     std::array<Eigen::Index, 3> order{0, 1, 2};
     std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return inertia(i, i); });
     PrincipalAxes result{Vector3d::Zero(), Matrix3d::Zero()};
@@ -70,9 +115,11 @@ PrincipalAxes principal_axes(const Matrix3d& inertia) {
 }
 
 Part equimomental_box(const Vector3d& moments) {
-  // I_x = M (b^2 + c^2)/12 and so on give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes M = a b c.
+  for (const double moment : moments) require_positive("moments", moment);
+  // I_x = M (b^2 + c^2)/12 and its permutations give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes
+  // M = a b c.
   const double sum = moments.sum();
-  const double least = 1e-6 * sum;  // a plate, where the triangle inequality leaves no thickness
+  const double least = 1e-6 * sum;  // A plate, where the triangle inequality leaves no thickness.
   const Vector3d s = (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least);
   const double mass = std::pow(std::pow(6.0, 1.5) * std::sqrt(s.prod()), 0.4);
   return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};

@@ -7,32 +7,42 @@
 
 namespace twrench {
 
-/// What the motion needs to know of a body. The origin is the centre of mass.
+/// The mass properties that determine a body's motion. The centre of mass is the origin of the body
+/// frame.
 struct MassProperties {
-  double mass;                     ///< g
-  Eigen::Vector3d centre_of_mass;  ///< cm, in the frame the parts are placed in, eq. (44)
-  Eigen::Matrix3d inertia;         ///< g cm^2, about the centre of mass, in body axes, eq. (13)
-  Eigen::Vector3d moments;         ///< principal moments, ascending, g cm^2
-  Eigen::Matrix3d axes;            ///< body_from_principal; column i belongs to moments[i]; proper
+  /// Mass in g.
+  double mass;
+  /// Centre of mass in cm, in the frame in which the parts are placed, eq. (44).
+  Eigen::Vector3d centre_of_mass;
+  /// Inertia matrix in g cm^2 about the centre of mass, in body axes, eq. (13).
+  Eigen::Matrix3d inertia;
+  /// Principal moments in g cm^2, ascending.
+  Eigen::Vector3d moments;
+  /// Rotation body_from_principal: column i is the principal axis of moments[i].
+  Eigen::Matrix3d axes;
 };
 
-/// Mass, centre of mass and inertia of the parts together, by the parallel-axis theorem.
-/// `parts` is not empty, and each has positive density and size.
+/// Mass, centre of mass and inertia of the parts together, by the parallel-axis theorem. Throws
+/// UsageError about "parts" where there are none, or so large that their inertia overflows; about
+/// "body_from_part" unless that is a rotation; and OutOfRange about a density or a length that is
+/// not positive, or a position that is not finite.
 MassProperties mass_properties(std::span<const Part> parts);
 
 /// Principal moments, ascending, and axes of a symmetric `inertia`. The axes form a proper
 /// rotation with a deterministic choice of sign: each of the first two has its component of
 /// largest magnitude positive (the first such on a tie). A matrix that is already diagonal gives
-/// a signed permutation, exactly.
+/// a signed permutation, exactly. Throws UsageError about "inertia" unless that is finite and, to
+/// round-off, symmetric.
 struct PrincipalAxes {
   Eigen::Vector3d moments;
-  Eigen::Matrix3d axes;  ///< body_from_principal
+  Eigen::Matrix3d axes;  ///< Rotation body_from_principal; its columns are the axes.
 };
 PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 
 /// The homogeneous box of density 1 g/cm^3 whose principal moments about x, y, z are `moments`:
 /// what is drawn where a body is given by its moments alone. Moments that no real body has
-/// (the triangle inequality fails) give a box with that edge nearly zero.
+/// (the triangle inequality fails) give a box with that edge nearly zero. Throws OutOfRange about a
+/// moment that is not positive.
 Part equimomental_box(const Eigen::Vector3d& moments);
 
 }  // namespace twrench

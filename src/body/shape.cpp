@@ -9,13 +9,13 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// Makes one visitor of several lambdas.
+/// Combines several lambdas into one visitor.
 template <typename... F>
 struct Overload : F... {
   using F::operator()...;
 };
 template <typename... F>
-Overload(F...) -> Overload<F...>;  // clang 14 does not find it by itself
+Overload(F...) -> Overload<F...>;  // clang 14 does not deduce it
 
 }  // namespace
 
@@ -29,8 +29,8 @@ double volume(const Shape& shape) {
 }
 
 Vector3d central_moments(const Shape& shape, double mass) {
-  // For a diagonal quadratic shape the moment about an axis is mass times the sum of the mean
-  // squares of the two other coordinates.
+  // For a shape symmetric in its coordinate planes, the moment about an axis is the mass times the
+  // sum of the mean squares of the two other coordinates.
   const auto from_mean_squares = [mass](const Vector3d& s) {
     return Vector3d{mass * (s.y() + s.z()), mass * (s.x() + s.z()), mass * (s.x() + s.y())};
   };
@@ -58,7 +58,7 @@ double bounding_radius(const Shape& shape) {
 }
 
 Eigen::Matrix3d frame_with_z_along(const Vector3d& axis) {
-  const Vector3d n = axis.stableNormalized();  // the square of its length may underflow
+  const Vector3d n = axis.stableNormalized();  // The square of its length may underflow.
   const double sign = std::copysign(1.0, n.z());
   const double a = -1.0 / (sign + n.z());
   const double b = n.x() * n.y() * a;

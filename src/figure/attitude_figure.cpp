@@ -10,7 +10,7 @@
 namespace twrench {
 namespace {
 
-/// $c0, $c1, ...: lines of t and the nine components, row by row.
+/// The data blocks $c0, $c1, ...: lines of t and the nine components, row by row.
 std::string data(std::span<const AttitudeCurve> curves) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -28,7 +28,7 @@ std::string data(std::span<const AttitudeCurve> curves) {
 
 std::string_view color_of(std::size_t curve) { return palette[curve % palette.size()]; }
 
-/// Upright lines at the flips.
+/// Vertical lines at the flips.
 std::string flip_lines(const AttitudeCurve& curve, std::string_view color) {
   std::string text;
   for (const double t : curve.flips) {
@@ -66,14 +66,14 @@ std::string ranges(std::span<const AttitudeCurve> curves) {
   return fmt::format("set xrange [0:{:.7g}]\nset yrange [-1.12:1.12]\nset ytics -1, 1\n", end);
 }
 
-/// The y axis is labelled in the first column of panels, the time axis in the last row.
+/// Labels the y axis in the first column of panels, the time axis in the last row.
 std::string outer_axes(int column, bool last_row) {
   return fmt::format("set format y '{}'\nset format x '{}'\n{} xlabel {}\n",
                      column == 0 ? "%g" : "", last_row ? "%g" : "", last_row ? "set" : "unset",
                      last_row ? "'t (s)' offset 0, 0.3" : "");
 }
 
-/// The curves of one component of X, `column` of the data.
+/// Plots one component of X, `column` of the data, for all curves.
 std::string plot_component(std::size_t curves, int column) {
   std::string plot;
   for (std::size_t c = 0; c < curves; ++c) {
@@ -83,7 +83,7 @@ std::string plot_component(std::size_t curves, int column) {
   return plot + "\n";
 }
 
-/// The curves of one column of X, of one motion.
+/// Plots one column of X of one motion.
 std::string plot_column(std::size_t curve, int column) {
   std::string plot;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -138,7 +138,8 @@ Figure column_panels(std::span<const AttitudeCurve> curves) {
           "set title '{{/:Bold "
           "{0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "
           "offset 0, -0.7\n",
-          "ijk"[column], column + 1);  // no-break spaces: SVG drops others beside a subscript
+          // No-break spaces, because SVG drops other spaces next to a subscript.
+          "ijk"[column], column + 1);
       script += plot_column(c, column) + "unset ylabel\n";
     }
   }

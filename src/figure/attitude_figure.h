@@ -9,19 +9,21 @@
 
 namespace twrench {
 
-/// A motion to draw.
+/// A motion to plot.
 struct AttitudeCurve {
+  /// Name in the key of the plot.
   std::string title;
-  std::vector<Sample> samples;  ///< in the order of time
-  std::vector<double> flips;    ///< s, to be marked
+  /// Samples in order of time.
+  std::vector<Sample> samples;
+  /// Times of the flips to mark, in s.
+  std::vector<double> flips;
 };
 
-/// The nine components of X against time, a panel each; the curves lie over one another, a colour
-/// each. One curve at least.
+/// Returns the nine components of X against time, one panel each, with one colour per curve. There
+/// must be at least one curve.
 Figure nine_panels(std::span<const AttitudeCurve> curves);
 
-/// A panel for each column of X, its three components over one another; a row of panels for each
-/// of the curves.
+/// Returns one panel per column of X with its three components, and one row of panels per curve.
 Figure column_panels(std::span<const AttitudeCurve> curves);
 
 }  // namespace twrench

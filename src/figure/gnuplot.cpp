@@ -14,13 +14,13 @@
 namespace twrench {
 namespace {
 
-constexpr std::size_t longest_figure = 1U << 30U;  // bytes
+constexpr std::size_t longest_figure = 1U << 30U;  // Bytes.
 
-/// A format that gnuplot writes.
+/// An output format of gnuplot.
 struct Format {
   std::string_view ending;
   std::string_view terminal;
-  std::string_view last_bytes;  ///< with which a complete file ends, white space aside
+  std::string_view last_bytes;  ///< the end of a complete file, ignoring white space
 };
 
 constexpr std::array<Format, 3> formats{{{".svg", "svg", "</svg>"},
@@ -32,18 +32,18 @@ const Format& format_of(const std::string& path) {
   for (const Format& format : formats) {
     if (ending == format.ending) return format;
   }
-  throw UsageError(fmt::format("figure {}", path), "its name must end in .svg, .pdf or .png");
+  throw UsageError(fmt::format("plot {}", path), "its name must end in .svg, .pdf or .png");
 }
 
-/// With what a user's ~/.gnuplot and the environment change left out: a figure is the same
-/// anywhere.
+/// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
+/// reproducible.
 ChildProcess start(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"gnuplot", "--default-settings"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return start_program<FigureError>(command, "install it: apt-get install gnuplot-nox");
 }
 
-/// The same size in all formats, though each has its own units: PNG twice as fine.
+/// The same size in all formats, each in its own units; PNG has twice the resolution.
 std::string terminal(const Format& format, const Figure& figure) {
   const std::string start =
       fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
@@ -61,7 +61,7 @@ std::string terminal(const Format& format, const Figure& figure) {
                      2 * figure.width, 2 * figure.height);
 }
 
-/// gnuplot does not look whether what it writes arrives.
+/// gnuplot does not check its own writes.
 bool is_complete(const std::filesystem::path& path, const Format& format) {
   const std::vector<std::uint8_t> bytes = read_file(path, longest_figure);
   std::size_t size = bytes.size();
@@ -86,8 +86,9 @@ void require_gnuplot(const std::string& path) {
   const Format& format = format_of(path);
   ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
   if (gnuplot.wait() == 0) return;
-  throw FigureError(fmt::format("gnuplot cannot make {}", path), last_words(gnuplot.error_output()),
-                    "install one that can: apt-get install gnuplot-nox");
+  throw FigureError(fmt::format("gnuplot cannot write {}", path),
+                    last_words(gnuplot.error_output()),
+                    "install a build that can: apt-get install gnuplot-nox");
 }
 
 void draw_figure(const std::string& path, const Figure& figure) {
@@ -105,7 +106,8 @@ void draw_figure(const std::string& path, const Figure& figure) {
                                   last_words(gnuplot.error_output())));
   }
   if (!file.is_direct() && !is_complete(file.path(), format)) {
-    throw FileError("cannot write " + path, "gnuplot did not complete it", "is the disk full?");
+    throw FileError("cannot write " + path, "gnuplot left it incomplete",
+                    "check whether the disk is full");
   }
   file.commit();
 }

@@ -8,27 +8,35 @@
 
 namespace twrench {
 
-/// A figure as gnuplot draws it: its size, in pixels of 1/96 inch, and the commands below those
-/// that choose the format.
+/// gnuplot is missing, lacks the format, or failed.
+struct FigureError : Error {
+  using Error::Error;
+};
+
+/// A plot as gnuplot draws it: its size in pixels of 1/96 inch, and the commands that follow the
+/// choice of the format.
 struct Figure {
+  /// Size in pixels of 1/96 inch.
   int width, height;
+  /// gnuplot commands.
   std::string script;
 };
 
-/// Okabe's and Ito's colours, which colour-blind readers tell apart; without the yellow, too pale
-/// for a line on white.
+/// The colours of Okabe and Ito, which are distinguishable with colour vision deficiency, without
+/// the yellow, which is too pale for lines on white.
 inline constexpr std::array<std::string_view, 7> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                          "#E69F00", "#56B4E9", "#000000"};
 
-/// The text between quotes, as gnuplot reads it back whatever is in it.
+/// Returns the text as a quoted gnuplot string that reproduces it exactly.
 std::string gnuplot_string(std::string_view text);
 
-/// To be called before anything runs. Throws UsageError when the path does not end in .svg, .pdf
-/// or .png, FigureError when gnuplot is missing or cannot make that format.
+/// Checks that gnuplot can write the file; call it before any work. Throws UsageError if the path
+/// does not end in .svg, .pdf or .png, FigureError if gnuplot is missing or cannot write that
+/// format.
 void require_gnuplot(const std::string& path);
 
-/// Draws the figure into the file, in the format of its ending; the file appears whole or not at
-/// all. Throws as require_gnuplot; FigureError when gnuplot failed; FileError.
+/// Draws the plot into the file, in the format of its ending; the file appears complete or not at
+/// all. Throws as require_gnuplot() does, FigureError if gnuplot fails, and FileError.
 void draw_figure(const std::string& path, const Figure& figure);
 
 }  // namespace twrench

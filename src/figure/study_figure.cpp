@@ -17,8 +17,8 @@ bool has_ladder(const MethodStudy& m) { return m.method->order > 0 && !m.runs.em
 
 const StudyRun& middle(const MethodStudy& m) { return m.runs[m.runs.size() / 2]; }
 
-/// $run0, ... of step, early error, milliseconds and error; $drift0, ... of t and energy drift.
-/// What a logarithm cannot show is left out.
+/// The data blocks $run0, ... of step, early error and milliseconds, and $drift0, ... of t and
+/// energy drift. Omits values that have no logarithm.
 std::string data(const Study& study) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -42,7 +42,7 @@ std::string data(const Study& study) {
   return text;
 }
 
-/// How method `i` is drawn: colour, symbol and, in a second lap of colours, dashes.
+/// The style of method `i`: colour, symbol and, after the colours repeat, dashes.
 std::string style(std::size_t i, bool points) {
   const std::string line = fmt::format(
       "lw 1.5 dt {} lc rgb '{}'", i < palette.size() ? "1" : "(6,3)", palette[i % palette.size()]);
@@ -69,7 +69,7 @@ std::string key_entries(const Study& study) {
   return text;
 }
 
-/// The slopes of the orders 1, 2 and 4: broad faint lines, labelled, behind the others.
+/// Reference slopes of orders 1, 2 and 4: broad faint labelled lines behind the curves.
 std::string slopes(const Study& study) {
   constexpr double highest = 3.0;
   double finest = 1e300, coarsest = 0.0;
@@ -92,7 +92,7 @@ std::string slopes(const Study& study) {
   return text;
 }
 
-/// The methods' steps and tolerances in the diagram of the drift.
+/// The methods' step sizes and tolerances in the drift diagram.
 std::string drift_title(const Study& study) {
   std::string step, tolerance;
   for (const MethodStudy& m : study.methods) {
@@ -107,7 +107,7 @@ std::string drift_title(const Study& study) {
   return step + (step.empty() || tolerance.empty() ? "" : ", ") + tolerance;
 }
 
-/// The decades that hold the positive ones of the values, as a range of gnuplot's.
+/// The range of decades, in gnuplot's syntax, that contains the positive values.
 std::string decades(const std::vector<double>& values) {
   double low = 1.0, high = 0.0;
   for (const double v : values) {

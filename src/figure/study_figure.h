@@ -5,8 +5,8 @@
 
 namespace twrench {
 
-/// Three diagrams: the error over the step (the order), the error over the CPU time (work and
-/// precision), and the energy drift in time, each method at the middle of its ladder.
+/// Returns three diagrams: error against step size (order), error against CPU time
+/// (work-precision), and energy drift against time, each method at the middle of its ladder.
 Figure study_figure(const Study& study);
 
 }  // namespace twrench

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl/functions.h"
 
 namespace twrench::gl {
@@ -13,23 +13,25 @@ namespace {
 
 using Maker = std::function<std::unique_ptr<Context>()>;
 
-/// The first hardware device of EGL that answers, or null.
+/// Returns a context on the first available EGL hardware device, or null.
 std::unique_ptr<Context> make_hardware_context() {
   try {
     for (const EglDevice& device : egl_devices()) {
-      if (device.software || device.name == "surfaceless") continue;  // it picks one of the others
+      // It selects one of the others.
+      if (device.software || device.name == "surfaceless") continue;
       try {
         auto context = make_egl_context(device.name);
         if (!draws_in_software(Functions(*context))) return context;
-      } catch (const GlError&) {  // the next may answer
+      } catch (const GlError&) {  // the next one may be available
       }
     }
-  } catch (const GlError&) {  // no EGL
+  } catch (const GlError&) {  // No EGL.
   }
   return nullptr;
 }
 
-/// EGL's software device, or where none is told apart what the surfaceless platform picks.
+/// Returns EGL's software device or, if none is marked as such, what the surfaceless platform
+/// selects.
 std::unique_ptr<Context> make_egl_software_context() {
   const auto devices = egl_devices();
   const bool told_apart = std::ranges::any_of(devices, &EglDevice::software);
@@ -38,21 +40,21 @@ std::unique_ptr<Context> make_egl_software_context() {
 
 OpenedContext fall_back(bool egl_alone) {
   constexpr const char* note =
-      "no graphics device answers through EGL; drawing in software with {}";
+      "no graphics device is available through EGL; drawing in software with {}";
   std::string osmesa_reason;
   if (!egl_alone) {
     try {
       return {make_osmesa_context(), fmt::format(note, "OSMesa")};
     } catch (const GlError& error) {
-      osmesa_reason = fmt::format(", as OSMesa cannot be used ({})", error.what());
+      osmesa_reason = fmt::format("; OSMesa is not usable ({})", error.what());
     }
   }
   try {
     return {make_egl_software_context(), fmt::format(note, "EGL") + osmesa_reason};
-  } catch (const Error& error) {
-    throw GlError("no usable OpenGL", error.what() + osmesa_reason,
-                  egl_alone ? error.remedy()
-                            : "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
+  } catch (const GlError& error) {
+    const std::string what = "no usable OpenGL", why = error.what() + osmesa_reason;
+    if (egl_alone) throw GlError(what, why, error.remedy(), error.reason());
+    throw GlError(what, why, "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
   }
 }
 
@@ -60,9 +62,8 @@ BackendReport report(std::string name, const Maker& make) {
   try {
     const auto context = make();
     return {std::move(name), renderer_string(Functions(*context)), {}};
-  } catch (const Error& error) {
-    const std::string remedy = error.remedy().empty() ? "" : "\n" + error.remedy();
-    return {std::move(name), {}, error.what() + remedy};
+  } catch (const Error&) {
+    return {std::move(name), {}, std::current_exception()};
   }
 }
 
@@ -71,7 +72,7 @@ BackendReport report(std::string name, const Maker& make) {
 OpenedContext open_context(const BackendChoice& choice) {
   if (choice.backend == Backend::osmesa) {
     if (choice.egl_device) {
-      throw UsageError("an EGL device", "OSMesa has none", "use --backend egl, or leave it out");
+      throw UsageError("an EGL device", "OSMesa has none");
     }
     return {make_osmesa_context(), {}};
   }
@@ -87,8 +88,8 @@ std::vector<BackendReport> backends() {
       reports.push_back(
           report("egl " + device.name, [&] { return make_egl_context(device.name); }));
     }
-  } catch (const GlError& error) {
-    reports.push_back({"egl", {}, fmt::format("{}\n{}", error.what(), error.remedy())});
+  } catch (const GlError&) {
+    reports.push_back({"egl", {}, std::current_exception()});
   }
   return reports;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,35 +12,39 @@ namespace twrench::gl {
 
 enum class Backend { automatic, osmesa, egl };
 
-/// What is wanted of OpenGL.
+/// The requested OpenGL backend.
 struct BackendChoice {
+  /// The backend.
   Backend backend = Backend::automatic;
-  std::optional<std::string> egl_device;  ///< as make_egl_context takes it; EGL is then wanted
+  /// The device name for make_egl_context(), which then implies EGL.
+  std::optional<std::string> egl_device;
 };
 
 struct OpenedContext {
+  /// The context, current on this thread.
   std::unique_ptr<Context> context;
-  std::string note;  ///< what it fell back to, and why; empty when it is what was wanted
+  /// What was used instead and why; empty if the requested backend is used.
+  std::string note;
 };
 
-/// A context of the back end that is wanted.
+/// Opens a context of the requested backend.
 ///
-/// `automatic` is the first hardware device of EGL that answers, else OSMesa, else EGL's software;
-/// `egl` without a device is the same without OSMesa. Either says in the note when it is no
-/// hardware. A device or OSMesa asked for by name is that or an error.
+/// `automatic` selects the first available EGL hardware device, else OSMesa, else EGL in software;
+/// `egl` without a device does the same without OSMesa. Either reports in the note if it is not
+/// hardware. A named device, or OSMesa by name, is used or is an error.
 ///
-/// Throws GlError, with the remedy, when there is none, and UsageError as make_egl_context and
-/// where a device of EGL is asked for with OSMesa.
+/// Throws GlError with a remedy if there is none, and UsageError as make_egl_context() does, or if
+/// an EGL device is requested together with OSMesa.
 OpenedContext open_context(const BackendChoice& choice);
 
-/// A way to OpenGL, and whether it can be used here.
+/// A backend or device, and whether it is usable here.
 struct BackendReport {
-  std::string name;      ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
-  std::string renderer;  ///< what GL calls itself; empty when it cannot be used
-  std::string why_not;   ///< the reason then, and the remedy on a second line where there is one
+  std::string name;            ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
+  std::string renderer;        ///< GL's renderer string; empty if it is not usable.
+  std::exception_ptr failure;  ///< the Error then
 };
 
-/// Tries every back end and device there is, one after the other. Throws nothing of its own.
+/// Tries every backend and device in sequence. Does not throw.
 std::vector<BackendReport> backends();
 
 }  // namespace twrench::gl

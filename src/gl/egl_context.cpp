@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "base/error.h"
 #include "gl/context.h"
+#include "gl/error.h"
 #include "gl/library.h"
 
 namespace twrench::gl {
@@ -20,10 +20,10 @@ constexpr const char* remedy = "install EGL: apt-get install libegl1 libegl-mesa
 constexpr const char* surfaceless = "surfaceless";
 
 [[noreturn]] void fail(const std::string& what, const std::string& why) {
-  throw GlError("EGL " + what, why, "choose another --egl-device, or --backend");
+  throw GlError("EGL " + what, why, {}, GlError::Reason::egl_device_refused);
 }
 
-/// Whether a list of extensions, with spaces between, has `name`. The list may be null.
+/// Whether a space-separated list of extensions, which may be null, contains `name`.
 bool has(const char* extensions, std::string_view name) {
   std::istringstream list(extensions == nullptr ? "" : extensions);
   for (std::string word; list >> word;) {
@@ -32,11 +32,11 @@ bool has(const char* extensions, std::string_view name) {
   return false;
 }
 
-/// The EGL functions that are used, less the "egl".
+/// The EGL functions in use, without the "egl".
 class Egl {
  public:
   Egl() : library_(library_names, remedy) {
-    // Mesa writes to standard error what fails; here that is told where it matters.
+    // Mesa prints failures to standard error; here they are reported as errors instead.
     if (const auto control =
             function<PFNEGLDEBUGMESSAGECONTROLKHRPROC>("eglDebugMessageControlKHR");
         control != nullptr && has(extensions(), "EGL_KHR_debug")) {
@@ -49,7 +49,8 @@ class Egl {
     return reinterpret_cast<F>(GetProcAddress(name));
   }
 
-  /// Those of EGL itself, not of a display. Null before EGL 1.5 without EGL_EXT_client_extensions.
+  /// Client extensions, not those of a display. Null before EGL 1.5 without
+  /// EGL_EXT_client_extensions.
   const char* extensions() const { return QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS); }
 
  private:
@@ -78,7 +79,7 @@ class Egl {
       entry<decltype(eglGetCurrentContext)>("eglGetCurrentContext");
 };
 
-/// An EglDevice with what EGL knows it by: null on the surfaceless platform.
+/// An EglDevice with its EGL handle: null on the surfaceless platform.
 struct Device : EglDevice {
   EGLDeviceEXT handle = EGL_NO_DEVICE_EXT;
 };
@@ -110,7 +111,7 @@ std::vector<Device> devices(const Egl& egl) {
     result.push_back({{surfaceless, false}, EGL_NO_DEVICE_EXT});
   }
   if (result.empty()) {
-    throw GlError("EGL", "it lists no devices and has no surfaceless platform", remedy);
+    throw GlError("EGL", "it lists no devices and lacks the surfaceless platform", remedy);
   }
   return result;
 }
@@ -126,7 +127,7 @@ Device find_device(const Egl& egl, const std::string& name) {
     names += fmt::format("{}{}{}", names.empty() ? "" : ", ", device.name,
                          device.software ? " (software)" : "");
   }
-  throw UsageError("EGL device " + name, "EGL has none of that name", "its devices: " + names);
+  throw UsageError("EGL device " + name, "EGL has no device of that name", "its devices: " + names);
 }
 
 class EglContext final : public Context {
@@ -140,7 +141,7 @@ class EglContext final : public Context {
     }
   }
 
-  /// The display stays: EGL has one for a device, which other contexts may share.
+  /// The display is not terminated: EGL has one per device, which other contexts may share.
   ~EglContext() override {
     if (egl_.GetCurrentContext() == handle_) {
       egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -165,15 +166,15 @@ class EglContext final : public Context {
                    ? get(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
                    : get(EGL_PLATFORM_DEVICE_EXT, device_.handle, nullptr);
     if (display_ == EGL_NO_DISPLAY || egl_.Initialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      fail_on_device("it does not answer");
+      fail_on_device("it cannot be initialised");
     }
     if (!has(egl_.QueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-      fail_on_device("it cannot draw without a surface");
+      fail_on_device("it does not support drawing without a surface");
     }
   }
 
   void make_context() {
-    constexpr std::array config_attributes{EGL_SURFACE_TYPE, 0,  // any: none is made
+    constexpr std::array config_attributes{EGL_SURFACE_TYPE, 0,  // any: no surface is created
                                            EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     constexpr std::array context_attributes{EGL_CONTEXT_MAJOR_VERSION,
                                             3,
@@ -187,7 +188,7 @@ class EglContext final : public Context {
     if (egl_.BindAPI(EGL_OPENGL_API) == EGL_FALSE ||
         egl_.ChooseConfig(display_, config_attributes.data(), &config, 1, &count) == EGL_FALSE ||
         count == 0) {
-      fail_on_device("it has no OpenGL, though maybe OpenGL ES");
+      fail_on_device("it has no desktop OpenGL (it may have OpenGL ES)");
     }
     handle_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, context_attributes.data());
     if (handle_ == EGL_NO_CONTEXT) fail_on_device("it has no OpenGL 3.3 core profile");

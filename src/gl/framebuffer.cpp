@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {
@@ -23,15 +23,18 @@ void check_limits(const Functions& gl, int width, int height, int samples) {
   const GLint max_width = std::min(side, viewport[0]);
   const GLint max_height = std::min(side, viewport[1]);
   if (width > max_width || height > max_height) {
-    throw UsageError(fmt::format("size {}x{}", width, height),
-                     fmt::format("this OpenGL draws at most {}x{}", max_width, max_height),
-                     fmt::format("choose a size of at most {}x{}", max_width, max_height));
+    throw UsageError(
+        fmt::format("size {}x{}", width, height),
+        fmt::format("this OpenGL implementation draws at most {}x{}", max_width, max_height),
+        fmt::format("choose a size of at most {}x{}", max_width, max_height));
   }
   const GLint max_samples = limit(gl, GL_MAX_SAMPLES);
   if (samples > max_samples) {
-    throw UsageError(fmt::format("samples {}", samples),
-                     fmt::format("this OpenGL takes at most {} a pixel", max_samples),
-                     fmt::format("choose {} samples or fewer", max_samples));
+    throw OutOfRange(
+        fmt::format("samples {}", samples),
+        fmt::format("this OpenGL implementation supports at most {} per pixel", max_samples),
+        {double(samples), 0, double(max_samples)},
+        fmt::format("choose {} samples or fewer", max_samples));
   }
 }
 
@@ -45,12 +48,13 @@ void check_complete(const Functions& gl, int width, int height, int samples) {
   const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
   const GLenum error = gl.GetError();
   if (status == GL_FRAMEBUFFER_COMPLETE && error == GL_NO_ERROR) return;
-  throw GlError(fmt::format("framebuffer of {}x{} with {} samples", width, height, samples),
-                fmt::format("OpenGL could not make it (status {:#x}, error {:#x})", status, error),
-                "choose a smaller size or fewer samples");
+  throw GlError(
+      fmt::format("framebuffer of {}x{} with {} samples", width, height, samples),
+      fmt::format("OpenGL could not create it (status {:#x}, error {:#x})", status, error),
+      "choose a smaller size or fewer samples");
 }
 
-/// One triangle over all there is, at the far plane.
+/// Draws one triangle that covers everything, at the far plane.
 Program clear_program(const Functions& gl) {
   static constexpr std::array vertex{ShaderFile{"clear.vert",
                                                 "void main() { gl_Position = vec4(4 * (gl_VertexID "
@@ -74,7 +78,7 @@ Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples
       buffers_(mode == ReadMode::buffered ? std::make_unique<PixelBuffers>(gl) : nullptr) {
   check_limits(gl, width, height, samples);
   const bool multisampled = samples > 1;
-  const int stored_samples = multisampled ? samples : 0;  // 0 is GL's word for no multisampling
+  const int stored_samples = multisampled ? samples : 0;  // GL uses 0 for no multisampling
   if (multisampled) {
     allocate(gl, resolved_color_.emplace(gl), 0, GL_RGBA8, width, height);
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.emplace(gl).id());
@@ -113,7 +117,7 @@ void Framebuffer::draw_within(const Rectangle& area, const Rectangle& viewport) 
 Readback Framebuffer::begin_read(const Rectangle& area) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
   if (resolved_) {
-    gl_->Scissor(area.x, area.y, area.width, area.height);  // it bounds a blit too
+    gl_->Scissor(area.x, area.y, area.width, area.height);  // restricts the blit too
     gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_->id());
     const int right = area.x + area.width;
     const int top = area.y + area.height;

@@ -10,26 +10,26 @@
 
 namespace twrench::gl {
 
-/// A colour (RGBA8) and depth (24 bits) framebuffer, multisampled or not.
+/// A colour (RGBA8) and depth (24 bits) framebuffer with optional multisampling.
 class Framebuffer {
  public:
-  /// Throws UsageError, with the remedy, for a size or a number of samples that this GL cannot
-  /// do; GlError when it can but has not the memory.
+  /// Throws UsageError with a remedy for a size or sample count beyond this GL's limits, and
+  /// GlError if it lacks the memory.
   Framebuffer(const Functions& gl, int width, int height, int samples, ReadMode mode);
 
   int width() const { return width_; }
   int height() const { return height_; }
   ReadMode read_mode() const { return buffers_ ? ReadMode::buffered : ReadMode::at_once; }
 
-  /// Makes the areas transparent black, and as far as can be. Not by glClear: within a scissor Mesa
-  /// draws a quad too, whose colour llvmpipe fetches for each pixel.
+  /// Clears the areas to transparent black and the far depth. Does not use glClear: within a
+  /// scissor Mesa draws a quad too, whose colour llvmpipe fetches for each pixel.
   void clear(std::span<const Rectangle> areas) const;
 
-  /// What is drawn from now on lands here, within `area`; device coordinates span `viewport`.
+  /// Directs drawing here, restricted to `area`; device coordinates span `viewport`.
   void draw_within(const Rectangle& area, const Rectangle& viewport) const;
 
-  /// Begins to read the pixels of `area`, samples averaged. The area's size is at least 1 x 1 and
-  /// it lies inside. Throws GlError when there is no memory for them.
+  /// Begins to read the pixels of `area`, with samples averaged. The area must be at least 1 x 1
+  /// and lie inside. Throws GlError if there is no memory for the pixels.
   Readback begin_read(const Rectangle& area) const;
 
  private:
@@ -39,11 +39,11 @@ class Framebuffer {
   Renderbuffer color_;
   Renderbuffer depth_;
   FramebufferObject drawn_;
-  std::optional<Renderbuffer> resolved_color_;  // none without multisampling
+  std::optional<Renderbuffer> resolved_color_;  // None without multisampling.
   std::optional<FramebufferObject> resolved_;
   Program clear_program_;
   VertexArray no_vertices_;
-  std::unique_ptr<PixelBuffers> buffers_;  ///< none where pixels are read at once
+  std::unique_ptr<PixelBuffers> buffers_;  ///< None if pixels are read at once.
 };
 
 }  // namespace twrench::gl

@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {

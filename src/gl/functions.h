@@ -8,10 +8,10 @@
 
 namespace twrench::gl {
 
-/// The OpenGL functions that are used, resolved through a context; each is called with that
-/// context current. Members carry GL's own names, less the "gl".
+/// The OpenGL functions in use, resolved through a context, which must be current when they are
+/// called. Members have GL's names without the "gl".
 struct Functions {
-  /// Throws GlError, naming it, when the context lacks one.
+  /// Throws GlError, naming the function, if the context lacks one.
   explicit Functions(const Context& context);
 
   PFNGLGETERRORPROC GetError;
@@ -79,11 +79,12 @@ struct Functions {
   PFNGLDRAWELEMENTSPROC DrawElements;
 };
 
-/// The renderer and version that GL gives, as "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 ...".
+/// Returns GL's renderer and version, for example "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5
+/// ...".
 std::string renderer_string(const Functions& gl);
 
-/// Whether GL's own name of its renderer is that of a processor's program: a device may be a
-/// graphics card without a driver, for which Mesa then draws in software.
+/// Returns whether GL's renderer name is that of a software rasteriser. A device may be a graphics
+/// card without a driver, for which Mesa then draws in software.
 bool draws_in_software(const Functions& gl);
 
 }  // namespace twrench::gl

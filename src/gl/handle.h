@@ -6,8 +6,8 @@
 
 namespace twrench::gl {
 
-/// The name of a GL object, owned: made on construction, deleted with the value. It can be moved,
-/// not copied. The function table, and its context, outlive it.
+/// Owns the name of a GL object, generated on construction and deleted on destruction. Move-only.
+/// The function table and its context must outlive it.
 template <auto Generate, auto Delete>
 class Handle {
  public:

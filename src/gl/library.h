@@ -3,17 +3,20 @@
 #include <span>
 #include <string>
 
+#include "gl/error.h"
+
 namespace twrench::gl {
 
-/// A shared library, opened at run time and never closed: a GL driver leaves threads and
+/// A shared library, opened at run time and never closed, because GL drivers leave threads and
 /// thread-local destructors behind that outlive every context.
 class Library {
  public:
   /// The first of `names` that the loader finds. Throws GlError, saying what was looked for and
-  /// giving `remedy`, when there is none.
-  Library(std::span<const char* const> names, const std::string& remedy);
+  /// giving `remedy` and `reason`, when there is none.
+  Library(std::span<const char* const> names, const std::string& remedy,
+          GlError::Reason reason = GlError::Reason::failed);
 
-  /// The address of a symbol, or null.
+  /// Returns the address of a symbol, or null.
   void* symbol(const char* name) const;
 
  private:

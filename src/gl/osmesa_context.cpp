@@ -2,15 +2,15 @@
 
 #include <array>
 
-#include "base/error.h"
 #include "gl/context.h"
+#include "gl/error.h"
 #include "gl/library.h"
 
 namespace twrench::gl {
 namespace {
 
-// What is used of OSMesa's interface, as include/GL/osmesa.h of Mesa 22.3 to 25.0 declares it. Mesa
-// has dropped OSMesa in 25.1, and so the header may not be there where this is compiled.
+// The part of OSMesa's interface that is used, as declared in include/GL/osmesa.h of Mesa 22.3 to
+// 25.0. Mesa removed OSMesa in 25.1, so the header may be missing at compile time.
 using OSMesaContext = struct osmesa_context*;
 using OSMesaFunction = void (*)();
 using OSMesaCreateContextAttribs = OSMesaContext(const int* attributes, OSMesaContext shared);
@@ -28,19 +28,23 @@ constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 
 constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 constexpr const char* remedy =
-    "install OSMesa: apt-get install libosmesa6; a system with Mesa 25.1 or newer has none, and "
-    "draws with --backend egl";
+    "install OSMesa: apt-get install libosmesa6; Mesa 25.1 and newer no longer include it; "
+    "draws through EGL";
+
+[[noreturn]] void fail(const std::string& why) {
+  throw GlError("OSMesa", why, remedy, GlError::Reason::no_osmesa);
+}
 
 template <typename F>
 F* entry(const Library& library, const char* name) {
   void* const address = library.symbol(name);
-  if (address == nullptr) throw GlError("OSMesa", std::string("it has no ") + name, remedy);
+  if (address == nullptr) fail(std::string("it has no ") + name);
   return reinterpret_cast<F*>(address);
 }
 
 class OsmesaContext final : public Context {
  public:
-  OsmesaContext() : library_(library_names, remedy) {
+  OsmesaContext() : library_(library_names, remedy, GlError::Reason::no_osmesa) {
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_PROFILE,
@@ -51,9 +55,7 @@ class OsmesaContext final : public Context {
                                     3,
                                     0};
     handle_ = create_(attributes.data(), nullptr);
-    if (handle_ == nullptr) {
-      throw GlError("OSMesa", "it cannot make an OpenGL 3.3 core profile context", remedy);
-    }
+    if (handle_ == nullptr) fail("it cannot create an OpenGL 3.3 core profile context");
     if (make_current_(handle_, pixels_.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
       destroy_(handle_);
       throw GlError("OSMesa", "its context could not be made current");
@@ -73,7 +75,7 @@ class OsmesaContext final : public Context {
   std::string backend() const override { return "osmesa"; }
 
  private:
-  static constexpr int size = 16;  // OSMesa wants a buffer to draw on; we draw on framebuffers
+  static constexpr int size = 16;  // OSMesa requires a buffer to draw to; we draw to framebuffers
 
   Library library_;
   OSMesaCreateContextAttribs* create_ =

@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {
 
 constexpr std::string_view version = "#version 330 core\n";
 
-/// A shader object, deleted when its program is linked or given up.
+/// A shader object, deleted when its program is linked or construction fails.
 struct Shader {
   const Functions& gl;
   GLuint id;
@@ -28,15 +28,15 @@ struct Shader {
   Shader& operator=(const Shader&) = delete;
 };
 
-/// Lines that the file takes in the text that is compiled, where one more newline ends it.
+/// Number of lines of the file in the compiled text, where another newline ends it.
 int line_count(const ShaderFile& file) {
   return static_cast<int>(std::count(file.text.begin(), file.text.end(), '\n')) + 1;
 }
 
-/// A compiler sees the files as one text after the version line, and names places in it as
-/// "0:7(3): error" (Mesa), "0(7) : error" or "ERROR: 0:7: ..." (others). `line` with its first
-/// such place replaced by FILE:LINE. (#line could name files by number, but Mesa loses the number
-/// in most errors.)
+/// Returns `line` with its first source position replaced by FILE:LINE. The compiler sees the files
+/// as one text after the version line, and refers to positions in it as "0:7(3): error" (Mesa),
+/// "0(7) : error" or "ERROR: 0:7: ..." (others). (#line could number the files, but Mesa loses the
+/// number in most errors.)
 std::string named_line(std::string_view line, std::span<const ShaderFile> files) {
   const std::string_view place =
       line.substr(std::min(line.find_first_of("0123456789"), line.size()));
@@ -47,7 +47,7 @@ std::string named_line(std::string_view line, std::span<const ShaderFile> files)
   if (after_source.ec != std::errc() || after_source.ptr == end) return std::string(line);
   const auto after_number = std::from_chars(after_source.ptr + 1, end, number);
   if (after_number.ec != std::errc()) return std::string(line);
-  number -= 1;  // the version line
+  number -= 1;  // The version line.
   for (const ShaderFile& file : files) {
     const int lines = line_count(file);
     if (number <= lines)
@@ -57,7 +57,7 @@ std::string named_line(std::string_view line, std::span<const ShaderFile> files)
   return std::string(line);
 }
 
-/// The compiler's log on one line of text, its messages separated by "; ".
+/// The compiler's log on one line, with messages separated by "; ".
 std::string named_log(std::string_view log, std::span<const ShaderFile> files) {
   std::string result;
   while (!log.empty()) {

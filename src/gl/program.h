@@ -11,17 +11,19 @@
 
 namespace twrench::gl {
 
-/// A file of GLSL, without a #version line: Program sets one for all files of a shader.
+/// A GLSL file without a #version line, which Program adds once for all files of a shader.
 struct ShaderFile {
+  /// File name for error messages.
   std::string_view name;
+  /// GLSL source.
   std::string_view text;
 };
 
-/// A linked GLSL 3.30 program, owned. Move-only.
+/// A linked GLSL 3.30 program. Move-only.
 class Program {
  public:
-  /// Each shader is its files, one after the other. Throws GlError, with the compiler's messages
-  /// as FILE:LINE, when a shader does not compile or the two do not link.
+  /// Compiles each shader from its files in sequence. Throws GlError with the compiler's messages
+  /// as FILE:LINE if a shader does not compile or the two do not link.
   Program(const Functions& gl, std::span<const ShaderFile> vertex,
           std::span<const ShaderFile> fragment);
   ~Program();
@@ -33,8 +35,8 @@ class Program {
   GLuint id() const { return id_; }
   void use() const { gl_->UseProgram(id_); }
 
-  /// Sets a uniform of the program, which must be in use. Throws std::logic_error when the program
-  /// has no uniform of that name: C++ and GLSL have come apart.
+  /// Sets a uniform of the program, which must be in use. Throws std::logic_error if the program
+  /// has no uniform of that name, which means that C++ and GLSL disagree.
   void set(const char* name, float value) const;
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::mat3& value) const;

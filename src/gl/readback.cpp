@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 namespace {
@@ -15,7 +15,7 @@ void read_pixels(const Functions& gl, const Rectangle& area, void* pixels) {
   gl.ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-/// GL's rows run upward, an Image's downward.
+/// GL's rows run upwards, an Image's downwards.
 void turn_upside_down(Image& image) {
   const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
   for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
@@ -47,7 +47,7 @@ PixelBuffers::Sized PixelBuffers::get(GLsizeiptr size) {
     if (const GLenum error = gl_->GetError(); error != GL_NO_ERROR) {
       gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
       throw GlError(fmt::format("pixel buffer of {} bytes", size),
-                    fmt::format("OpenGL could not make it (error {:#x})", error),
+                    fmt::format("OpenGL could not create it (error {:#x})", error),
                     "choose a smaller size");
     }
     sized.size = size;
@@ -66,7 +66,7 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   buffer_.emplace(buffers->get(GLsizeiptr{4} * width_ * height_));
   read_pixels(gl, area, nullptr);
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  gl.Flush();  // or the card might not begin before it is waited for
+  gl.Flush();  // otherwise the card might not start until we wait for it
 }
 
 Image Readback::take() {
@@ -78,7 +78,7 @@ Image Readback::take() {
   if (pixels != nullptr) copy_upside_down(static_cast<const std::uint8_t*>(pixels), image);
   const bool whole = pixels != nullptr && gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER) == GL_TRUE;
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  if (!whole) throw GlError("reading back", "OpenGL has lost the pixels");
+  if (!whole) throw GlError("reading back", "OpenGL lost the pixels");
   buffers_->give_back(std::move(*buffer_));
   buffer_.reset();
   return image;

@@ -8,33 +8,35 @@
 
 namespace twrench::gl {
 
-/// Pixels of a framebuffer, from its bottom left corner as GL counts.
+/// A rectangle of a framebuffer's pixels, from the bottom left corner as GL counts.
 struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
 /// How pixels are read back.
 enum class ReadMode {
-  at_once,   ///< into memory, when all that was drawn before is there
-  buffered,  ///< into a pixel buffer, while drawing goes on
+  at_once,   ///< Directly into memory, after all drawing has finished.
+  buffered,  ///< Into a pixel buffer while drawing continues.
 };
 
-/// `buffered` on a graphics card. A software rasteriser draws on the processor that would wait, and
-/// a buffer would only be one copy more.
+/// Returns `buffered` for a graphics card. A software rasteriser runs on the same CPU, where a
+/// buffer would only add a copy.
 ReadMode best_read_mode(const Functions& gl);
 
-/// Pixel buffers for reuse, so that none is made a frame.
+/// A pool of pixel buffers, so that frames do not allocate them.
 class PixelBuffers {
  public:
   struct Sized {
+    /// The GL buffer.
     Buffer buffer;
-    GLsizeiptr size = 0;  ///< bytes
+    /// Size in bytes.
+    GLsizeiptr size = 0;
   };
 
   explicit PixelBuffers(const Functions& gl) : gl_(&gl) {}
 
-  /// One of at least `size` bytes, bound to GL_PIXEL_PACK_BUFFER. Throws GlError when there is no
-  /// memory for it.
+  /// Returns a buffer of at least `size` bytes, bound to GL_PIXEL_PACK_BUFFER. Throws GlError if
+  /// there is no memory for it.
   Sized get(GLsizeiptr size);
   void give_back(Sized buffer) { free_.push_back(std::move(buffer)); }
 
@@ -43,25 +45,25 @@ class PixelBuffers {
   std::vector<Sized> free_;
 };
 
-/// Pixels of a framebuffer on their way into memory. Those from whose framebuffer they come, and
-/// the context, outlive it.
+/// Pixels in transfer from a framebuffer to memory. The framebuffer's buffers and the context must
+/// outlive it.
 class Readback {
  public:
-  /// Begins to read `area` of the framebuffer that is bound for reading, through one of `buffers`,
-  /// or at once where that is null. What is drawn from now on is not in it.
+  /// Begins to read `area` of the framebuffer bound for reading, through one of `buffers`, or at
+  /// once if that is null. Later drawing does not affect the result.
   Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers);
 
-  /// Whether take() waits for nothing.
+  /// Returns whether take() would not block.
   bool is_there() const { return !buffer_; }
 
-  /// The pixels as RGBA from the top left, waited for. To be called once. Throws GlError when they
-  /// were lost on the way.
+  /// Waits for the pixels and returns them as RGBA from the top left. Call it once. Throws GlError
+  /// if the pixels were lost.
   Image take();
 
  private:
   const Functions* gl_;
   int width_, height_;
-  Image image_;  ///< empty while it is in the buffer
+  Image image_;  ///< Empty while the pixels are in the buffer.
   PixelBuffers* buffers_;
   std::optional<PixelBuffers::Sized> buffer_;
 };

@@ -32,7 +32,7 @@ std::vector<Area> merged(std::vector<Area> areas) {
     if (partner == result.end()) {
       result.push_back(area);
     } else {
-      areas.push_back(around(area, *partner));  // which may meet others in turn
+      areas.push_back(around(area, *partner));  // which may now overlap others
       result.erase(partner);
     }
   }

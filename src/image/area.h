@@ -4,18 +4,18 @@
 
 namespace twrench {
 
-/// A rectangle of an image: columns from x, rows from y, counted from the top left.
+/// A rectangle of an image: columns from x, rows from y, counted from the top left, in pixels.
 struct Area {
   int x = 0, y = 0, width = 0, height = 0;
 
   bool operator==(const Area&) const = default;
 };
 
-/// What lies in both; without width or height, which are then 0, where nothing does.
+/// Returns the intersection; if it is empty, its width and height are 0.
 Area common(const Area& a, const Area& b);
 
-/// Areas that cover all of `areas`: of those that overlap, two become the one around both where
-/// that is no larger than the two together.
+/// Returns areas that cover all of `areas`, in which two overlapping ones are merged if their
+/// bounding rectangle is no larger than both together.
 std::vector<Area> merged(std::vector<Area> areas);
 
 }  // namespace twrench

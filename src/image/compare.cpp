@@ -16,7 +16,7 @@ std::optional<Difference> compare_images(const BasicImage<Sample>& a, const Basi
   if (a.width != b.width || a.height != b.height || a.channels != b.channels) {
     return std::nullopt;
   }
-  constexpr int step = std::numeric_limits<Sample>::max() / 255;  // 257 of 16 bits
+  constexpr int step = std::numeric_limits<Sample>::max() / 255;  // 257 for 16 bits
   const auto channels = static_cast<std::size_t>(a.channels);
   int max = 0;
   std::uint64_t sum = 0;

@@ -6,13 +6,17 @@
 
 namespace twrench {
 
-/// An image, sRGB, rows from the top left, no padding. 3 channels are RGB, 4 are RGBA with straight
-/// (not premultiplied) alpha.
+/// An sRGB image with rows from the top left and no padding. Three channels are RGB; four are RGBA
+/// with unpremultiplied alpha.
 template <typename Sample>
 struct BasicImage {
+  /// Width in pixels.
   int width = 0;
+  /// Height in pixels.
   int height = 0;
+  /// Number of channels, 3 or 4.
   int channels = 3;
+  /// The samples, row by row with interleaved channels.
   std::vector<Sample> pixels;
 
   BasicImage() = default;
@@ -29,6 +33,6 @@ struct BasicImage {
 };
 
 using Image = BasicImage<std::uint8_t>;
-using DeepImage = BasicImage<std::uint16_t>;  ///< as finely as a PNG file can tell
+using DeepImage = BasicImage<std::uint16_t>;  ///< The full precision of PNG files.
 
 }  // namespace twrench

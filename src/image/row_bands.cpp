@@ -15,7 +15,7 @@ namespace {
 constexpr int level = 1;
 constexpr std::size_t level_memory = ISAL_DEF_LVL1_DEFAULT;
 
-/// Rows: half as many make files a percent larger, twice as many are less often still.
+/// Rows per band. Half as many make files a percent larger; twice as many are less often static.
 constexpr int band_height = 32;
 
 constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
@@ -27,8 +27,8 @@ constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.
 /// from thread to thread and from run to run.
 constexpr std::size_t stored_size = 16;
 
-/// What does not compress is stored, in blocks of at most 65535 bytes with 5 before each (RFC 1951,
-/// 3.2.4), and an empty one ends the band.
+/// The largest size of a compressed band: incompressible data is stored in blocks of at most 65535
+/// bytes with 5 bytes of header each (RFC 1951, 3.2.4), followed by an empty block.
 std::size_t most_compressed(std::size_t size) {
   return size + 5 * (size / 65535 + 3) + ISAL_DEF_MAX_HDR_SIZE;
 }
@@ -45,8 +45,8 @@ std::size_t store(std::span<const std::uint8_t> bytes, std::uint8_t* block) {
   return 5 + bytes.size();
 }
 
-/// Compresses bands of a picture, one after the other. A band's memory stays in the cache from the
-/// filter to the checksum, which a whole picture's would not.
+/// Compresses the bands of a picture one by one. A band stays in the cache from the filter to the
+/// checksum, which a whole picture would not.
 class BandCompressor {
  public:
   explicit BandCompressor(const Image& image)
@@ -54,12 +54,12 @@ class BandCompressor {
         filtered_(size_of(band_height)),
         compressed_(most_compressed(size_of(band_height))) {}
 
-  /// How many bytes so many rows are, filtered.
+  /// Size in bytes of that many filtered rows.
   std::size_t size_of(int rows) const {
     return static_cast<std::size_t>(rows) * (image_.row_bytes() + 1);
   }
 
-  /// What rows become, until the next are compressed.
+  /// The compressed rows, valid until the next call.
   struct Result {
     std::span<const std::uint8_t> bytes;
     std::uint32_t checksum;
@@ -77,7 +77,7 @@ class BandCompressor {
   }
 
  private:
-  /// A part of a stream; empty where igzip failed.
+  /// Compresses a part of the stream; empty if igzip fails.
   std::span<const std::uint8_t> deflate(std::span<std::uint8_t> rows) {
     const auto first = rows.first(std::min(stored_size, rows.size()));
     const auto rest = rows.subspan(first.size());
@@ -103,7 +103,7 @@ class BandCompressor {
   std::vector<std::uint8_t> filtered_;
   std::vector<std::uint8_t> compressed_;
   std::vector<std::uint8_t> level_memory_ = std::vector<std::uint8_t>(level_memory);
-  isal_zstream stream_{};  // its initialisation leaves some unset of what is read
+  isal_zstream stream_{};  // igzip's initialisation leaves some fields unset that it reads
 };
 
 bool is_still(const StillPart& still, int first_row) {

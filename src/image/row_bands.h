@@ -12,18 +12,21 @@
 
 namespace twrench {
 
-/// Some rows of a picture, compressed: a part of a zlib stream that refers to none before it.
+/// A compressed band of an image's rows: a part of a zlib stream without references to earlier
+/// data.
 struct CompressedBand {
+  /// The compressed data.
   std::vector<std::uint8_t> bytes;
-  std::uint32_t checksum = 1;  ///< Adler-32 of the rows
+  /// Adler-32 checksum of the rows.
+  std::uint32_t checksum = 1;
 };
 
-/// What bands of rows become that are the same in all frames of a film: each is compressed once.
-/// Any number of threads at once.
+/// The compressed bands of the static background, which are the same in all frames of a video; each
+/// is compressed once. Thread-safe.
 class StillBands {
  public:
-  /// The band that begins at that row; `compress` makes it when it is asked for the first time, and
-  /// may throw.
+  /// Returns the band that begins at that row; on the first request, `compress` makes it, and may
+  /// throw.
   const CompressedBand& get(int first_row, const std::function<CompressedBand()>& compress);
 
  private:
@@ -31,19 +34,21 @@ class StillBands {
     std::once_flag once;
     CompressedBand band;
   };
-  std::mutex mutex_;              ///< of the map, in which entries stay where they are
-  std::map<int, Entry> entries_;  ///< by the first row
+  std::mutex mutex_;              ///< Guards the map, whose entries never move.
+  std::map<int, Entry> entries_;  ///< By the first row.
 };
 
-/// Where a picture differs from what is the same in all frames of its film, and what that became.
+/// The static background of a frame: where the image differs from it, and its compressed bands.
 struct StillPart {
+  /// The damaged areas, relative to the static background.
   std::span<const Area> changed;
+  /// The compressed static background.
   StillBands& bands;
 };
 
-/// The zlib stream (RFC 1950) of a picture's filtered rows, made by ISA-L's igzip. It is always cut
-/// into the same bands of rows, so that it is the same bytes with a `still` part and without
-/// (null).
+/// Returns the zlib stream (RFC 1950) of an image's filtered rows, compressed by ISA-L's igzip. The
+/// rows are always cut into the same bands, so that the bytes are the same with and without `still`
+/// (which may be null).
 std::vector<std::uint8_t> compress_rows(const Image& image, const StillPart* still);
 
 }  // namespace twrench

@@ -10,21 +10,21 @@
 
 namespace twrench {
 
-/// A picture as encoders take it: planar Y'CbCr 4:2:0, 8 bits, BT.709, limited range (Y' 16 to 235,
-/// Cb and Cr 16 to 240). Chroma is sited as H.264 and MPEG-2 have it unless told otherwise: across,
-/// on every second column, down, between two rows.
+/// An image as video encoders take it: planar Y'CbCr 4:2:0, 8 bits, BT.709, limited range (Y' 16 to
+/// 235, Cb and Cr 16 to 240). The chroma location is left, the default of H.264 and MPEG-2:
+/// horizontally on every second column, vertically between two rows.
 class Yuv420 {
  public:
-  /// Of an image that is yet to be given: the whole of it is to be updated before bytes() are used.
+  /// Reserves the planes. update() must cover the whole image before bytes() is used.
   Yuv420(int width, int height);
 
-  /// Converts those pixels of `area`, which lies inside, and the chroma that they bear on. `image`
-  /// is RGB of this size. What is not in an area stays: parts that do not move are converted once.
-  /// A conversion depends on the image alone, not on how it was cut into areas.
+  /// Converts the pixels of `area`, which must lie inside, and the chroma that depends on them.
+  /// `image` is RGB of this size. The rest keeps its values, so that static parts are converted
+  /// once. The result depends only on the image, not on how it was divided into areas.
   void update(const Image& image, const Area& area);
 
-  /// The planes Y', Cb, Cr, one after the other: rows from the top, no padding. Those of chroma
-  /// have half the width and height, rounded up.
+  /// Returns the planes Y', Cb and Cr in this order: rows from the top, no padding. The chroma
+  /// planes have half the width and height, rounded up.
   std::span<const std::uint8_t> bytes() const { return bytes_; }
 
  private:
@@ -35,7 +35,7 @@ class Yuv420 {
   int height_;
   YuvRows rows_;
   std::vector<std::uint8_t> bytes_;
-  std::vector<int> blue_columns_;  ///< scratch: of two rows, from the one before the first column
+  std::vector<int> blue_columns_;  ///< Scratch for two rows, from the column before the first.
   std::vector<int> red_columns_;
 };
 

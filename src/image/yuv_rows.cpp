@@ -5,8 +5,8 @@
 namespace twrench {
 namespace {
 
-/// A row of ITU-R BT.709-6, items 3.2 to 3.4, on 8-bit R'G'B', as integers over 2^16. Rounding
-/// leaves 0.6 of a unit in each at most: 0.006 of a level for the brightest pixel.
+/// A row of the matrix of ITU-R BT.709-6, items 3.2 to 3.4, for 8-bit R'G'B', in units of 2^-16.
+/// Rounding changes each weight by at most 0.6 of a unit: 0.006 of a level for the brightest pixel.
 struct Weights {
   int red, green, blue;
 };
@@ -21,15 +21,15 @@ static_assert(luma.red + luma.green + luma.blue == (219 * (1 << shift) + 127) / 
 static_assert(blue_difference.red + blue_difference.green + blue_difference.blue == 0);
 static_assert(red_difference.red + red_difference.green + red_difference.blue == 0);
 
-// These are made part of each function below, and compiled with what instructions it may use. That
-// nothing overlaps lets the compiler take many pixels at a time.
+// These are inlined into each function below and compiled for the instructions that it may use.
+// Because nothing overlaps, the compiler can vectorise them.
 #define TWRENCH_INLINE [[gnu::always_inline]] inline
 
 TWRENCH_INLINE int weighted(const Weights& weights, int red, int green, int blue) {
   return weights.red * red + weights.green * green + weights.blue * blue;
 }
 
-/// `sum` of 2^doublings pixels, plus `offset`, rounded.
+/// Rounds `sum` of 2^doublings pixels plus `offset`.
 TWRENCH_INLINE std::uint8_t level(int sum, int offset, int doublings) {
   const int bits = shift + doublings;
   return static_cast<std::uint8_t>((sum + (offset << bits) + (1 << (bits - 1))) >> bits);

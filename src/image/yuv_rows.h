@@ -4,23 +4,25 @@
 
 namespace twrench {
 
-/// The arithmetic of Yuv420, row by row, which see. Ranges that are written overlap no others.
+/// The arithmetic of Yuv420 by rows. Output ranges must not overlap other ranges.
 struct YuvRows {
-  /// Y' of `count` pixels.
+  /// Converts `count` pixels to Y'.
   void (*luma)(const std::uint8_t* rgb, std::uint8_t* out, int count);
 
-  /// What each of `count` columns of two rows weighs in Cb and Cr: sums, not rounded yet.
+  /// Computes the weights of `count` columns of two rows in Cb and Cr, as sums that are not yet
+  /// rounded.
   void (*columns)(const std::uint8_t* upper, const std::uint8_t* lower, int* blue, int* red,
                   int count);
 
-  /// Cb or Cr: sample i from columns 2i to 2i + 2, of which the middle one counts twice.
+  /// Computes Cb or Cr: sample i from columns 2i to 2i + 2, with double weight on the middle one.
   void (*chroma)(const int* columns, std::uint8_t* out, int count);
 };
 
-/// With instructions that every processor has.
+/// Returns the implementation for all processors.
 YuvRows common_yuv_rows();
 
-/// The same numbers, with the widest instructions that this processor has.
+/// Returns the implementation with the widest instructions of this processor; its results are the
+/// same.
 YuvRows fastest_yuv_rows();
 
 }  // namespace twrench

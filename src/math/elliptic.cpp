@@ -14,8 +14,8 @@ using std::numbers::pi;
 /// The n-th power of x >= 0, and 1 for n = 0.
 double power(double x, std::size_t n) { return std::pow(x, static_cast<double>(n)); }
 
-/// theta_k(0, q), eq. (E10): of theta_2, what stands beside its factor q^(1/4), which
-/// cancels wherever it is used. q <= 0.124.
+/// theta_k(0, q), eq. (E10); for theta_2 without its factor q^(1/4), which cancels wherever it is
+/// used. q <= 0.124.
 struct ThetaConstants {
   double theta2, theta3, theta4;
 };
@@ -43,8 +43,8 @@ double incomplete_first(double s, double c, double mc) {
 
 Jacobi::Jacobi(double m, double mc, double a_prime) : K_(complete_first(mc)) {
   const double Kc = complete_first(m);
-  // The first term left out is then below 1e-16 on either side: q <= exp(-2 pi/3) = 0.123, or
-  // q' <= exp(-3 pi/2) = 0.009, whose square root paces the hyperbolic series.
+  // The first omitted term is then below 1e-16 on either side: q <= exp(-2 pi/3) = 0.123, or q' <=
+  // exp(-3 pi/2) = 0.009, whose square root governs the hyperbolic series.
   hyperbolic_ = 3 * Kc < 2 * K_;
   if (hyperbolic_) {
     expand_in_complementary_nome(Kc, a_prime);
@@ -61,10 +61,10 @@ void Jacobi::expand_in_nome(double Kc, double a_prime) {
   cn_scale_ = 2 * theta4 / theta2;
   dn_scale_ = theta4 / theta3;
 
-  // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi a/2K, which has no limit as q -> 0 as p has.
+  // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi a/2K. Unlike alpha, p has a limit as q -> 0.
   const double p = std::exp(-pi * a_prime / K_), inverse = q > 0 ? q / p : 0;
   even_[0] = odd_[0] = cosine_[0] = 1;
-  double slope = 0, theta = 1;  // of Theta(u + i a) at u = 0
+  double slope = 0, theta = 1;  // Of Theta(u + i a) at u = 0.
   for (std::size_t n = 1; n < terms; ++n) {
     const double sign = n % 2 == 0 ? 1 : -1;
     const double growing = power(q, n * (2 * n - 1)) * power(p, n);
@@ -91,7 +91,7 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
 
   const double x = 0.5 * scale_ * (Kc - a_prime);  // pi a/4K'
   drift_ = -x / K_;
-  double slope = 0, theta = 0;  // of theta_2(x - i w, root) at w = 0
+  double slope = 0, theta = 0;  // Of theta_2(x - i w, root) at w = 0.
   for (std::size_t n = 0; n < terms; ++n) {
     const auto multiple = static_cast<double>(2 * n + 1);
     even_[n] = power(q, n * n - n);
@@ -104,7 +104,7 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
   slope_ = drift_ + 0.5 * scale_ * slope / theta;
 }
 
-Jacobi::Values Jacobi::circular(double u) const {  // eq. (E10)
+Jacobi::Values Jacobi::circular(double u) const {  // Eq. (E10).
   const double z = scale_ * u;
   const double c = std::cos(z), s = std::sin(z);
   const double c2 = (c - s) * (c + s), s2 = 2 * c * s;
@@ -130,11 +130,11 @@ Jacobi::Values Jacobi::circular(double u) const {  // eq. (E10)
           0};
 }
 
-Jacobi::Values Jacobi::hyperbolic(double u) const {  // eq. (E11)
+Jacobi::Values Jacobi::hyperbolic(double u) const {  // Eq. (E11).
   // u = 2K turns + r, where turns = 0 if K is infinite.
   const double turns = std::nearbyint(turns_per_unit_ * u);
   const double r = turns == 0 ? u : u - turns * (2 * K_);
-  // Hyperbolic functions of w = scale r without their growing half e^|w|, which cancels.
+  // Hyperbolic functions of w = scale r without their growing factor e^|w|, which cancels.
   const double x = std::exp(-scale_ * std::abs(r));
   const double y = x > 0 ? root_ / x : 0;  // exp(-scale (K - |r|))
   const double x2 = x * x, x4 = x2 * x2, y2 = y * y;

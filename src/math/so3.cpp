@@ -30,8 +30,8 @@ Matrix3d exp(const Vector3d& u) {
 Matrix3d exp(double h, const Matrix3d& Omega) { return exp(h * vee(Omega)); }
 
 Vector3d log(const Matrix3d& X) {
-  // By way of the unit quaternion (w, v), which keeps all digits at both ends of the range:
-  // near 0, where the trace does not tell the angle, and near pi, where X - X^T vanishes.
+  // The unit quaternion (w, v) keeps full accuracy at both ends of the range: near 0, where the
+  // trace does not determine the angle, and near pi, where X - X^T vanishes.
   Eigen::Quaterniond q(X);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
   Vector3d v = q.vec();

@@ -4,18 +4,20 @@
 
 namespace twrench {
 
-/// Rotational kinetic energy 1/2 omega . (I omega) in g cm^2/s^2, eq. (14).
+/// Returns the rotational kinetic energy 1/2 omega . (I omega) in g cm^2/s^2, eq. (14).
 double energy(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
 
-/// How far a sample has left what the exact motion conserves. All are zero at t = 0.
+/// How far a sample deviates from the quantities that the exact motion conserves. All errors are
+/// zero at t = 0.
 struct Diagnostics {
-  double energy;               ///< g cm^2/s^2
-  double energy_drift;         ///< energy / energy(0) - 1; 0 for a body at rest
-  double orthogonality_error;  ///< Frobenius norm of X^T X - Id
-  double momentum_error;       ///< |X I omega - L| / |L|; 0 for a body at rest
+  double energy;               ///< Kinetic energy in g cm^2/s^2.
+  double energy_drift;         ///< Relative drift energy / energy(0) - 1; 0 for a body at rest.
+  double orthogonality_error;  ///< Frobenius norm of X^T X - Id.
+  double momentum_error;       ///< |X I omega - L| / |L|; 0 for a body at rest.
 };
 
-/// `initial_energy` is that of the sample at t = 0.
+/// Computes the diagnostics of a sample. `initial_energy` is the energy of the sample at t = 0, in
+/// g cm^2/s^2.
 Diagnostics diagnose(const FreeBody& body, double initial_energy, const Sample& sample);
 
 }  // namespace twrench

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
+#include "base/require.h"
 #include "math/so3.h"
+#include "motion/error.h"
 
 namespace twrench {
 
@@ -17,10 +18,11 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// D2 / G^2 of eq. (E1), for ascending moments: negative where L circles the axis of least moment,
-/// positive where it circles that of greatest, zero on the separatrix. It is the one difference of
-/// the whole solution that cancels, and near the separatrix flips hang on its last digit: so it is
-/// taken from the velocity that was given, not from the rounded L, and in twice the digits.
+/// D2 / G^2 of eq. (E1) for ascending moments: negative if L circles the axis of least moment,
+/// positive if it circles that of greatest moment, zero on the separatrix. It is the only
+/// difference in the solution that suffers cancellation, and near the separatrix the flip times
+/// depend on its last digit. It is therefore computed from the given velocity, not from the rounded
+/// L, and in twice the digits.
 double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
   using Quad = boost::multiprecision::cpp_bin_float_quad;
   const auto term = [&](int i) {
@@ -30,7 +32,7 @@ double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
   return static_cast<double>(term(0) + term(2));
 }
 
-/// Body axes (a, b, c), a proper rotation: a is the principal axis `a` (0 or 2), b the
+/// Body axes (a, b, c) as a proper rotation: a is the principal axis `a` (0 or 2), b the
 /// intermediate one, and the components of m along a and c are not negative.
 Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
   Matrix3d axes;
@@ -40,28 +42,29 @@ Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
   return axes;
 }
 
-/// D_i / G^2 of eq. (E1), where i has the least or the greatest moment: the terms have one sign.
+/// D_i / G^2 of eq. (E1), where i has the least or the greatest moment: all terms have the same
+/// sign.
 double excess(const Vector3d& I, const Vector3d& mu, int i) {
   return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
 }
 
 }  // namespace
 
-ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega) {
-  // A unit of mass by which the greatest moment is 1 or so: squares of them neither overflow nor
-  // underflow. A power of two, so that nothing is rounded.
-  const double unit = std::exp2(-std::ilogb(body.principal.moments[2]));
-  const PrincipalAxes principal{unit * body.principal.moments, body.principal.axes};
-  const Vector3d momentum = unit * body.momentum, m = principal.axes.transpose() * momentum;
+ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
+  // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
+  // nor underflow. It is a power of two, so that nothing is rounded.
+  const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
+  const PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
+  const Vector3d momentum = unit * body.momentum(), m = principal.axes.transpose() * momentum;
   const double G = m.stableNorm();
   if (G == 0) return;
   const double D2 =
-      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega, G);
+      beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega(), G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
   body_from_motion_ = motion_axes(principal, a, m);
   const Vector3d mu = body_from_motion_.transpose() * momentum / G;
-  // Below the least normal number D2 has no digits left.
+  // Below the smallest normal number D2 has no digits left.
   constexpr double nothing = std::numeric_limits<double>::min();
   if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
@@ -74,7 +77,7 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   const double Da = excess(I, mu, 0), Dc = excess(I, mu, 2);
   const double ab = I[1] - I[0], bc = I[2] - I[1], ac = I[2] - I[0];
 
-  // Eq. (E3); excess divides by G^2, and so amplitude is of mu = m/G.
+  // Eq. (E3); excess divides by G^2, hence amplitude is that of mu = m/G.
   const Vector3d amplitude(std::sqrt(-I[0] * Dc / ac), std::sqrt(I[1] * Da / ab),
                            std::sqrt(I[2] * Da / ac));
   const double m = -Da * bc / (Dc * ab), mc = std::abs(D2 / Dc * (ac / ab));
@@ -120,20 +123,21 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
-  // Where sn u = 1, L has no component along c, and that along a is least.
+  // At sn u = 1, L has no component along c, and its component along a is smallest.
   const double swing = 2 * std::atan2(o.amplitude[1], std::sqrt(o.mc) * o.amplitude[0]);
   return Flips{interval, first, (std::log(16) - std::log(o.mc)) / rate, swing};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {
+  require_finite("t_end", t_end);
   std::vector<double> times;
   if (const auto flips = this->flips()) {
     constexpr double most = 1e7;
     if (const double count = t_end / flips->interval; count > most) {
-      throw UsageError("flips",
-                       fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
-                                   count, t_end, most),
-                       "give a shorter --duration");
+      throw MotionError("flips",
+                        fmt::format("there would be {:.3g} in {} s, but at most {:.0f} are allowed",
+                                    count, t_end, most),
+                        MotionError::Reason::too_many_flips);
     }
     double t = flips->first;
     for (int n = 1; t <= t_end; ++n) {

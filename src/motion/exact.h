@@ -10,72 +10,89 @@
 
 namespace twrench {
 
-/// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) with X(0) = Id,
-/// at any t, for the same cost whatever t. Derived in docs/exact.md, whose equations are (E1) on.
+/// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) with X(0) = Id, at
+/// any t and at a cost independent of t. docs/exact.md derives it and numbers its equations from
+/// (E1).
 ///
-/// Every positive definite inertia and every momentum: both sides of the separatrix and the
-/// separatrix itself, symmetric bodies, the sphere, spin about a principal axis, rest.
-/// The error of X grows as eps |omega| t, and beyond that only as the motion itself spreads an eps
-/// of its initial velocity. Components of the momentum below 1e-145 |L| may count as zero.
+/// It covers every positive definite inertia and every momentum: both sides of the separatrix and
+/// the separatrix itself, symmetric bodies, the sphere, spin about a principal axis, and rest. The
+/// error of X grows as eps |omega| t, and beyond that only as fast as the motion itself amplifies a
+/// relative error of eps in the initial velocity. Momentum components below 1e-145 |L| may be
+/// treated as zero.
 class ExactMotion {
  public:
-  /// What the momentum does, seen from the body.
+  /// How the momentum moves in the body frame.
   enum class Kind {
-    steady,          ///< omega is constant: rest, or spin about a principal axis
-    about_least,     ///< it circles the axis of least moment
-    about_greatest,  ///< it circles the axis of greatest moment
-    separatrix,      ///< it tends to the intermediate axis as t tends to either infinity
+    /// omega is constant: rest, or spin about a principal axis.
+    steady,
+    /// The momentum circles the axis of least moment.
+    about_least,
+    /// The momentum circles the axis of greatest moment.
+    about_greatest,
+    /// The momentum tends to the intermediate axis as t tends to plus or minus infinity.
+    separatrix,
   };
 
+  /// Prepares the constants of the motion.
   explicit ExactMotion(const FreeBody& body);
 
-  Sample at(double t) const;  ///< t in s, of either sign
+  /// Returns the sample at time t in s, of either sign.
+  Sample at(double t) const;
 
+  /// Returns which of these the motion is.
   Kind kind() const { return kind_; }
 
-  /// Flips: sign changes of the component of omega along the intermediate axis. That axis swings
-  /// from one side of the plane normal to L to the other and back: with `swing` near pi the body
-  /// turns over, as the T-handle does; with `swing` near 0 it wobbles about a stable axis.
+  /// The flips of a motion: sign changes of the component of omega along the intermediate axis.
+  /// That axis swings from one side of the plane normal to L to the other and back. With `swing`
+  /// near pi the body turns over, as the T-handle does; with `swing` near 0 it wobbles about a
+  /// stable axis.
   struct Flips {
-    double interval;             ///< s, from one to the next; infinite on the separatrix
-    double first;                ///< s, of the first after t = 0; infinite where none is to come
-    double asymptotic_interval;  ///< s, what `interval` tends to at the separatrix
-    double swing;                ///< rad, from 0 to pi
+    /// Time between flips in s; infinite on the separatrix.
+    double interval;
+    /// Time of the first flip after t = 0 in s; infinite if there is none.
+    double first;
+    /// The limit that `interval` approaches near the separatrix, in s.
+    double asymptotic_interval;
+    /// The angle through which the intermediate axis swings, in rad, from 0 to pi.
+    double swing;
   };
-  /// Nothing for steady motion, nor for a symmetric body, which has no intermediate axis.
+  /// Returns the flips; nothing for steady motion or for a symmetric body, which has no
+  /// intermediate axis.
   std::optional<Flips> flips() const;
 
-  /// The instants, s, of all flips with 0 < t <= t_end, ascending; t_end is finite. Throws
-  /// UsageError where there are more than 10^7.
+  /// The instants, s, of all flips with 0 < t <= t_end, ascending. Throws OutOfRange
+  /// unless t_end is finite, and MotionError where there are more than 10^7.
   std::vector<double> flip_times(double t_end) const;
 
  private:
-  /// What is constant of a motion that is not steady, in motion axes (a, b, c): L circles a, and b
-  /// is the intermediate axis.
+  /// The constants of a non-steady motion, in the axes (a, b, c) of docs/exact.md: L circles a, and
+  /// b is the intermediate axis.
   struct Orbit {
     struct State {
-      Eigen::Vector3d mu;       ///< m/G
-      Eigen::Quaterniond turn;  ///< Rot(e_a, psi) P, eq. (E5), up to a factor and constant turns
+      /// Direction of the body momentum, m/G.
+      Eigen::Vector3d mu;
+      /// Rot(e_a, psi) P, eq. (E5), up to a factor and constant rotations.
+      Eigen::Quaterniond turn;
     };
     State at(double t) const;
 
     elliptic::Jacobi jacobi;
-    double m, mc;               ///< parameter k^2, and 1 - k^2
-    double rate;                ///< lambda = du/dt, 1/s
-    double phase;               ///< u at t = 0
-    double spin;                ///< mean of dpsi/dt, rad/s
-    Eigen::Vector3d amplitude;  ///< of mu = (a dn u, b sn u, c cn u)
-    Eigen::Vector3d velocity;   ///< omega = velocity * mu, entry by entry, rad/s
+    double m, mc;               ///< Parameter k^2, and 1 - k^2.
+    double rate;                ///< lambda = du/dt in 1/s.
+    double phase;               ///< u at t = 0.
+    double spin;                ///< Mean of dpsi/dt in rad/s.
+    Eigen::Vector3d amplitude;  ///< Amplitudes of mu = (a dn u, b sn u, c cn u).
+    Eigen::Vector3d velocity;   ///< omega = velocity * mu, componentwise, in rad/s.
   };
 
   static Orbit orbit(double G, const Eigen::Vector3d& mu, const Eigen::Vector3d& I, double D2);
 
   Kind kind_ = Kind::steady;
-  Eigen::Vector3d omega0_;  ///< body axes, rad/s
+  Eigen::Vector3d omega0_;  ///< Angular velocity at t = 0 in body axes, rad/s.
   std::optional<Orbit> orbit_;
   Eigen::Matrix3d body_from_motion_;
   Eigen::Quaterniond motion_from_body_;
-  Eigen::Quaterniond space_from_turned_;  ///< body_from_motion turn(0)^-1
+  Eigen::Quaterniond space_from_turned_;  ///< body_from_motion turn(0)^-1.
 };
 
 }  // namespace twrench

@@ -1,33 +1,49 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "body/mass_properties.h"
 
 namespace twrench {
 
-/// A rigid body that turns freely: eq. (19)-(20) with its constants. Body axes are any axes fixed
-/// in the body; the inertia need not be diagonal in them.
-struct FreeBody {
-  Eigen::Matrix3d inertia;   ///< I, body axes, g cm^2
-  Eigen::Matrix3d inverse;   ///< I^-1
-  Eigen::Vector3d momentum;  ///< L, space axes, g cm^2/s; constant
-  Eigen::Vector3d omega;     ///< at t = 0, where X = Id, body axes, rad/s; as it was given, where
-                             ///< L is I omega rounded: close to the separatrix that tells
-  PrincipalAxes principal;   ///< of the inertia
+/// A free rigid body with its initial condition: the constants of eq. (19)-(20). Body axes are any
+/// axes fixed in the body; the inertia matrix need not be diagonal in them.
+class FreeBody {
+ public:
+  /// The body with X(0) = Id, `inertia` (body axes, g cm^2) and the angular velocity `omega` (body
+  /// axes, rad/s). Throws UsageError about "inertia" unless that is finite, symmetric to round-off
+  /// and positive definite, and about "omega" unless that is finite; OutOfRange where the bound is
+  /// that of one number, the least moment or a component of omega.
+  FreeBody(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
+
+  const Eigen::Matrix3d& inertia() const { return inertia_; }  ///< I in body axes, g cm^2.
+  const Eigen::Matrix3d& inverse() const { return inverse_; }  ///< I^-1.
+  const Eigen::Vector3d& momentum() const {
+    return momentum_;
+  }  ///< L = I omega, eq. (12), in space
+     ///< axes, g cm^2/s; constant
+  /// At t = 0, body axes, rad/s; as it was given, where L is I omega rounded: close to the
+  /// separatrix that tells.
+  const Eigen::Vector3d& omega() const { return omega_; }
+  /// Principal moments and axes of the inertia matrix.
+  const PrincipalAxes& principal() const { return principal_; }
+
+ private:
+  Eigen::Matrix3d inertia_;
+  Eigen::Vector3d omega_;
+  PrincipalAxes principal_;
+  Eigen::Matrix3d inverse_;
+  Eigen::Vector3d momentum_;
 };
 
-/// The body with X(0) = Id and angular velocity omega (body axes, rad/s): L = I omega, eq. (12).
-inline FreeBody free_body(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
-  return {inertia, inertia.inverse(), inertia * omega, omega, principal_axes(inertia)};
-}
-
-/// The motion at one instant.
+/// The state of the motion at one time.
 struct Sample {
-  double t;               ///< s
-  Eigen::Matrix3d X;      ///< space_from_body; columns are the body axes in space
-  Eigen::Vector3d omega;  ///< body axes, rad/s, as the method itself computes it from X
+  /// Time in s.
+  double t;
+  /// Attitude, space_from_body; its columns are the body axes in space.
+  Eigen::Matrix3d X;
+  /// Angular velocity in body axes, rad/s, as the method computes it from X.
+  Eigen::Vector3d omega;
 };
 
 }  // namespace twrench

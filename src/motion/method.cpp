@@ -8,21 +8,24 @@
 namespace twrench {
 namespace {
 
-constexpr Tableau one_stage{.stages = 1, .a = {}, .weights = {1.0}};
+constexpr Tableau one_stage{.stages = 1, .order = 1, .a = {}, .weights = {1.0}};
 
-constexpr Tableau explicit_midpoint{.stages = 2, .a = {{{}, {1.0 / 2}}}, .weights = {0.0, 1.0}};
+constexpr Tableau explicit_midpoint{
+    .stages = 2, .order = 2, .a = {{{}, {1.0 / 2}}}, .weights = {0.0, 1.0}};
 
 constexpr Tableau explicit_trapezoid{
-    .stages = 2, .a = {{{}, {1.0}}}, .weights = {1.0 / 2, 1.0 / 2}};
+    .stages = 2, .order = 2, .a = {{{}, {1.0}}}, .weights = {1.0 / 2, 1.0 / 2}};
 
 constexpr Tableau kutta{.stages = 4,
+                        .order = 4,
                         .a = {{{}, {1.0 / 2}, {0.0, 1.0 / 2}, {0.0, 0.0, 1.0}}},
                         .weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
 
-/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the 5th-order row is held against
-/// it.
+/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the error estimate compares it with
+/// the 5th-order row.
 constexpr Tableau fehlberg{
     .stages = 6,
+    .order = 4,
     .a = {{{},
            {1.0 / 4},
            {3.0 / 32, 9.0 / 32},
@@ -40,53 +43,55 @@ constexpr CommutatorFree cf4{
     .update = {
         {{3.0 / 12, 2.0 / 12, 2.0 / 12, -1.0 / 12}, {-1.0 / 12, 2.0 / 12, 2.0 / 12, 3.0 / 12}}}};
 
-/// Suzuki's fractal: four steps of p and one of 1 - 4p, backwards, cancel the error of h^3.
+/// Suzuki's fractal composition: four steps of p and one of 1 - 4p, backwards, cancel the h^3
+/// error.
 constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
 constexpr ImplicitTrapezoid suzuki_trapezoid{
     .count = 5, .fractions = {suzuki, suzuki, 1.0 - 4.0 * suzuki, suzuki, suzuki}};
 
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
-// order 2 on SO(3), not 4 and 5: one exponential of the averaged stage velocities drops their
-// commutators, first of all (h^3/12) omega x omega'.
+// order 2 on SO(3), not 4 and 5: a single exponential of the averaged stage velocities omits their
+// commutators, to leading order (h^3/12) omega x omega'.
 constexpr auto all = std::to_array<Method>({
-    {"euler", RungeKutta{Update::linear, one_stage}, 1, 1, false, false, "specification, eq. (24)",
-     "Euler's method on the matrix itself; leaves SO(3), for comparison"},
-    {"lie-euler", RungeKutta{Update::averaged, one_stage}, 1, 1, false, false,
-     "specification, eq. (25)", "Euler's method on the group: one exponential a step"},
-    {"midpoint", RungeKutta{Update::averaged, explicit_midpoint}, 2, 2, false, false,
+    {"euler", RungeKutta{Update::linear, one_stage}, 1, false, false, "specification, eq. (24)",
+     "Euler's method on the matrix itself; drifts off SO(3); for comparison"},
+    {"lie-euler", RungeKutta{Update::averaged, one_stage}, 1, false, false,
+     "specification, eq. (25)", "Lie-Euler method on the group: one exponential per step"},
+    {"midpoint", RungeKutta{Update::averaged, explicit_midpoint}, 2, false, false,
      "specification, 4.2", "explicit midpoint rule on the group"},
-    {"trapezoid", RungeKutta{Update::averaged, explicit_trapezoid}, 2, 2, false, false,
+    {"trapezoid", RungeKutta{Update::averaged, explicit_trapezoid}, 2, false, false,
      "specification, 4.3", "explicit trapezoid rule on the group"},
-    {"rk4", RungeKutta{Update::averaged, kutta}, 2, 4, false, false, "specification, 4.4",
-     "Runge-Kutta 4 as the specification prints it: no commutators, so order 2 on SO(3)"},
-    {"rkf45", RungeKutta{Update::averaged, fehlberg}, 2, 4, false, false,
+    {"rk4", RungeKutta{Update::averaged, kutta}, 2, false, false, "specification, 4.4",
+     "RK4 as the specification prints it: no commutators, hence order 2 on SO(3)"},
+    {"rkf45", RungeKutta{Update::averaged, fehlberg}, 2, false, false,
      "specification, 4.5, eq. (39)",
-     "Runge-Kutta-Fehlberg as printed, adaptive: no commutators, so order 2 on SO(3)"},
-    {"implicit-trapezoid", ImplicitTrapezoid{1, {1.0}}, 2, 2, true, true,
+     "Runge-Kutta-Fehlberg as printed, adaptive: no commutators, hence order 2 on SO(3)"},
+    {"implicit-trapezoid", ImplicitTrapezoid{1, {1.0}}, 2, true, true,
      "Simo, Wong, Int. J. Numer. Methods Eng. 31 (1991)",
-     "symmetric; keeps the energy to round-off"},
-    {"strang", StrangSplitting{}, 2, 2, false, true, "McLachlan, Phys. Rev. Lett. 71 (1993)",
-     "splitting into rotations about the principal axes; Poisson, energy error bounded"},
-    {"rkmk4", RungeKutta{Update::munthe_kaas, kutta}, 4, 4, false, false,
+     "symmetric; conserves energy to round-off"},
+    {"strang", StrangSplitting{}, 2, false, true, "McLachlan, Phys. Rev. Lett. 71 (1993)",
+     "splitting into rotations about the principal axes; Poisson, bounded energy error"},
+    {"rkmk4", RungeKutta{Update::munthe_kaas, kutta}, 4, false, false,
      "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
-     "the specification's RK4 with the commutator correction"},
-    {"rkmk45", RungeKutta{Update::munthe_kaas, fehlberg}, 4, 4, false, false,
+     "the specification's RK4 with commutator correction"},
+    {"rkmk45", RungeKutta{Update::munthe_kaas, fehlberg}, 4, false, false,
      "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
-     "the specification's RKF45 with the commutator correction, adaptive; the default"},
-    {"cf4", cf4, 4, 4, false, false,
+     "the specification's RKF45 with commutator correction, adaptive; the default"},
+    {"cf4", cf4, 4, false, false,
      "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003)",
      "commutator-free: products of two exponentials"},
-    {"suzuki4", suzuki_trapezoid, 4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
-     "five implicit trapezoids a step; keeps the energy to round-off"},
-    {"taylor", Taylor{20}, 20, 20, true, false,
-     "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
-     "Taylor series of momentum and one angle, adaptive; keeps the energy; the fastest"},
-    {"exact", ClosedForm{}, 0, 0, true, true,
+    {"suzuki4", suzuki_trapezoid, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
+     "five implicit trapezoidal steps per step; conserves energy to round-off"},
+    {"taylor", Taylor{20}, 20, true, false, "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
+     "Taylor series of momentum and one angle, adaptive; conserves energy; the fastest"},
+    {"exact", ClosedForm{}, std::nullopt, true, true,
      "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
-     "the motion in closed form, by elliptic and theta functions; the same cost at any t"},
+     "closed form with elliptic and theta functions; the same cost at any t"},
 });
 
 }  // namespace
+
+bool Method::exact() const { return std::holds_alternative<ClosedForm>(scheme); }
 
 bool Method::adaptive() const {
   const auto* rk = std::get_if<RungeKutta>(&scheme);

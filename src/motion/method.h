@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,81 +15,101 @@ using Row = std::array<double, 6>;
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
   int stages;
-  std::array<Row, 6> a;  ///< row k holds a_k1 .. a_k(k-1)
-  Row weights;           ///< of the value that is carried on
-  Row embedded{};        ///< of the value held against it for the error estimate
+  int order;             ///< in a linear space, of what is carried on; p in the step control
+  std::array<Row, 6> a;  ///< Row k holds a_k1 to a_k(k-1).
+  Row weights;           ///< Weights of the solution that is carried on.
+  Row embedded{};        ///< Weights of the solution that the error estimate compares with it.
   bool embedded_pair = false;
 };
 
-/// How a Runge-Kutta step goes from the stage velocities to the group.
+/// How a Runge-Kutta step maps the stage velocities to the group.
 enum class Update {
-  linear,       ///< W' = W + h W Omega: in the space of matrices, eq. (24); leaves SO(3)
-  averaged,     ///< W' = W exp(h sum b_k S_k): no commutators, sections 4.1 to 4.5
-  munthe_kaas,  ///< the same with dexpinv of the stage velocities: the tableau's own order
+  /// W' = W + h W Omega in the space of matrices, eq. (24); leaves SO(3).
+  linear,
+  /// W' = W exp(h sum b_k S_k) without commutators, sections 4.1 to 4.5.
+  averaged,
+  /// The same with dexpinv of the stage velocities, which restores the tableau's order.
+  munthe_kaas,
 };
 
+/// A Runge-Kutta method on the group.
 struct RungeKutta {
+  /// How the step reaches the group.
   Update update;
+  /// Its coefficients.
   Tableau tableau;
 };
 
-/// Stages that are products of exponentials of combinations of the stage velocities: no
-/// commutators needed. Row 0 of each product acts first.
+/// Stages that are products of exponentials of linear combinations of the stage velocities, without
+/// commutators. Row 0 of each product acts first.
 struct CommutatorFree {
   using Product = std::array<Row, 2>;
   int stages;
+  /// Exponents of each stage.
   std::array<Product, 4> stage;
+  /// Exponents of the step.
   Product update;
 };
 
-/// W' = W exp(h w), with w the velocity of the mean of the body momenta at both ends, taken for
-/// each of the fractions of the step in turn.
+/// The implicit trapezoidal rule W' = W exp(h w), where w is the velocity of the mean of the body
+/// momenta at both ends, applied successively to each of the given fractions of the step.
 struct ImplicitTrapezoid {
+  /// Number of fractions in use.
   int count;
+  /// Fractions of the step, which sum to 1.
   std::array<double, 5> fractions;
 };
 
-/// The energy is a sum over the principal axes of m_i^2/(2 I_i); the flow of each term is a
-/// rotation about its axis: half of the first two, the third, and back.
+/// A splitting of the energy into its terms m_i^2/(2 I_i) along the principal axes, whose flows are
+/// rotations about the axes: half a step of the first two, a step of the third, and the halves in
+/// reverse order.
 struct StrangSplitting {};
 
+/// The highest order for which TaylorSeries has room.
 inline constexpr std::size_t largest_taylor_order = 30;
 
-/// The Taylor series of the motion, motion/taylor.h: its last terms say how far it holds.
+/// The Taylor series of the motion, motion/taylor.h; its last terms determine the step size.
 struct Taylor {
+  /// Highest order of the series.
   int order;
 };
 
-/// The solution itself, motion/exact.h; a step of it, where one is asked for, has any length.
+/// The exact solution, motion/exact.h; a step of it may have any size.
 struct ClosedForm {};
 
 using Scheme = std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, Taylor,
                             ClosedForm>;
 
-/// A method of integration: data, with its citation. One stepper runs them all.
+/// An integration method: data with its citation. One stepper runs them all.
 struct Method {
+  /// Name in scene files and on the command line.
   std::string_view name;
+  /// Coefficients and kind of the method.
   Scheme scheme;
-  int order;                 ///< observed on SO(3), which may be less than the tableau's own;
-                             ///< 0 for the closed form, whose error knows no step
-  int tableau_order;         ///< in a linear space; p in the step control
-  bool conserves_energy;     ///< to round-off, whatever the step (`taylor`: to a tolerance of 1e-8)
-  bool reversible;           ///< a step of -h undoes a step of h, to round-off
-  std::string_view source;   ///< where the specification or the literature prints it
-  std::string_view summary;  ///< one line for people
+  std::optional<int> order;  ///< observed on SO(3), which may be less than the tableau's own; none
+                             ///< for the closed form, whose error knows no step
+  /// Whether the energy is conserved to round-off for every step size (`taylor`: up to a tolerance
+  /// of 1e-8).
+  bool conserves_energy;
+  bool reversible;           ///< Whether a step of -h undoes a step of h, to round-off.
+  std::string_view source;   ///< Where the specification or the literature defines it.
+  std::string_view summary;  ///< One-line description for users.
 
-  /// It chooses its own steps.
+  /// It is the solution itself, without steps.
+  bool exact() const;
+  /// Returns whether the method chooses its own step sizes.
   bool adaptive() const;
-  /// It leaves SO(3).
+  /// Returns whether the method leaves SO(3).
   bool linear() const;
 };
 
-/// All methods: the specification's in its order, then the others by order.
+/// Returns all methods: the specification's in its order, then the others by order.
 std::span<const Method> methods();
 
+/// Returns the names of all methods.
 std::vector<std::string> method_names();
 
-/// The method called `name`. Throws UsageError about `what`, with the nearest name offered.
+/// Returns the method called `name`. Throws UsageError about `what`, suggesting the nearest name.
 const Method& find_method(std::string_view name, std::string_view what = "method");
 
 }  // namespace twrench

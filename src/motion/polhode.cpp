@@ -9,12 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Moments this close, as a share, are those of a symmetric body: the picture cannot tell.
+/// Relative difference below which two moments count as equal: the picture cannot show it.
 constexpr double alike = 1e-9;
 
 bool differ(double a, double b) { return b - a > alike * b; }
 
-/// a / b, kept from leaving [0, 1] by rounding; 0 where both vanish.
+/// a / b, clamped to [0, 1] against rounding; 0 if both vanish.
 double share(double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -29,7 +29,7 @@ Vector3d EnergyLevel::at(double phi) const {
   Vector3d mu;
   mu[other] = std::sqrt(amplitude) * c;
   mu[1] = std::sqrt(intermediate) * s;
-  // 1 - mu_1^2 - mu_other^2, without the cancellation.
+  // 1 - mu_1^2 - mu_other^2, without cancellation.
   mu[axis] = side * std::sqrt(c * c * (1 - amplitude) + s * s * (1 - intermediate));
   return mu;
 }
@@ -71,7 +71,7 @@ std::optional<std::array<Vector3d, 2>> separatrix(const Vector3d& moments) {
 }
 
 Annulus herpolhode_annulus(const EnergyLevel& level) {
-  // |omega| is greatest and least where the polhode crosses the planes of the axes.
+  // |omega| is largest and smallest where the polhode crosses the coordinate planes.
   const auto radius = [&](double phi) {
     const Vector3d omega = level.at(phi).cwiseQuotient(level.moments) / level.energy;
     return std::sqrt(std::max(omega.squaredNorm() - 1, 0.0));

@@ -8,40 +8,40 @@
 namespace twrench {
 
 /// A curve of constant energy on the sphere |mu| = 1, where mu = m/G is the direction of the
-/// momentum in principal axes: the sphere's intersection with the ellipsoid of energy,
-/// sum mu_i^2 / I_i = 2T/G^2 (Landau and Lifshitz, Mechanics, section 37). It is closed, circles
-/// the axis of least or of greatest moment, and the momentum runs along it.
+/// momentum in principal axes: the intersection of the sphere with the energy ellipsoid sum mu_i^2
+/// / I_i = 2T/G^2 (Landau and Lifshitz, Mechanics, section 37). The curve is closed and circles the
+/// axis of least or greatest moment; the momentum moves along it.
 ///
-/// With omega_i = G mu_i / I_i it is the polhode, the path of omega in the body.
+/// With omega_i = G mu_i / I_i it becomes the polhode, the path of omega in the body.
 struct EnergyLevel {
-  Eigen::Vector3d moments;  ///< principal, ascending, not all equal
-  double energy;            ///< 2T/G^2, from 1/moments[2] to 1/moments[0]
-  int axis;                 ///< that which it circles: 0 or 2
-  double side;              ///< 1 or -1: the sign of mu along that axis
+  Eigen::Vector3d moments;  ///< Principal moments in g cm^2, ascending, not all equal.
+  double energy;            ///< 2T/G^2 in 1/(g cm^2), from 1/moments[2] to 1/moments[0].
+  int axis;                 ///< Index of the axis that the curve circles: 0 or 2.
+  double side;              ///< Sign of mu along that axis: 1 or -1.
 
-  /// The point where the other two components are as the cosine and the sine of `phi`, but for
-  /// their amplitudes: once around from 0 to 2 pi.
+  /// Returns the point whose other two components are proportional to the cosine and sine of `phi`,
+  /// each scaled by its amplitude; phi from 0 to 2 pi traverses the curve once.
   Eigen::Vector3d at(double phi) const;
 
-  /// Whether the motion along it comes to rest at the intermediate axis, or so near to it that
-  /// no one could see the difference.
+  /// Returns whether motion along the curve comes to rest at the intermediate axis, or so close to
+  /// it that the difference is invisible.
   bool is_separatrix() const;
 };
 
-/// The level on which mu, of length 1, lies; nothing where every mu is at rest, on a sphere.
+/// Returns the level through the unit vector mu; nothing for a sphere, where every mu is at rest.
 std::optional<EnergyLevel> level_through(const Eigen::Vector3d& moments, const Eigen::Vector3d& mu);
 
-/// `count` levels around each end of the axes of least and of greatest moment, evenly spread where
-/// they cross the intermediate axis' plane; none around an axis that has no stable rotation of its
-/// own, as those of a symmetric body across its axis.
+/// Returns `count` levels around each end of the axes of least and greatest moment, evenly spaced
+/// where they cross the plane of the intermediate axis. There are none around an axis without a
+/// stable rotation, such as the transverse axes of a symmetric body.
 std::vector<EnergyLevel> level_family(const Eigen::Vector3d& moments, int count);
 
-/// The separatrix is two great circles through the intermediate axis: the points
-/// cos(phi) e_2 + sin(phi) u with these two unit vectors u. Nothing for a symmetric body.
+/// Returns the two unit vectors u for which the separatrix consists of the great circles cos(phi)
+/// e_2 + sin(phi) u through the intermediate axis. Nothing for a symmetric body.
 std::optional<std::array<Eigen::Vector3d, 2>> separatrix(const Eigen::Vector3d& moments);
 
-/// Between these distances from L the tip of omega moves, on the invariable plane, as multiples of
-/// the plane's own distance omega . L/|L| from the centre: the annulus of the herpolhode.
+/// The annulus of the herpolhode: the range of distances from L within which the tip of omega moves
+/// on the invariable plane, in units of the plane's distance omega . L/|L| from the centre.
 struct Annulus {
   double inner, outer;
 };

@@ -13,48 +13,49 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// dexpinv is singular at |u| = 2 pi; short of that it is as good as anywhere.
+/// rad. dexpinv is singular at |u| = 2 pi and accurate below.
 constexpr double longest_turn = 6.0;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Stages = std::array<Vector3d, 6>;
 
-/// Zero, so that no path leaves one unset: Eigen's vectors begin with whatever was in memory.
+/// Zeros, so that no code path leaves a stage uninitialised: Eigen does not initialise its vectors.
 Stages zero_stages() {
   Stages s;
   s.fill(Vector3d::Zero());
   return s;
 }
 
-/// sum of row[j] * s[j] over the first `count` stages.
+/// The sum of row[j] * s[j] over the first `count` stages.
 Vector3d weighted_sum(const Row& row, const Stages& s, int count) {
   Vector3d sum = row[0] * s[0];
   for (std::size_t j = 1; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
   return sum;
 }
 
-/// exp(-hat(u)) m: the body momentum m after the turn exp(hat(u)) of the body.
+/// exp(-hat(u)) m: the body momentum m after the body has rotated by exp(hat(u)).
 Vector3d turned_back(const Vector3d& u, const Vector3d& m) {
   return so3::exp_times(so3::angle_functions(u), -u, m);
 }
 
 Vector3d body_momentum(const FreeBody& body, bool linear, const Matrix3d& X) {
-  return linear ? Vector3d(X.inverse() * body.momentum) : Vector3d(X.transpose() * body.momentum);
+  return linear ? Vector3d(X.inverse() * body.momentum())
+                : Vector3d(X.transpose() * body.momentum());
 }
 
-/// Sections 4.1 to 4.5: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L and, with the correction, dexpinv
-/// of it.
+/// Sections 4.1 to 4.5: s_k = I^-1 exp(-h sum_j a_kj S_j) W^T L, followed by dexpinv for the
+/// corrected methods.
 Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, double h) {
   const Tableau& tableau = method.tableau;
   const Vector3d momentum = body_momentum(body, method.update == Update::linear, X);
   Stages s = zero_stages();
-  s[0] = body.inverse * momentum;
+  s[0] = body.inverse() * momentum;
   for (int k = 1; k < tableau.stages; ++k) {
     const auto row = static_cast<std::size_t>(k);
     const Vector3d u = h * weighted_sum(tableau.a[row], s, k);
     const so3::AngleFunctions f = so3::angle_functions(u);
-    s[row] = body.inverse * so3::exp_times(f, -u, momentum);
+    s[row] = body.inverse() * so3::exp_times(f, -u, momentum);
     if (method.update != Update::munthe_kaas) continue;
     if (!(u.squaredNorm() < longest_turn * longest_turn)) return {X, infinite, k + 1};
     s[row] = so3::dexpinv(f, u, s[row]);
@@ -71,21 +72,21 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
 Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X, double h) {
   const Vector3d momentum = body_momentum(body, false, X);
   Stages s = zero_stages();
-  s[0] = body.inverse * momentum;
+  s[0] = body.inverse() * momentum;
   for (int k = 1; k < method.stages; ++k) {
     Vector3d m = momentum;
     for (const Row& row : method.stage[static_cast<std::size_t>(k)]) {
       m = turned_back(h * weighted_sum(row, s, k), m);
     }
-    s[static_cast<std::size_t>(k)] = body.inverse * m;
+    s[static_cast<std::size_t>(k)] = body.inverse() * m;
   }
   Matrix3d end = X;
   for (const Row& row : method.update) end *= so3::exp(h * weighted_sum(row, s, method.stages));
   return {end, 0.0, method.stages};
 }
 
-/// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2, by fixed point, to round-off.
-/// The energy stays: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the turn is about w.
+/// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2 to round-off by fixed-point iteration. The
+/// energy is conserved: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the rotation is about w.
 Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d& X, double h) {
   constexpr int most_iterations = 100;
   Vector3d m0 = body_momentum(body, false, X);
@@ -96,13 +97,13 @@ Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d&
     Vector3d m1 = m0, u = Vector3d::Zero();
     double change = infinite, before = infinite;
     for (int n = 0; n < most_iterations && change > 0.0; ++n) {
-      u = part * (body.inverse * (0.5 * (m0 + m1)));
+      u = part * (body.inverse() * (0.5 * (m0 + m1)));
       const Vector3d next = turned_back(u, m0);
       before = change;
       change = (next - m1).norm();
       m1 = next;
       ++evaluations;
-      if (change >= before && change <= 1e-14 * m0.norm()) break;  // only round-off is left
+      if (change >= before && change <= 1e-14 * m0.norm()) break;  // Only round-off is left.
     }
     if (!(change <= 1e-14 * m0.norm())) return {X, infinite, evaluations};
     m0 = m1;
@@ -117,8 +118,8 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
   Vector3d m = body_momentum(body, false, X);
   Matrix3d end = X;
   for (const auto& [axis, fraction] : turns) {
-    const Vector3d a = body.principal.axes.col(axis);
-    const Vector3d u = (fraction * h * a.dot(m) / body.principal.moments[axis]) * a;
+    const Vector3d a = body.principal().axes.col(axis);
+    const Vector3d u = (fraction * h * a.dot(m) / body.principal().moments[axis]) * a;
     m = turned_back(u, m);
     end *= so3::exp(u);
   }
@@ -131,16 +132,16 @@ Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double 
   return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 
-/// The motion is the same at all times: it starts anew from the velocity at X.
+/// The motion is autonomous: a step restarts it from the velocity at X.
 Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) {
-  const Vector3d omega = body.inverse * body_momentum(body, false, X);
-  return {X * ExactMotion(free_body(body.inertia, omega)).at(h).X, 0.0, 1};
+  const Vector3d omega = body.inverse() * body_momentum(body, false, X);
+  return {X * ExactMotion(FreeBody(body.inertia(), omega)).at(h).X, 0.0, 1};
 }
 
 }  // namespace
 
 Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
-  return body.inverse * body_momentum(body, method.linear(), X);
+  return body.inverse() * body_momentum(body, method.linear(), X);
 }
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {

@@ -7,21 +7,23 @@
 
 namespace twrench {
 
-/// The angular velocity, body axes, rad/s, that belongs to X: eq. (19), omega = I^-1 X^T L. A
-/// method that leaves SO(3) takes the inverse in place of the transpose, as eq. (24) prints it.
+/// Returns the angular velocity in body axes, rad/s, for the attitude X: eq. (19), omega = I^-1 X^T
+/// L. A method that leaves SO(3) uses the inverse instead of the transpose, as eq. (24) prints it.
 Eigen::Vector3d angular_velocity(const FreeBody& body, const Method& method,
                                  const Eigen::Matrix3d& X);
 
-/// One step.
+/// The result of one step.
 struct Step {
+  /// Attitude at the end of the step.
   Eigen::Matrix3d X;
-  double error;     ///< E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5; last_terms
-                    ///< of a series; else 0.
-                    ///< Infinite where h is too long for the method: then X means nothing.
-  int evaluations;  ///< of omega
+  /// Error estimate: E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5, last_terms of a
+  /// series, otherwise 0. Infinite if h is too long for the method; X is then meaningless.
+  double error;
+  /// Evaluations of omega.
+  int evaluations;
 };
 
-/// One step of h seconds (negative ones too) from X, of a method that takes steps.
+/// Takes one step of h seconds (which may be negative) from X with a method that takes steps.
 Step take_step(const FreeBody& body, const Method& method, const Eigen::Matrix3d& X, double h);
 
 }  // namespace twrench

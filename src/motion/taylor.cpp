@@ -1,9 +1,13 @@
 #include "motion/taylor.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "base/error.h"
 
 namespace twrench {
 namespace {
@@ -18,7 +22,7 @@ constexpr auto reciprocal = [] {
   return table;
 }();
 
-/// The rotation of the quaternion (w, v), whose squared norm is given.
+/// The rotation of the quaternion (w, v) with the given squared norm.
 Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
   const Vector3d u = (2 / squared_norm) * v;
   const double xx = u.x() * v.x(), yy = u.y() * v.y(), zz = u.z() * v.z();
@@ -31,16 +35,25 @@ Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
   return R;
 }
 
+/// Horner's rule takes the powers in pairs.
+std::size_t checked_order(const Taylor& method) {
+  constexpr int greatest = largest_taylor_order;
+  const int order = method.order;
+  if (order >= 2 && order <= greatest && order % 2 == 0) return static_cast<std::size_t>(order);
+  throw OutOfRange("order", fmt::format("is {}, but must be even, and 2 to {}", order, greatest),
+                   {double(order), 2, double(greatest)});
+}
+
 }  // namespace
 
 TaylorSeries::TaylorSeries(const FreeBody& body, const Taylor& method)
-    : order_(static_cast<std::size_t>(method.order)), axes_(body.principal.axes) {
-  const Vector3d& I = body.principal.moments;
-  const double G = body.momentum.stableNorm();
+    : order_(checked_order(method)), axes_(body.principal().axes) {
+  const Vector3d& I = body.principal().moments;
+  const double G = body.momentum().stableNorm();
   unit_ = G > 0 ? I[0] / G : 1.0;
   velocity_ = I[0] * I.cwiseInverse();
   excess_ = (I.array() - I[1]) / I.array();
-  const Vector3d mu = (unit_ / I[0]) * I.cwiseProduct(axes_.transpose() * body.omega);
+  const Vector3d mu = (unit_ / I[0]) * I.cwiseProduct(axes_.transpose() * body.omega());
   energy_ = excess_.dot(mu.cwiseAbs2());
 }
 
@@ -52,18 +65,20 @@ Sample TaylorSeries::sample(double t, const State& state) const {
   return {t, state.X * axes_.transpose(), axes_ * (velocity_ / unit_).cwiseProduct(state.mu)};
 }
 
-/// Once its coefficient of order k is known, each product is added to the sums of all later orders
-/// that it is part of. None of these additions waits for another, as those of one sum would.
+/// As soon as its coefficient of order k is known, each product is added to the sums of all later
+/// orders that contain it. These additions are independent of each other, unlike those of a single
+/// sum.
 void TaylorSeries::expand(const State& state) {
   start_ = state;
   const Vector3d &n = state.mu, &w = velocity_, wn = w.cwiseProduct(n);
   const Pair euler12{w[2] - w[1], w[0] - w[2]};
   const double euler3 = w[1] - w[0];
   const Pair n12{n[0], n[1]}, n23{n[1], n[2]};
-  // Of order k: (m1, m2), (m2, m3), (m3, d) and (m1, f), where d and f are of 1 + mu . n and of
+  // Of order k: (m1, m2), (m2, m3), (m3, d) and (m1, f), where d and f belong to 1 + mu . n and
   // psi'. Their products in pairs are (m1 m2, m2 m3) and (m3 m1, d f).
   std::array<Pair, capacity> m23, m3d, m1f;
-  std::array<Pair, 2 * capacity> sum12_23, sum31_df;  // begun where the first product is added
+  // Initialised by the first product that is added.
+  std::array<Pair, 2 * capacity> sum12_23, sum31_df;
   sum12_23[1] = sum31_df[1] = Pair{};
   m12_[0] = n12;
   m3psi_[0] = Pair{n[2], 0};
@@ -96,8 +111,8 @@ void TaylorSeries::expand(const State& state) {
   }
 }
 
-/// One step of Newton's method along the gradient squares the error, and so makes it round-off
-/// after any step whose last term is below 1e-8.
+/// One step of Newton's method along the gradient squares the error, which makes it round-off after
+/// any step whose last term is below 1e-8.
 Vector3d TaylorSeries::with_initial_energy(const Vector3d& mu) const {
   const Vector3d gradient = 2 * excess_.cwiseProduct(mu);
   const double slope = gradient.squaredNorm();
@@ -108,7 +123,7 @@ Vector3d TaylorSeries::with_initial_energy(const Vector3d& mu) const {
 
 TaylorSeries::State TaylorSeries::at(double h) const {
   const double s = h / unit_, s2 = s * s;
-  // Horner's rule for even and odd powers apart: half as many steps that wait for one another.
+  // Horner's rule, separately for even and odd powers: half as many dependent operations.
   Pair m12{}, m3psi{}, odd12{}, odd3psi{};
   for (std::size_t k = order_; k > 0; k -= 2) {
     m12 = m12 * s2 + m12_[k];
@@ -142,7 +157,7 @@ double TaylorSeries::reach(double tolerance) const {
   const double before = term(order_ - 1), last = term(order_);
   double s = std::pow(tolerance / before, 1 / (order - 1));
   if (last * s > before) s = std::pow(tolerance / last, 1 / order);
-  // No angle turns by more than s in the time s, and s^k/k! falls from k = s on.
+  // No angle changes by more than s in the time s, and s^k/k! decreases for k > s.
   return unit_ * std::min(s, 0.4 * order);
 }
 

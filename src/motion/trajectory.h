@@ -5,59 +5,43 @@
 #include <span>
 #include <vector>
 
-#include "motion/free_body.h"
-#include "motion/method.h"
+#include "motion/propagator.h"
 
 namespace twrench {
 
-/// The least tolerance that makes sense: the estimate E of a step is a difference of two rotations,
-/// each known to a few 1e-16.
-inline constexpr double least_tolerance = 1e-15;
-
-/// How long the steps are.
-struct StepControl {
-  double step = 0.01;  ///< s: the step of a fixed-step method, the first of an adaptive one, if
-                       ///< that is shorter than 0.9 of a turn of the body
-  double tolerance = 1e-10;  ///< of an adaptive method: bound on the estimate E of each step
-  std::int64_t max_steps = 50'000'000;  ///< of one trajectory: a mistake must end, not hang
-};
-
-/// A motion, and what it cost.
+/// A sampled motion and its cost.
 struct Trajectory {
-  std::vector<Sample> samples;   ///< in the order of the times that were asked for
-  std::int64_t steps = 0;        ///< rejected ones too
-  std::int64_t evaluations = 0;  ///< of omega, those for samples between steps included
+  /// Samples in the order of the requested times.
+  std::vector<Sample> samples;
+  /// Number of steps, including rejected ones.
+  std::int64_t steps = 0;
+  /// Evaluations of omega, including those for samples between steps.
+  std::int64_t evaluations = 0;
 };
 
-/// The motion from X(0) = Id, sampled at exactly `times` (s, any order, negative ones too).
+/// Returns the motion from X(0) = Id, sampled at exactly `times` (in s, in any order, of either
+/// sign).
 ///
-/// The method's own steps t_k depend on the method and the control alone. A sample between t_k and
-/// t_(k+1) is one shortened step from t_k, which the steps after it do not see: so a sample at t is
-/// the same number whichever other times were asked for.
+/// The accepted steps t_k depend only on the method and the step control. A sample between t_k and
+/// t_(k+1) is one shortened step from t_k that does not affect later steps, so that the sample at t
+/// is bit-identical whichever other times are requested.
 ///
-/// Throws UsageError when the tolerance is below least_tolerance, an adaptive step underflows, the
-/// motion diverges, a step is longer than a turn of the body or otherwise too long for
-/// the method, or max_steps is passed.
+/// Throws OutOfRange for a time that is not finite and as make_propagator does; MotionError when an
+/// adaptive step underflows, the motion diverges, a step is longer than a turn of the body or
+/// otherwise too long for the method, or max_steps is passed.
 Trajectory trajectory(const FreeBody& body, const Method& method, const StepControl& control,
                       std::span<const double> times);
 
-/// Calls `visit` for the motion at time(0), ..., time(count - 1) in turn, which must ascend from 0
-/// or above: the samples that trajectory has, none of which is kept. Throws as trajectory.
+/// Calls `visit` with the samples at time(0), ..., time(count - 1), which must be ascending and not
+/// negative. The samples are those of trajectory(), but none is stored. Throws as trajectory()
+/// does.
 void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
                    std::size_t count, const std::function<double(std::size_t)>& time,
                    const std::function<void(const Sample&)>& visit);
 
-/// A step that a method takes by itself.
-struct OwnStep {
-  double t;                       ///< s, where it begins
-  double length;                  ///< s
-  Eigen::Matrix3d before, after;  ///< X at both ends
-  double error;                   ///< E of an adaptive method; else 0
-};
-
 /// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that
 /// ends at t_end (s, > 0) or beyond. The closed form, which has none, goes in steps of
-/// `control.step`. Throws UsageError as trajectory.
+/// `control.step`. Throws as trajectory.
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const OwnStep&)>& visit);
 

@@ -18,7 +18,7 @@ constexpr std::array<std::pair<std::string_view, Container>, 4> containers{
      {"mkv", Container::matroska},
      {"webm", Container::webm}}};
 
-/// ffmpeg's name of it.
+/// ffmpeg's name of the container.
 std::string_view muxer(Container container) {
   switch (container) {
     case Container::mov:
@@ -33,21 +33,21 @@ std::string_view muxer(Container container) {
   return "mp4";
 }
 
-/// The index stands before the frames, so that a player can start at once: moved there in the end,
-/// or, where the film is streamed, a piece before each piece of the film.
+/// The index precedes the frames, so that a player can start at once: it is moved there at the end
+/// or, in a streamed video, each fragment is preceded by its own.
 std::string_view index_arguments(Container container, bool streamed) {
   if (container != Container::mp4 && container != Container::mov) return "";
   return streamed ? "-movflags +frag_keyframe+empty_moov+default_base_moof"
                   : "-movflags +faststart";
 }
 
-/// Without -auto-alt-ref 0, libvpx refuses alpha in versions before 1.13.
+/// Without -auto-alt-ref 0, libvpx before 1.13 rejects alpha.
 constexpr const char* vp9 =
     "-c:v libvpx-vp9 -crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0";
 constexpr const char* prores = "-c:v prores_ks -profile:v 4444 -alpha_bits 16 -vendor apl0";
-/// aq-mode 3 spends on the dark: there H.264 turns a gradient into bands first. Smooth surfaces
-/// that turn gain nothing from smaller blocks with motion of their own: without, the encoder takes
-/// a sixth less time for the same quality and size.
+/// aq-mode 3 spends more bits on dark areas, where H.264 first shows banding in gradients. Rotating
+/// smooth surfaces gain nothing from smaller blocks with their own motion vectors: without them the
+/// encoder takes a sixth less time at the same quality and size.
 constexpr const char* h264 = "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 -partitions i4x4";
 
 }  // namespace
@@ -59,8 +59,8 @@ Container container_named(std::string_view name) {
   for (const auto& [known, container] : containers) {
     if (lower == known) return container;
   }
-  throw UsageError(fmt::format("container '{}'", name), "no film can be written to such a one",
-                   "mp4, mov, mkv or webm");
+  throw UsageError(fmt::format("container '{}'", name), "it is not a supported video container",
+                   "choose mp4, mov, mkv or webm");
 }
 
 Container container_of(const std::filesystem::path& file) {
@@ -68,8 +68,8 @@ Container container_of(const std::filesystem::path& file) {
   try {
     return container_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
   } catch (const UsageError&) {
-    throw UsageError("film " + file.string(), "its name does not end with that of a container",
-                     "end it with .mp4, .mov, .mkv or .webm");
+    throw UsageError("video " + file.string(), "its name does not end in that of a container",
+                     "use .mp4, .mov, .mkv or .webm");
   }
 }
 

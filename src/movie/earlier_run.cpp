@@ -28,19 +28,19 @@ bool has_frames(const std::filesystem::path& folder) {
 EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
                        const std::vector<int>& frames)
     : folder_(std::move(folder)) {
-  // In this order: a run that begins at this very moment writes its manifest before any frame.
+  // In this order, because a run that starts at this moment writes its manifest before any frame.
   const bool has_any_frames = has_frames(folder_);
   const std::vector<std::filesystem::path> manifests = manifests_in(folder_);
   for (const auto& manifest : manifests) look_at(manifest, film, frames);
   if (objection_.empty() && has_any_frames && manifests.empty()) {
-    objection_ = "has frames without a manifest";
+    objection_ = "contains frames without a manifest";
   }
 }
 
 void EarlierRun::object_to(const std::filesystem::path& manifest, const std::string& why) {
   foreign_.push_back(manifest);
   if (objection_.empty()) {
-    objection_ = fmt::format("has {} ({})", why, manifest.filename().string());
+    objection_ = fmt::format("contains {} ({})", why, manifest.filename().string());
   }
 }
 
@@ -66,7 +66,7 @@ void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& 
     for (const FrameRecord& record : records) by_number_.insert_or_assign(record.frame, record);
     if (is_own) own_ = std::move(records);
   } catch (const FileError&) {
-    object_to(manifest, "a manifest that is damaged, or not of this program");
+    object_to(manifest, "a manifest that is damaged or was not written by this program");
   }
 }
 

@@ -7,13 +7,13 @@
 #include <future>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
 #include "base/processors.h"
 #include "base/sha256.h"
 #include "image/picture_memory.h"
 #include "image/png.h"
 #include "movie/encoder.h"
+#include "movie/error.h"
 #include "movie/film_file.h"
 #include "movie/frame_range.h"
 #include "movie/manifest_folder.h"
@@ -21,8 +21,8 @@
 namespace twrench {
 namespace {
 
-/// Takes the records from the manifest that have no file, and returns the frames of its range that
-/// it then does not tell of.
+/// Removes the records without a file from the manifest, and returns the frames of its range that
+/// it then lacks.
 std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path& folder) {
   std::erase_if(manifest.frames, [&](const FrameRecord& record) {
     return !std::filesystem::exists(folder / record.file);
@@ -40,31 +40,31 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
 [[noreturn]] void throw_missing(const std::filesystem::path& folder,
                                 const std::vector<int>& missing) {
   const std::string range = brief_frame_range(missing);
-  throw FileError("cannot encode " + folder.string(), "frames are missing: " + range,
-                  "render them, by the same command with --resume or with --frames; or leave them "
-                  "out: --allow-missing");
+  throw FramesError("cannot encode " + folder.string(), "frames are missing: " + range,
+                    FramesError::Reason::missing, missing);
 }
 
-/// The frame as it was drawn, or a FileError.
+/// Returns the frame as it was drawn, or throws FileError.
 Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
                  const Manifest& manifest) {
   constexpr std::size_t longest = 1U << 30U;
   const std::filesystem::path path = folder / record.file;
   const auto png = read_regular_file(path, longest);
   if (sha256_hex(png) != record.sha256) {
-    throw FileError("cannot use " + path.string(), "it is not the file that the manifest tells of",
-                    fmt::format("render it again: --resume --frames {}", record.frame));
+    throw FramesError("cannot use " + path.string(),
+                      "it is not the file that the manifest describes",
+                      FramesError::Reason::altered, {record.frame});
   }
   Image image = decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {
     throw FileError("cannot use " + path.string(),
-                    fmt::format("it has {}x{} pixels, the manifest says {}x{}", image.width,
+                    fmt::format("it has {}x{} pixels, but the manifest says {}x{}", image.width,
                                 image.height, manifest.width, manifest.height));
   }
   return image;
 }
 
-/// The film must not take the place of what it is made from.
+/// The video must not replace one of its inputs.
 void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
                       const Manifest& manifest) {
   for (const auto& path : manifests_in(folder)) require_not_input(output, path);
@@ -94,7 +94,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const FilmOu
   require_encoder(format);
   if (output.path.has_parent_path()) make_folder(output.path.parent_path());
   VideoEncoder encoder(output.path, format, identity);
-  // To decode a frame takes longer than to encode it, so a few are decoded side by side.
+  // Decoding a frame takes longer than encoding it, so several are decoded in parallel.
   const std::size_t at_once = processor_count();
   std::deque<std::future<Image>> begun;
   const int total = static_cast<int>(manifest.frames.size());

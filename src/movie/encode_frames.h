@@ -8,23 +8,26 @@
 
 namespace twrench {
 
-/// What to do where frames of the range are missing.
+/// What to do if frames of the range are missing.
 enum class Missing { refuse, leave_out };
 
-/// Where a film goes.
+/// Where a video is written.
 struct FilmOutput {
-  std::filesystem::path path;  ///< "-" for standard output
+  /// "-" for standard output
+  std::filesystem::path path;
+  /// Container of the video.
   Container container = Container::mp4;
-  bool overwrite = false;  ///< another film, or another file, that stands there
+  /// Whether to replace an existing file that is another video or not a video.
+  bool overwrite = false;
 };
 
 /// Makes the film of the frames in a folder, of which its manifests tell: the one of a run, those
 /// of shards, or both, all of the same film. Each file is held against its digest before it is
 /// used. `progress` hears how many of how many frames are done. Returns the frames left out.
-/// Throws FileError as read_manifests, when frames of the range are missing (named as a RANGE) and
-/// that is not allowed, or all are, or when a file is not the one that was drawn; UsageError where
-/// the output is one of the folder's own files, or another film that must not be overwritten; and
-/// as VideoEncoder does.
+/// Throws FramesError as read_manifests, when frames of the range are missing and that is not
+/// allowed, or all are, or when a file is not the one that was drawn; OverwriteError where the
+/// output is one of the folder's own files, or another film that must not be overwritten; and as
+/// VideoEncoder does.
 std::vector<int> encode_frames(const std::filesystem::path& folder, const FilmOutput& output,
                                Missing missing,
                                const std::function<void(int done, int total)>& progress);

@@ -15,19 +15,20 @@
 #include <system_error>
 #include <utility>
 
-#include "base/error.h"
 #include "base/file.h"
+#include "movie/error.h"
 #include "movie/film_file.h"
 
 namespace twrench {
 namespace {
 
-/// fps as the fraction that ffmpeg takes, the simplest within 1e-9 of it: 60 is 60/1, 59.94 is
-/// 2997/50 (continued fractions).
+/// Returns fps as a fraction for ffmpeg, the simplest one within 1e-9 (by continued fractions): 60
+/// is 60/1, 59.94 is 2997/50.
 std::string rational(double fps) {
   constexpr double largest = 1e6;
   if (!(fps >= 1e-3 && fps <= 1e3)) {
-    throw UsageError(fmt::format("fps {}", fps), "a film has 0.001 to 1000 frames per second");
+    throw OutOfRange(fmt::format("fps {}", fps),
+                     "a video must have 0.001 to 1000 frames per second", {fps, 1e-3, 1e3});
   }
   double p = 1, q = 0, p_before = 0, q_before = 1, rest = fps;
   while (true) {
@@ -42,7 +43,7 @@ std::string rational(double fps) {
   }
 }
 
-/// The words of a text that has a space between any two.
+/// Splits a text at its spaces.
 std::vector<std::string> words(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
@@ -54,14 +55,14 @@ ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time p
                                      output);
 }
 
-/// Why ffmpeg failed, in its words.
+/// Why ffmpeg failed, with its own message.
 std::string failure(const ChildProcess& ffmpeg, int status) {
   const std::string said = last_words(ffmpeg.error_output());
-  if (ffmpeg.hung()) return "ffmpeg hung, and was stopped: " + said;
+  if (ffmpeg.hung()) return "ffmpeg stopped responding and was killed: " + said;
   return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
 
-/// The system's number of what befell the file, where that is why ffmpeg failed; else 0.
+/// The system's error number of the file, if that is why ffmpeg failed; otherwise 0.
 int file_failure(const std::string& said, int status) {
   if (status == 128 + SIGXFSZ) return EFBIG;
   if (status == 128 + SIGPIPE) return EPIPE;
@@ -78,18 +79,18 @@ std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,
   return arguments;
 }
 
-/// From raw frames to the file. What cannot be gone back in is streamed to.
+/// The command from raw frames to the file. Output that is not seekable is streamed.
 std::vector<std::string> command(VideoFormat format, const PendingFile& file,
                                  const std::string& identity) {
   format.streamed = file.is_direct();
   std::vector<std::string> arguments = encoder_arguments(format);
   if (!identity.empty()) arguments.insert(arguments.end(), {"-metadata", "comment=" + identity});
-  // "file:" keeps a name from being an option or a protocol.
+  // The "file:" prefix keeps a name from being taken for an option or a protocol.
   const std::string output = file.is_direct() ? "pipe:1" : "file:" + file.path().string();
   return ffmpeg_command(std::move(arguments), {output});
 }
 
-/// The colours over black, where alpha is how much of them is seen.
+/// Composites the unpremultiplied image over black.
 void blend_over_black(const Image& rgba, Image& rgb) {
   const std::size_t pixels = rgba.pixels.size() / 4;
   rgb = Image(rgba.width, rgba.height, 3);
@@ -103,7 +104,7 @@ void blend_over_black(const Image& rgba, Image& rgb) {
 }
 
 /// From RGBA. ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
-/// conversion makes colours a tenth of a level darker on average.
+/// conversion darkens colours by a tenth of a level on average.
 constexpr const char* conversion =
     "-vf scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=bicubic+accurate_rnd,"
     "setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709";
@@ -113,13 +114,12 @@ constexpr const char* conversion =
 std::vector<std::string> encoder_arguments(const VideoFormat& format) {
   const auto& [width, height, fps, container, transparent, streamed] = format;
   if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0) {
-    throw UsageError(fmt::format("a film of {}x{}", width, height),
-                     "films need an even width and height",
-                     fmt::format("use --size {}x{}, or --no-video for the frames alone",
-                                 std::max(2, width + width % 2), std::max(2, height + height % 2)));
+    throw FilmSizeError(fmt::format("a video of {}x{}", width, height),
+                        "the width and height of a video must be even",
+                        std::max(2, width + width % 2), std::max(2, height + height % 2));
   }
-  // Planar frames are tagged at the input too: since 7.1 ffmpeg's encoders tag a film as its frames
-  // are tagged, whatever is asked of the output.
+  // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders tag a video as its
+  // frames are tagged, whatever the output options say.
   const std::string frame_tags =
       format.has_alpha() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
   return words(
@@ -134,7 +134,7 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   ChildProcess ffmpeg =
       start(ffmpeg_command(encoder_arguments(format), {"-f", "null", "-"}), patience);
   ChildProcess ffprobe = start({"ffprobe", "-version"}, patience);
-  // A frame of the real size: not every encoder takes every size.
+  // A frame of the real size, because not every encoder supports every size.
   if (format.has_alpha()) {
     ffmpeg.write(Image(format.width, format.height, 4).pixels);
   } else {
@@ -142,8 +142,8 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
   }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
-        "ffmpeg cannot make the film", failure(ffmpeg, status),
-        "choose a smaller --size, or install one that has libx264, libvpx and prores_ks: apt-get "
+        "ffmpeg cannot encode the video", failure(ffmpeg, status),
+        "choose a smaller size, or install one that has libx264, libvpx and prores_ks: apt-get "
         "install ffmpeg");
   }
   ffprobe.wait();
@@ -167,7 +167,7 @@ void VideoEncoder::convert(const Image& frame) {
 
 void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
   if (frame.width != format_.width || frame.height != format_.height) {
-    throw std::invalid_argument("a frame of another size than the film's");
+    throw std::invalid_argument("the frame does not have the video's size");
   }
   if (format_.has_alpha()) {
     with_alpha_ = frame.pixels;
@@ -188,8 +188,8 @@ void VideoEncoder::convert(const Image& frame, std::span<const Area> changed) {
 void VideoEncoder::write_converted() {
   const auto frame = format_.has_alpha() ? std::span<const std::uint8_t>(with_alpha_)
                                          : converted_[current_].planes.bytes();
-  // Lent, it has been read when the next but one is made in its place: the one between, as large as
-  // the pipe, has pushed it through.
+  // A lent frame has been read by the time its memory is reused for the next but one: the frame in
+  // between, at least as large as the pipe, has pushed it through.
   const bool may_lend = !format_.has_alpha() && frame.size() >= ffmpeg_.pipe_size();
   if (!(may_lend ? ffmpeg_.lend(frame) : ffmpeg_.write(frame))) fail();
   ++frames_;
@@ -201,7 +201,7 @@ void VideoEncoder::write(const Image& frame) {
 }
 
 void VideoEncoder::finish() {
-  // It moves the index to the front (faststart), which is to write the film again.
+  // Moving the index to the front (faststart) rewrites the video.
   if (ffmpeg_.wait(disk_time(file_.path())) != 0) {
     fail();
   }
@@ -209,30 +209,30 @@ void VideoEncoder::finish() {
   file_.commit();
 }
 
-/// That ffmpeg says it was done is no proof: the film is looked at before it takes another's place.
+/// ffmpeg's exit status is no proof of success: the video is examined before it replaces another.
 void VideoEncoder::require_whole() const {
   const auto film = probe_film(file_.path());
   const double duration = static_cast<double>(frames_) / format_.fps;
-  // Matroska rounds times to milliseconds, and some containers leave out the last frame's.
+  // Matroska rounds times to milliseconds, and some containers omit the last frame's duration.
   const bool is_whole = film && film->width == format_.width && film->height == format_.height &&
                         film->frames == frames_ &&
                         std::abs(film->duration - duration) <= 1.5 / format_.fps + 0.01;
   if (is_whole) return;
   throw EncoderError(
       "cannot encode " + name_,
-      film ? fmt::format("ffmpeg made a film of {} frames, {:.3f} s and {}x{}, but was given {}, "
+      film ? fmt::format("ffmpeg wrote a video of {} frames, {:.3f} s and {}x{}, but was given {}, "
                          "{:.3f} s and {}x{}",
                          film->frames, film->duration, film->width, film->height, frames_, duration,
                          format_.width, format_.height)
-           : "ffmpeg said that it was done, but what it wrote is no film",
-      "its command was: " + shell_command(command_));
+           : "ffmpeg reported success, but its output is not a video",
+      "the command was: " + shell_command(command_));
 }
 
 void VideoEncoder::fail() {
   const int status = ffmpeg_.wait();
   const std::string what = "cannot encode " + name_;
   if (const int error = file_failure(ffmpeg_.error_output(), status)) throw file_error(what, error);
-  throw EncoderError(what, failure(ffmpeg_, status), "its command was: " + shell_command(command_));
+  throw EncoderError(what, failure(ffmpeg_, status), "the command was: " + shell_command(command_));
 }
 
 }  // namespace twrench

@@ -8,8 +8,8 @@
 #include <span>
 #include <system_error>
 
-#include "base/error.h"
 #include "base/sha256.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 
 namespace twrench {
@@ -28,7 +28,7 @@ std::string comment_of(const Json& said) {
   return {};
 }
 
-/// What ffprobe says of the film, as `read` takes it from there; nothing where it is no film.
+/// Returns ffprobe's properties of the video as read by `read`; nothing if it is not a video.
 template <typename Read>
 auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
     -> std::optional<decltype(read(Json()))> {
@@ -48,7 +48,7 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
   }
 }
 
-/// ffprobe gives numbers as texts.
+/// ffprobe writes numbers as strings.
 double number(const Json& object, const char* key) {
   return object.contains(key) ? std::strtod(object[key].get<std::string>().c_str(), nullptr) : 0.0;
 }
@@ -56,7 +56,7 @@ double number(const Json& object, const char* key) {
 }  // namespace
 
 ChildProcess::Time disk_time(const fs::path& file) {
-  constexpr std::uintmax_t slow_disk = 10'000;  // bytes a millisecond
+  constexpr std::uintmax_t slow_disk = 10'000;  // bytes per millisecond
   std::error_code unknown;
   const std::uintmax_t size = fs::file_size(file, unknown);
   return ChildProcess::Time(unknown ? 0 : size / slow_disk);
@@ -84,9 +84,8 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   if (!stands) return;
   const auto comment = ask(file, {}, &comment_of);
   if (comment == identity) return;
-  throw UsageError(file.string(),
-                   comment ? "it is there, and is another film" : "it is there, and is no film",
-                   "--overwrite replaces it, --output names another");
+  throw OverwriteError(file.string(), comment ? "it exists and is a video of something else"
+                                              : "it exists and is not a video");
 }
 
 }  // namespace twrench

@@ -11,27 +11,31 @@
 
 namespace twrench {
 
-/// What the file of a film says of itself.
+/// The properties of a video file.
 struct FilmProperties {
-  int width = 0;  ///< pixels
+  /// Size in pixels.
+  int width = 0;
+  /// Height in pixels.
   int height = 0;
+  /// Number of frames.
   std::int64_t frames = 0;
-  double duration = 0.0;  ///< s
+  /// Duration in s.
+  double duration = 0.0;
 };
 
-/// How long a slow disk takes to read or to write the file; nothing where its size is not known.
+/// Returns how long a slow disk takes to read or write the file; zero if its size is unknown.
 ChildProcess::Time disk_time(const std::filesystem::path& file);
 
-/// Asks ffprobe, which counts the frames without decoding them. Nothing where it is no film.
-/// Throws EncoderError when ffprobe cannot be started.
+/// Examines a file with ffprobe, which counts the frames without decoding them. Returns nothing if
+/// it is not a video. Throws EncoderError if ffprobe cannot be started.
 std::optional<FilmProperties> probe_film(const std::filesystem::path& file);
 
-/// What the comment of a film says: the digest of all that decides which film it is, namely scene,
-/// size, rate and the numbers of its frames. Program and machine are not among it: a film that is
-/// made anew by another version is the same film.
+/// Returns the comment that identifies a video: the digest of everything that determines its
+/// contents, namely scene, size, rate and frame numbers. Program and machine are not included: the
+/// same video rendered again by another version counts as the same.
 std::string film_identity(const Manifest& film, const std::vector<int>& frames);
 
-/// Throws UsageError where the file stands already, and is not empty, nor the film of that
+/// Throws OverwriteError where the file stands already, and is not empty, nor the film of that
 /// identity: then it may only be replaced by one who says so.
 void require_replaceable(const std::filesystem::path& file, const std::string& identity);
 

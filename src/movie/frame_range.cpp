@@ -13,7 +13,7 @@
 namespace twrench {
 namespace {
 
-/// Bounds the work that a range makes which selects the same frames over and over.
+/// Bounds the work for a range that selects the same frames repeatedly.
 constexpr std::int64_t most_named = std::int64_t{10} * max_frame_count;
 
 /// One part of a RANGE: first, first + step, ... up to last.
@@ -23,7 +23,7 @@ struct Run {
   int step;
 };
 
-/// The whole text as a number; nothing when it is not one, or does not fit.
+/// Parses the entire text as a number; nothing if it is not one or does not fit.
 std::optional<int> number(std::string_view digits) {
   int value = 0;
   const char* end = digits.data() + digits.size();
@@ -34,8 +34,8 @@ std::optional<int> number(std::string_view digits) {
   return value;
 }
 
-/// What stands before the first `separator`, which goes with it from `text`; all, when there is
-/// none.
+/// Removes the part before the first `separator`, with the separator, from `text` and returns it;
+/// all of it if there is none.
 std::string_view take_until(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view head = text.substr(0, at);
@@ -59,24 +59,24 @@ std::optional<Run> parse_run(std::string_view text) {
 std::vector<Run> parse_runs(std::string_view range, int frame_count) {
   const std::string what = fmt::format("frames '{}'", range);
   std::vector<Run> runs;
-  std::int64_t named = 0;  // frames, each as often as it is named
+  std::int64_t named = 0;  // frames, with repetitions
   for (bool more = true; more;) {
     more = range.find(',') != std::string_view::npos;
     const std::string_view part = take_until(range, ',');
     const auto run = parse_run(part);
     if (!run) {
       throw UsageError(what, fmt::format("'{}' is not a frame or a range of frames", part),
-                       "write a, a-b or a-b:step with a <= b and step >= 1, commas between: "
+                       "write a, a-b or a-b:step with a <= b and step >= 1, separated by commas: "
                        "0-99,200-300:10");
     }
     if (run->last >= frame_count) {
       throw UsageError(what, fmt::format("there is no frame {}", run->last),
-                       fmt::format("the film's frames are 0-{}", frame_count - 1));
+                       fmt::format("the video's frames are 0-{}", frame_count - 1));
     }
     named += (run->last - run->first) / run->step + 1;
     if (named > most_named) {
-      throw UsageError(what,
-                       fmt::format("it names more than {} frames, many of them again", most_named));
+      throw UsageError(
+          what, fmt::format("it lists more than {} frames, many of them repeatedly", most_named));
     }
     runs.push_back(*run);
   }
@@ -88,7 +88,7 @@ std::vector<Run> parse_runs(std::string_view range, int frame_count) {
 void check_frame_range(std::string_view range, int frame_count) { parse_runs(range, frame_count); }
 
 std::vector<int> parse_frame_range(std::string_view range, int frame_count) {
-  std::vector<bool> selected;  // as long as the greatest number asks for
+  std::vector<bool> selected;  // as long as the largest number requires
   for (const Run& run : parse_runs(range, frame_count)) {
     const auto length = static_cast<std::size_t>(run.last) + 1;
     selected.resize(std::max(selected.size(), length));

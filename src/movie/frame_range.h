@@ -7,22 +7,22 @@
 
 namespace twrench {
 
-/// The most frames that a film can have: two days at 60 a second. Bounds what input can allocate.
+/// The maximum number of frames of a video, two days at 60 per second. Bounds what input can
+/// allocate.
 constexpr int max_frame_count = 10'000'000;
 
-/// The frames that a RANGE selects, ascending, each once. RANGE is `a`, `a-b` (both included) or
-/// `a-b:step`, several with commas between; numbers are those of the film's frames, 0 to
-/// frame_count - 1.
-/// Throws UsageError, naming the part that is wrong and what is allowed.
+/// Returns the frames that a RANGE selects, ascending and without repetition. RANGE is `a`, `a-b`
+/// (both included) or `a-b:step`, several separated by commas; frame numbers are 0 to frame_count -
+/// 1. Throws UsageError with the invalid part and what is allowed.
 std::vector<int> parse_frame_range(std::string_view range, int frame_count);
 
-/// Throws as parse_frame_range, and takes no time for the frames themselves.
+/// Throws as parse_frame_range() does, without listing the frames.
 void check_frame_range(std::string_view range, int frame_count);
 
-/// The RANGE that names exactly these ascending frames: "0-3,7".
+/// Returns the RANGE of exactly these ascending frames, for example "0-3,7".
 std::string format_frame_range(std::span<const int> frames);
 
-/// The same for a message: of many runs the first, and how many frames there are in all.
+/// The same for messages: if there are many runs, the first ones and the total number of frames.
 std::string brief_frame_range(std::span<const int> frames);
 
 }  // namespace twrench

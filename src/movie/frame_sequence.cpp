@@ -45,7 +45,7 @@ void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_
   PendingFile file(folder_ / frame_file_name(record.frame), Links::replace);
   file.write(png);
   const std::string digest = sha256_hex(png);
-  const auto hold = hold_termination();  // a signal finds the frame told of, or not there
+  const auto hold = hold_termination();  // a signal finds the frame either recorded or absent
   file.commit();
   tell(record, digest);
   if (Clock::now() >= next_manifest_) write_manifest();
@@ -98,7 +98,7 @@ void FrameSequence::write_manifest() {
       });
   file.commit();
   finished_ = true;
-  // Every five seconds, but of a long film never more than a twentieth of the time.
+  // Every five seconds, but for a long video at most a twentieth of the time.
   next_manifest_ = Clock::now() +
                    std::max<Clock::duration>(std::chrono::seconds(5), 20 * (Clock::now() - start));
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Titles and names may hold bytes that are no UTF-8.
+/// Titles and names may contain invalid UTF-8.
 std::string json_text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -24,7 +24,7 @@ std::string format_head(const Manifest& manifest) {
   for (const auto& [key, value] : head.items()) {
     text += fmt::format("{}: {},\n", json_text(key), json_text(value));
   }
-  text.pop_back();  // the end of the line, which comes again
+  text.pop_back();  // the line end, which is added again
   return text.append(line_of_frames) + "\n";
 }
 

@@ -12,65 +12,84 @@
 
 namespace twrench {
 
-/// One frame as it was drawn. Matrices are for column vectors, row by row:
-/// clip = projection * view * point, space coordinates to OpenGL clip space.
+/// The record of a frame. Matrices are for column vectors, in row-major order: clip = projection *
+/// view * point, from space coordinates to OpenGL clip space.
 struct FrameRecord {
-  int frame = 0;              ///< its number in the film
-  double t = 0.0;             ///< s of motion
-  std::array<double, 9> X{};  ///< the pose, space_from_body
+  /// Frame number in the video.
+  int frame = 0;
+  /// Time of the motion in s.
+  double t = 0.0;
+  /// The pose, space_from_body.
+  std::array<double, 9> X{};
+  /// View matrix.
   std::array<double, 16> view{};
+  /// Projection matrix.
   std::array<double, 16> projection{};
-  std::string file;    ///< its name, in the manifest's folder
-  std::string sha256;  ///< of the PNG file, 64 lower-case hexadecimal digits
+  /// File name, in the manifest's folder.
+  std::string file;
+  /// SHA-256 of the PNG file, 64 lower-case hexadecimal digits.
+  std::string sha256;
 };
 
-/// What stands beside the frames of a film and says how they came to be.
+/// The manifest next to the frames of a video, which records how they were made.
 // The destructor of nlohmann's json allocates. NOLINTNEXTLINE(bugprone-exception-escape)
 struct Manifest {
-  std::string version;           ///< of the program
-  nlohmann::ordered_json scene;  ///< all values resolved
-  std::string font{};            ///< digest of the typeface, as typeface_digest() gives it
-  std::string renderer;          ///< the GL renderer string
-  int width = 0;                 ///< pixels
+  /// Version of the program.
+  std::string version;
+  /// The scene with all values resolved.
+  nlohmann::ordered_json scene;
+  /// Digest of the font, as returned by typeface_digest().
+  std::string font{};
+  /// The GL renderer string.
+  std::string renderer;
+  /// Size in pixels.
+  int width = 0;
+  /// Height in pixels.
   int height = 0;
-  double fps = 0.0;                  ///< frames per second of film
-  std::vector<std::string> encoder;  ///< ffmpeg's arguments: a record, never run from here
-  std::string range;                 ///< the RANGE that was asked for; a stopped run has fewer
-  Shard shard{};                     ///< the part of the range that this run draws
-  std::vector<FrameRecord> frames;   ///< ascending by number
+  /// Frames per second of video.
+  double fps = 0.0;
+  /// ffmpeg's arguments, as a record; they are never executed from here.
+  std::vector<std::string> encoder;
+  /// The requested RANGE; an interrupted run has fewer frames.
+  std::string range;
+  /// The part of the range that this run draws.
+  Shard shard{};
+  /// Ascending by number.
+  std::vector<FrameRecord> frames;
 };
 
-/// "frame_000012.png"
+/// Returns the file name of a frame, for example "frame_000012.png".
 std::string frame_file_name(int frame);
 
-/// Whether everything that determines the pixels of a frame is the same, its pose aside: program
-/// version, scene, typeface, GL renderer and size.
+/// Returns whether everything that determines the pixels of a frame, except its pose, is the same:
+/// program version, scene, font, GL renderer and size.
 bool same_film(const Manifest& a, const Manifest& b);
 
-/// The manifest as JSON, a frame a line; every double is read back as the same double.
+/// Returns the manifest as JSON with one frame per line; doubles survive the round trip exactly.
 std::string format_manifest(const Manifest& manifest);
 
-/// What stands in it before the frames, after all else.
+/// The text before the frames, after everything else.
 inline constexpr std::string_view line_of_frames = "\n\"frames\": [";
 
-/// That text, piece by piece, for a manifest too long to be held twice: its `count` frames are
-/// those that `frame` gives, not its own.
+/// Writes the same text piece by piece, for manifests too long to be held twice: its `count` frames
+/// are those that `frame` returns, not its own.
 void write_manifest(const Manifest& manifest, std::size_t count,
                     const std::function<FrameRecord(std::size_t)>& frame,
                     const std::function<void(std::string_view)>& write);
 
-/// The manifest in the text, which may come from anyone. `name` names it in errors.
-/// Throws FileError, with the place, for what is not a manifest: bad JSON, a missing or mistyped
-/// value, a size, frame or fps out of bounds, frames out of order or not in the range, a file name
-/// with a path in it.
+/// Parses a manifest, which may come from an untrusted source. `name` names it in errors. Throws
+/// FileError with the location if it is not a valid manifest: malformed JSON, a missing or mistyped
+/// value, a size, frame or fps out of bounds, frames out of order or outside the range, or a file
+/// name with a path.
 Manifest parse_manifest(std::string_view text, const std::string& name);
 
-/// The manifest in the file. Throws FileError when it cannot be read, and as parse_manifest.
+/// Reads the manifest in the file. Throws FileError if it cannot be read, and as parse_manifest()
+/// does.
 Manifest read_manifest(const std::filesystem::path& path);
 
-/// The manifest without its frames, of which, where format_manifest wrote it, no more is read than
-/// what stands before them: a folder may have a thousand manifests of a thousand frames. Throws as
-/// read_manifest.
+/// Reads the manifest without its frames. If format_manifest() wrote it, only the part before the
+/// frames is read: a folder may contain a thousand manifests of a thousand frames. Throws as
+/// read_manifest() does.
 Manifest read_manifest_head(const std::filesystem::path& path);
 
 }  // namespace twrench

@@ -7,7 +7,7 @@
 #include <map>
 #include <system_error>
 
-#include "base/error.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 
 namespace twrench {
@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FileError disagreement(const fs::path& a, const fs::path& b, const std::string& on) {
+FramesError disagreement(const fs::path& a, const fs::path& b, const std::string& on) {
   return {fmt::format("cannot use {} with {}", b.string(), a.filename().string()), on,
-          "render again with --overwrite what is not wanted, or remove its manifest"};
+          FramesError::Reason::contradictory};
 }
 
-/// What is different between the films, for an error.
+/// How the two videos differ, for an error message.
 std::string difference(const Manifest& a, const Manifest& b) {
   if (a.version != b.version) return fmt::format("versions {} and {}", a.version, b.version);
   if (a.renderer != b.renderer) return fmt::format("renderers {} and {}", a.renderer, b.renderer);
@@ -28,7 +28,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
   return a.scene != b.scene ? "another scene" : "another size";
 }
 
-/// The manifests of a folder, one after the other.
+/// Merges the manifests of a folder.
 class Union {
  public:
   explicit Union(const fs::path& first) : first_(first), all_(read_manifest(first)) {
@@ -51,7 +51,7 @@ class Union {
       const auto [there, is_new] = frames_.emplace(record.frame, Found{record, paths_.size()});
       if (is_new || there->second.record.sha256 == record.sha256) continue;
       throw disagreement(paths_[there->second.path], path,
-                         fmt::format("they tell of two different frames {}", record.frame));
+                         fmt::format("they describe two different frames {}", record.frame));
     }
     paths_.push_back(path);
   }
@@ -67,7 +67,7 @@ class Union {
  private:
   struct Found {
     FrameRecord record;
-    std::size_t path;  ///< of paths_
+    std::size_t path;  ///< in paths_
   };
 
   fs::path first_;
@@ -93,10 +93,10 @@ std::vector<fs::path> manifests_in(const fs::path& folder) {
 Manifest read_manifests(const fs::path& folder) {
   const std::vector<fs::path> paths = manifests_in(folder);
   if (paths.empty()) {
-    throw FileError("cannot use " + folder.string(),
-                    fs::exists(folder) ? "it has no manifest.json, nor those of shards"
-                                       : "there is no such folder",
-                    "name the folder that twrench render wrote its frames to");
+    throw FramesError("cannot use " + folder.string(),
+                      fs::exists(folder) ? "it contains neither manifest.json nor shard manifests"
+                                         : "there is no such folder",
+                      FramesError::Reason::no_manifest);
   }
   if (paths.size() == 1) return read_manifest(paths.front());
   Union all(paths.front());

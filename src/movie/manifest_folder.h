@@ -7,12 +7,13 @@
 
 namespace twrench {
 
-/// The manifests in a folder of frames, the whole's and the shards', by name. None where the folder
-/// cannot be read.
+/// Returns the manifests in a folder of frames, of the whole video and of shards, sorted by name.
+/// Empty if the folder cannot be read.
 std::vector<std::filesystem::path> manifests_in(const std::filesystem::path& folder);
 
-/// All manifests of the folder as one, its range all that was asked for. Throws FileError when
-/// there is none, one is none, or they disagree: on the film, or on the digest of a frame.
+/// Returns all manifests of the folder merged into one, whose range is the union of the requested
+/// ranges. Throws FileError if there is none, if one is invalid, or if they disagree on the video
+/// or on the digest of a frame.
 Manifest read_manifests(const std::filesystem::path& folder);
 
 }  // namespace twrench

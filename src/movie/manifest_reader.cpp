@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value of the manifest with the path to it, which its errors name: "frames[3].X".
+/// A value of the manifest with its path, which error messages show: "frames[3].X".
 class Place {
  public:
   Place(const Json& value, std::string manifest, std::string path)
@@ -93,7 +93,7 @@ std::string file_name(const Place& place) {
   std::string name = place.text();
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
       name.find('\0') != std::string::npos) {
-    place.fail("a file's name without a path");
+    place.fail("a file name without a path");
   }
   return name;
 }
@@ -117,7 +117,7 @@ FrameRecord frame_record(const Place& place) {
           .sha256 = sha256(place.key("sha256"))};
 }
 
-/// The number of the line that the byte is in, from 1.
+/// The number of the line that contains the byte, starting at 1.
 std::ptrdiff_t line_of(std::string_view text, std::size_t byte) {
   return 1 + std::ranges::count(text.substr(0, byte), '\n');
 }
@@ -130,16 +130,17 @@ std::ptrdiff_t line_of(std::ifstream& text, std::size_t byte) {
   return line;
 }
 
-/// A manifest's text as JSON without the frames, which are taken out as they come: as JSON they
-/// need several times the memory of their text. The depth is bounded, because what walks the rest
-/// walks it recursively.
+/// Parses a manifest's text as JSON without the frames, which are extracted as they are parsed: as
+/// JSON they would take several times the memory of their text. The nesting depth is limited,
+/// because the rest is traversed recursively.
 template <typename Input>
 Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& frames) {
   constexpr int deepest = 32;
   bool in_frames = false;
   const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > deepest) {
-      throw FileError("cannot use " + name, fmt::format("it nests deeper than {}", deepest));
+      throw FileError("cannot use " + name,
+                      fmt::format("it is nested more than {} levels deep", deepest));
     }
     if (event == Json::parse_event_t::key && depth == 1) in_frames = value == "frames";
     const bool is_frame = in_frames && depth == 2 && event == Json::parse_event_t::object_end;
@@ -152,30 +153,31 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
     return Json::parse(text, take);
   } catch (const Json::parse_error& error) {
     throw FileError("cannot use " + name,
-                    fmt::format("line {} is no JSON", line_of(text, error.byte)));
-  } catch (const Json::exception&) {  // a number that no double holds
-    throw FileError("cannot use " + name, "it has a number that is too large");
+                    fmt::format("line {} is not valid JSON", line_of(text, error.byte)));
+  } catch (const Json::exception&) {  // a number that no double can hold
+    throw FileError("cannot use " + name, "it contains a number that is too large");
   }
 }
 
-/// Throws unless the frames are some of the range's, ascending. `place` is what is left of them:
-/// whatever is no object.
+/// Throws unless the frames belong to the range and are in ascending order. `place` holds the
+/// remaining entries, which are not objects.
 void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
                   const std::string& range_text) {
   if (place.size_of_array() != 0) place.item(0).fail("an object");
-  if (frames.empty()) return;  // a head: its range may be of a million frames
+  if (frames.empty()) return;  // only a head was read: its range may have a million frames
   const std::vector<int> range = parse_frame_range(range_text, max_frame_count);
   auto asked = range.begin();
   for (const FrameRecord& record : frames) {
     asked = std::find(asked, range.end(), record.frame);
     if (asked == range.end()) {
-      place.fail(fmt::format("in the range and ascending, which frame {} is not", record.frame));
+      place.fail(
+          fmt::format("in the range and in ascending order, which frame {} is not", record.frame));
     }
     ++asked;
   }
 }
 
-/// The range in the manifest, which is one.
+/// Returns the range in the manifest, checked.
 std::string frame_range(const Place& place) {
   std::string range = place.text();
   try {
@@ -236,8 +238,8 @@ Manifest parse(Input& text, const std::string& name) {
           .frames = std::move(frames)};
 }
 
-/// Throws where a line is so long that to take it in would be to take in anything: a line of ours
-/// is a frame, or the scene.
+/// Throws if a line is so long that reading it could exhaust the memory: our lines hold one frame,
+/// or the scene.
 void check_lines(std::ifstream& file, const std::string& name) {
   constexpr std::size_t longest = 1UL << 24U;
   std::vector<char> portion(1UL << 16U);
@@ -247,12 +249,12 @@ void check_lines(std::ifstream& file, const std::string& name) {
       length = c == '\n' ? 0 : length + 1;
       if (length <= longest) continue;
       throw FileError("cannot use " + name,
-                      fmt::format("it has a line of more than {} bytes", longest));
+                      fmt::format("it contains a line of more than {} bytes", longest));
     }
   }
 }
 
-/// A pipe is not opened: that would be to wait for one who writes.
+/// Does not open pipes, which would wait for a writer.
 std::ifstream open_manifest(const std::filesystem::path& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
@@ -280,7 +282,7 @@ Manifest read_manifest(const std::filesystem::path& path) {
 
 Manifest read_manifest_head(const std::filesystem::path& path) {
   std::ifstream file = open_manifest(path);
-  constexpr std::size_t longest = 1UL << 24U;  // of a scene with as many parts as may be, a tenth
+  constexpr std::size_t longest = 1UL << 24U;  // ten times a scene with the maximum number of parts
   constexpr std::size_t portion = 1UL << 14U;
   std::string head;
   for (std::size_t searched = 0; file && head.size() < longest;) {

@@ -11,9 +11,9 @@
 namespace twrench {
 namespace {
 
-constexpr int most_shards = 100'000;  // of one film; each has a file
+constexpr int most_shards = 100'000;  // per video; each has a file
 
-/// "3/10", or with another separator between.
+/// Parses "3/10", or with another separator.
 std::optional<Shard> read_shard(std::string_view text, std::string_view separator) {
   Shard shard;
   const char* const end = text.data() + text.size();
@@ -30,8 +30,8 @@ std::optional<Shard> read_shard(std::string_view text, std::string_view separato
 
 Shard parse_shard(std::string_view text) {
   if (const auto shard = read_shard(text, "/")) return *shard;
-  throw UsageError(fmt::format("shard '{}'", text), "it is not a part of a whole",
-                   fmt::format("write i/n with 1 <= i <= n <= {}: 3/10", most_shards));
+  throw UsageError(fmt::format("shard '{}'", text), "it is not of the form i/n",
+                   fmt::format("write i/n with 1 <= i <= n <= {}, such as 3/10", most_shards));
 }
 
 std::string format_shard(const Shard& shard) {

@@ -6,33 +6,35 @@
 
 namespace twrench {
 
-/// Part `index` of the `count` that several runs draw of the same frames; index is from 1.
+/// Part `index` of `count` into which several runs divide the same frames; index starts at 1.
 struct Shard {
+  /// Number of the part, from 1 to count.
   int index = 1;
+  /// Number of parts.
   int count = 1;
 
   bool is_whole() const { return count == 1; }
   bool operator==(const Shard&) const = default;
 };
 
-/// "3/10". Throws UsageError for what is none.
+/// Parses a shard such as "3/10". Throws UsageError if it is invalid.
 Shard parse_shard(std::string_view text);
 std::string format_shard(const Shard& shard);
 
-/// The frames that are the shard's: a run of neighbours, the shards alike in length but for one
-/// frame. Neighbours, because then a RANGE names what a lost shard leaves missing in a few letters,
-/// and the encoder reads the files in the order in which one machine wrote them; frames of one film
-/// cost nearly the same, so that an interleave would balance nothing. Some shards are empty where
-/// there are fewer frames than shards.
+/// Returns the frames of the shard: a run of consecutive frames; the sizes of shards differ by at
+/// most one. They are consecutive so that a short RANGE describes what a lost shard leaves missing,
+/// and the encoder reads the files in the order in which a machine wrote them; since all frames of
+/// a video cost nearly the same, interleaving would not balance the load better. Some shards are
+/// empty if there are fewer frames than shards.
 std::vector<int> frames_of_shard(const std::vector<int>& frames, const Shard& shard);
 
-/// The name of the manifest of a run that draws all, in its folder of frames.
+/// The name of the manifest of a run that draws all frames, in its folder.
 constexpr const char* manifest_name = "manifest.json";
 
-/// That name, or of a shard's manifest "manifest.0003-of-0010.json".
+/// Returns that name, or for a shard a name such as "manifest.0003-of-0010.json".
 std::string manifest_file_name(const Shard& shard);
 
-/// Whether a file of this name is a manifest, the whole's or a shard's.
+/// Returns whether a file of this name is a manifest of a whole video or of a shard.
 bool is_manifest_name(std::string_view name);
 
 }  // namespace twrench

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Array3d;
 
-/// Ordered dither on a square of two by two, in [0, 1): quarter steps are too fine for bands to be
-/// seen, and a pattern this short costs a PNG file half of what noise would.
+/// Ordered dither with a 2 x 2 pattern, in [0, 1): quarter steps are fine enough to hide bands, and
+/// a pattern this short costs a PNG file half as much as noise.
 double dither(int x, int y) {
   static constexpr std::array pattern{0.125, 0.625, 0.875, 0.375};
   return pattern[static_cast<std::size_t>(y % 2 * 2 + x % 2)];
@@ -26,8 +26,8 @@ double smooth_step(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// What of the graded background depends on one of the two coordinates alone: u goes from -1 to 1
-/// across, v from 0 at the top to 1.
+/// The terms of the gradient that depend on one coordinate only: u goes from -1 to 1 across, v from
+/// 0 at the top to 1.
 struct ColumnTerms {
   ColumnTerms(const Backdrop& backdrop, double u)
       : droop(0.10 * u * u), vignette(1 - backdrop.vignette * u * u) {}
@@ -38,18 +38,18 @@ Array3d array_of(const Color& color) {
   return Eigen::Array3i(color.red, color.green, color.blue).cast<double>();
 }
 
-/// Stars: soft dots two pixels and more wide, or video encoding would take them away or let them
-/// twinkle. They lie where a generator with a fixed seed puts them, whatever the size.
+/// Stars are soft dots at least two pixels wide; video encoding would remove smaller ones or make
+/// them twinkle. A generator with a fixed seed places them, independently of the picture's size.
 void add_stars(Image& image, int count) {
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
   for (int i = 0; i < count; ++i) {
     const double x = uniform() * image.width;
     const double y = uniform() * image.height;
-    const double brightness = std::pow(uniform(), 5.0);  // few are bright
+    const double brightness = std::pow(uniform(), 5.0);  // Few are bright.
     const double true_radius = image.height / 1080.0 * (0.75 + 0.6 * brightness);
     const double radius = std::max(0.8, true_radius);
-    // Wider than true, a star is fainter.
+    // A star drawn wider than its true size is fainter.
     const Array3d color = (40 + 190 * brightness) * std::min(1.0, true_radius / radius) *
                           Array3d(1, 0.94 + 0.06 * uniform(), 1);
     const int reach = static_cast<int>(std::ceil(3 * radius));
@@ -97,7 +97,7 @@ Image background(const Look& look, int width, int height) {
       const ColumnTerms& column = columns[static_cast<std::size_t>(x)];
       const double depth = smooth_step(0.15, 0.85, v - column.droop);
       const Array3d color = (above + depth * (below - above)) * column.vignette;
-      const double offset = dither(x, y);  // rounds up as often as the fraction lost would say
+      const double offset = dither(x, y);  // rounds up in proportion to the fraction
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
     }
   }

@@ -5,8 +5,8 @@
 
 namespace twrench {
 
-/// What lies behind the body, as RGB: the look's flat colour, or the dark studio's grading. It is
-/// the same in every frame, so it is made once.
+/// Returns the background as RGB: the look's flat colour, or the theme's gradient. It is the same
+/// in every frame, so it is drawn once.
 Image background(const Look& look, int width, int height);
 
 }  // namespace twrench

@@ -15,12 +15,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// As multiples of the body's radius.
+// As multiples of the bounding radius.
 constexpr double plane_distance = 1.18, longest_omega = 1.5, least_plane = 0.85;
 constexpr double momentum_shaft = 0.017, omega_shaft = 0.015, axis_shaft = 0.010;
 constexpr double trail_width = 0.016, plane_line = 0.004;
 
-/// Points on the circle of that radius about the tip of `up`.
+/// Points on the circle of that radius about `centre`, normal to `normal`.
 std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
                              int count) {
   const Matrix3d frame = frame_with_z_along(normal);
@@ -45,16 +45,17 @@ BodyOverlay::BodyOverlay(const Scene& scene, const Take& take, double radius)
       radius_(radius),
       trail_length_(trail_length(scene)),
       trail_point_(trail_point(scene)),
-      up_(take.body.momentum.stableNormalized()) {
+      up_(take.body.momentum().stableNormalized()) {
   const FreeBody& body = take.body;
-  if (body.momentum.isZero(0.0)) {
+  if (body.momentum().isZero(0.0)) {
     shows_momentum_ = shows_omega_ = shows_plane_ = false;
     return;
   }
-  const auto level = level_through(body.principal.moments, body.principal.axes.transpose() * up_);
+  const auto level =
+      level_through(body.principal().moments, body.principal().axes.transpose() * up_);
   const double outer = level ? herpolhode_annulus(*level).outer : 0;
-  const double height = body.omega.dot(up_);  // rad/s
-  const double longest = std::max(height * std::hypot(1, outer), body.omega.norm());
+  const double height = body.omega().dot(up_);  // rad/s
+  const double longest = std::max(height * std::hypot(1, outer), body.omega().norm());
   scale_ = radius * std::min(plane_distance / height, longest_omega / longest);
   plane_height_ = scale_ * height;
   omega_radius_ = outer * plane_height_;

@@ -9,36 +9,36 @@
 
 namespace twrench {
 
-/// What is shown in space beside the turning body, where the scene says so: the axes of the body,
-/// L and omega, the invariable plane, the trail of a point.
+/// The overlays shown in space around the rotating body, as selected by the scene: the body's axes,
+/// L and omega, the invariable plane, and the trail of a point.
 ///
-/// It is Poinsot's picture without the ellipsoid. omega . L is constant, so that with one scale for
-/// all omega its tip stays on a plane normal to L, the invariable one. The scale is such that this
-/// plane stands just outside the sphere that holds the body, or nearer where omega would get too
-/// long. L, whose length says nothing that one could compare, pierces the plane and ends beyond.
+/// This is Poinsot's picture without the ellipsoid. Since omega . L is constant, omega's tip stays
+/// on a plane normal to L, the invariable plane, if omega always has the same scale. The scale
+/// places this plane just outside the body's bounding sphere, or closer if omega would become too
+/// long. L, whose length has no meaningful comparison, pierces the plane and ends beyond it.
 class BodyOverlay {
  public:
-  /// `radius` in cm, of the sphere that holds the body in every pose.
+  /// `radius` is the bounding radius of the body in every pose, in cm.
   BodyOverlay(const Scene& scene, const Take& take, double radius);
 
-  /// cm, of the sphere that holds what turns with the body.
+  /// Returns the bounding radius in cm of everything that rotates with the body.
   double reach() const { return shows_axes_ ? axis_length * radius_ : radius_; }
 
-  /// What else a camera should have in view, at any time; space, cm.
+  /// Returns further points that a camera should have in view at all times, in space, cm.
   std::vector<Eigen::Vector3d> extent() const;
 
-  /// Adds what is shown at that instant.
+  /// Adds the overlays at that instant to the draw lists for opaque and for translucent items.
   void draw(const Instant& instant, Sketch& solid, Sketch& sheer) const;
 
   std::vector<Label> labels(const Instant& instant, const Camera& camera, const Area& pane) const;
 
-  /// The ends of the arrows, space, cm; those at rest are at the origin.
+  /// Return the tips of the arrows in space, cm; for a body at rest they are at the origin.
   Eigen::Vector3d momentum_tip() const { return momentum_length * radius_ * up_; }
   Eigen::Vector3d omega_tip(const Sample& sample) const {
     return scale_ * (sample.X * sample.omega);
   }
 
-  /// cm, from the centre of mass to the invariable plane.
+  /// Returns the distance in cm from the centre of mass to the invariable plane.
   double plane_height() const { return plane_height_; }
 
  private:
@@ -55,13 +55,13 @@ class BodyOverlay {
   OverlayColors colors_;
   bool shows_axes_, shows_momentum_, shows_omega_, shows_plane_, shows_trail_, shows_labels_;
   double radius_;
-  double trail_length_;  ///< s
+  double trail_length_;  ///< Duration of the trail in s.
   Eigen::Vector3d trail_point_;
-  Eigen::Vector3d up_;  ///< L/|L|, space; 0 at rest
-  double scale_ = 0;    ///< cm of omega's arrow for 1 rad/s
+  Eigen::Vector3d up_;  ///< Unit vector L/|L| in space; 0 at rest.
+  double scale_ = 0;    ///< Length in cm of omega's arrow for 1 rad/s.
   double plane_height_ = 0;
-  double omega_radius_ = 0;  ///< cm, how far from L the tip of omega's arrow goes
-  double plane_radius_ = 0;  ///< cm, of the plane's disc
+  double omega_radius_ = 0;  ///< Largest distance in cm of the tip of omega's arrow from L.
+  double plane_radius_ = 0;  ///< Radius in cm of the plane's disc.
 };
 
 }  // namespace twrench

@@ -22,7 +22,7 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-/// More would cost more at every pixel than they would show.
+/// More would cost more at every pixel than they add to the picture.
 constexpr std::size_t most_neighbours = 3;
 
 std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
@@ -38,7 +38,7 @@ std::vector<float> part_radii(std::span<const Part> parts, double unit) {
   return radii;
 }
 
-/// In indices, where the side of each part begins: at its end, if it is no cylinder.
+/// In indices, where the side of each part begins; the end of the part if it is not a cylinder.
 std::vector<std::size_t> side_begins(const Mesh& mesh) {
   std::vector<std::size_t> begins;
   for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
@@ -47,7 +47,7 @@ std::vector<std::size_t> side_begins(const Mesh& mesh) {
   return begins;
 }
 
-/// Unit, body axes; 0 for what is no cylinder.
+/// Unit vectors in body axes; 0 for parts that are not cylinders.
 std::vector<Vector3d> part_axes(std::span<const Part> parts) {
   std::vector<Vector3d> axes;
   for (const Part& part : parts) {
@@ -59,8 +59,8 @@ std::vector<Vector3d> part_axes(std::span<const Part> parts) {
 
 bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
 
-/// Whether the body scatters is compiled in, not asked at each pixel: llvmpipe takes both ways of
-/// an if, and the second doubles the work.
+/// Whether the body has a diffuse term is compiled in, not tested at each pixel: llvmpipe executes
+/// both branches of an if, and the second doubles the work.
 gl::Program body_program(const gl::Functions& gl, const Material& material, const Studio& studio,
                          std::size_t neighbour_count) {
   const auto file = [](const char* name) {
@@ -86,12 +86,12 @@ void upload(const gl::Functions& gl, GLenum target, const Values& values, GLenum
   gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
 }
 
-/// GL takes an offset for a pointer.
+/// GL takes an offset as a pointer.
 const void* pointer(std::size_t offset) {
   return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }
 
-/// Of floats in vertices of `stride` bytes each.
+/// Sets a float attribute of vertices of `stride` bytes each.
 void set_attribute(const gl::Functions& gl, BodyAttribute attribute, GLint size, std::size_t stride,
                    std::size_t offset) {
   gl.EnableVertexAttribArray(attribute);
@@ -99,11 +99,11 @@ void set_attribute(const gl::Functions& gl, BodyAttribute attribute, GLint size,
                          pointer(offset));
 }
 
-/// The shader's picture where nothing is moved off its place.
+/// The shader's `picture` uniform without displacement.
 constexpr glm::vec3 as_drawn(1, 1, 0);
 
-/// Takes normals to where the matrix takes the surface: its cofactors, which for a rotation are
-/// the rotation itself, and which are right too for a pose that has left SO(3).
+/// Returns the matrix that transforms normals with the surface: the cofactor matrix, which for a
+/// rotation is the rotation itself, and which is correct for a pose that has left SO(3) too.
 Matrix3d normal_matrix(const Matrix3d& m) {
   Matrix3d cofactors;
   cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
@@ -165,13 +165,13 @@ void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
 }
 
 void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double height) const {
-  Affine3d mirror = Affine3d::Identity();  // in space, in units of the stage
+  Affine3d mirror = Affine3d::Identity();  // in space, in stage units
   mirror(1, 1) = -1;
   mirror(1, 3) = 2 * height / radius_;
   const Affine3d stage_from_space(camera.camera_from_space());
   set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
   program_.set("picture", as_drawn);
-  gl_->FrontFace(GL_CW);  // a mirror turns the triangles round
+  gl_->FrontFace(GL_CW);  // a mirror reverses the winding
   draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
 
@@ -212,7 +212,7 @@ Matrix3d BodyPass::stage_from_body(const Camera& camera, const Matrix3d& X) cons
   return camera.camera_from_space() * X / radius_;
 }
 
-/// The body stays on the stage, in its light; what the camera sees is the stage moved by
+/// The body stays in stage coordinates, in its light; the camera sees the stage transformed by
 /// `seen_from_stage`, which is its own inverse.
 void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
                          const Affine3d& seen_from_stage) const {
@@ -230,8 +230,8 @@ void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
   gl_->Enable(GL_CULL_FACE);
 }
 
-/// Triangles of `array`, in indices. Parts that meet ones drawn before are lifted over them by so
-/// many pixels, and fade where they enter them; not at all where it is 0.
+/// Draws triangles of `array`, given in indices. With `lift` in pixels, parts that touch parts
+/// drawn before are lifted over them and fade where they enter them; not with 0.
 void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indices,
                           const Ranges& ranges, const Matrix3d& stage_from_body,
                           double lift) const {
@@ -261,7 +261,7 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
 void BodyPass::set_neighbours(const std::vector<Capsule>& capsules, const Matrix3d& stage_from_body,
                               bool smooth) const {
   if (neighbour_count_ == 0) return;
-  // Where a part has fewer than the most: too small and far to be seen.
+  // Unused occluder slots: too small and far away to be visible.
   std::vector<glm::vec4> from(neighbour_count_, glm::vec4(0, 0, -1e4F, 1e-6F));
   std::vector<glm::vec4> to(neighbour_count_, glm::vec4(0, 1, -1e4F, 0));
   for (std::size_t i = 0; i < capsules.size(); ++i) {

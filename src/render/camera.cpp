@@ -10,11 +10,11 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-constexpr double margin = 1.08;  // the sphere's share of air: 4 % of the picture on each side
+constexpr double margin = 1.08;  // margin around the sphere: 4 % of the picture on each side
 
 Matrix4d look_at_origin(const Vector3d& direction, double distance) {
   const Vector3d back = direction.normalized();
-  // At an elevation of pi/2, as near as a double comes to it, 6e-17 is left to tell the azimuth.
+  // At an elevation of pi/2, as close as a double gets, 6e-17 remains to determine the azimuth.
   const bool from_the_pole = std::hypot(back.x(), back.z()) < 1e-18;
   const Vector3d up = from_the_pole ? Vector3d(-std::copysign(1.0, back.y()) * Vector3d::UnitZ())
                                     : Vector3d::UnitY();
@@ -27,7 +27,7 @@ Matrix4d look_at_origin(const Vector3d& direction, double distance) {
   return view;
 }
 
-/// The perspective of OpenGL (clip z from -w to w), with the tangents of half the angles of view.
+/// OpenGL's perspective matrix (clip z from -w to w), from the tangents of half the fields of view.
 Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
   Matrix4d projection = Matrix4d::Zero();
   projection(0, 0) = 1 / tan_x;
@@ -46,7 +46,8 @@ Camera frame_sphere(const Framing& framing) {
   const double distance = framing.distance * margin * framing.radius / std::sin(half);
   const double tan_x = std::tan(half) * std::max(framing.aspect, 1.0);
   const double tan_y = std::tan(half) * std::max(1 / framing.aspect, 1.0);
-  // Wide planes: a method that leaves SO(3) makes the body grow, and that is to be seen.
+  // Distant clip planes: a method that leaves SO(3) makes the body grow, and that should be
+  // visible.
   return {look_at_origin(framing.direction, distance),
           perspective(tan_x, tan_y, 0.05 * distance, 20 * distance), distance};
 }

@@ -10,11 +10,11 @@
 namespace twrench {
 namespace {
 
-constexpr double range = 1.12;         // of the values that a plot holds: those of SO(3), with air
-constexpr double faint = 0.32;         // opacity of what is to come
+constexpr double range = 1.12;  // of the values that a plot holds: those of SO(3), with a margin
+constexpr double faint = 0.32;  // opacity of the future
 constexpr double line_opacity = 0.22;  // of zero lines and flips
 
-/// Copies what is in `area` from one layer to another that lies where it does.
+/// Copies the contents of `area` between two layers at the same position.
 void copy(const Layer& from, Layer& to, const Area& area) {
   const Area held = common(area, from.area());
   for (int y = held.y; y < held.y + held.height; ++y) {
@@ -46,7 +46,7 @@ ComponentPanel::ComponentPanel(const Scene& scene, const std::vector<Take>& take
   Canvas future(future_.image, future_.x, future_.y);
   future.soft_panel(area, feather, {colors.panel, colors.panel_opacity});
   draw_frames(future, layout, typeface);
-  // Those of methods that disagree would be a thicket.
+  // The flips of several methods that disagree would clutter the plots.
   for (const double flip : takes_ == 1 ? takes[0].flip_times : std::vector<double>{}) {
     for (const Plot& plot : plots_) {
       future.rectangle(std::round(plot.x(flip / duration_)), plot.area.y, 1, plot.area.height,

@@ -11,8 +11,8 @@
 
 namespace twrench {
 
-/// The nine components of X against time: what has been is drawn in full, what is to come faint,
-/// with a cursor between them. In a comparison the curves of all takes lie over one another.
+/// The nine components of X against time: the past in full strength, the future faint, with a
+/// cursor between them. In a comparison, each plot shows the curves of all methods.
 class ComponentPanel : public Element {
  public:
   ComponentPanel(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
@@ -21,7 +21,7 @@ class ComponentPanel : public Element {
   std::vector<PendingLayer> draw(const Moment& moment) override;
 
  private:
-  /// One of the nine.
+  /// One of the nine plots.
   struct Plot {
     int row, column;
     Area area;
@@ -38,7 +38,7 @@ class ComponentPanel : public Element {
   const OverlayColors& colors_;
   double duration_;
   std::size_t takes_;
-  double thickness_;  ///< px, of a curve
+  double thickness_;  ///< Thickness of a curve in px.
   std::vector<Plot> plots_;
   Layer future_;
   Layer past_;

@@ -4,24 +4,26 @@
 
 namespace twrench {
 
-// Each takes a piece of that length, in pixels, off one side of `rest`, and a gap off beside it.
-// What is left of `rest` may be less than nothing.
+// Each cuts a piece of that size in pixels, and a gap next to it, off one side of `rest`, and
+// returns the piece. The size of `rest` may become negative.
 Area cut_top(Area& rest, int height, int gap);
 Area cut_bottom(Area& rest, int height, int gap);
 Area cut_left(Area& rest, int width, int gap);
 Area cut_right(Area& rest, int width, int gap);
 
-/// The largest square in the middle of it.
+/// Returns the largest centred square.
 Area middle_square(const Area& area);
 
-/// One of the equal parts into which an area is cut.
+/// One cell of an area divided into equal parts.
 struct Share {
+  /// The cell.
   Area area;
+  /// Its position in the grid.
   int column, row;
 };
 
-/// In `rows` of `columns` each, row by row. Inner edges share `middle` evenly; outer ones are those
-/// of `whole`, which holds it.
+/// Returns the cells of a grid, row by row. Inner edges divide `middle` evenly; outer edges are
+/// those of `whole`, which contains it.
 std::vector<Share> shares(const Area& whole, const Area& middle, int columns, int rows);
 
 }  // namespace twrench

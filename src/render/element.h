@@ -8,27 +8,27 @@
 
 namespace twrench {
 
-/// A part of the picture: a view of the body, a panel, a line of text.
+/// An element of the picture: a view of the body, a panel, a text block.
 class Element {
  public:
   virtual ~Element() = default;
 
-  /// What of it is the same in every frame; asked for once.
+  /// Returns the static layers, which are the same in every frame; called once.
   virtual std::vector<Layer> still() { return {}; }
 
-  /// What of it changes, in the order in which it is to be laid over the picture. Layers are whole
-  /// inside the picture, and as small as what they show. Others may be drawn before they are asked
-  /// for; the element outlives them.
+  /// Returns the layers that change, in the order in which they are composited. Layers lie entirely
+  /// inside the picture and are as small as their contents. Other elements may draw before a layer
+  /// is resolved; the element outlives its layers.
   virtual std::vector<PendingLayer> draw(const Moment& moment) = 0;
 
-  /// The names of things in it, that are to be written over all elements.
+  /// Returns the labels of its contents, which are drawn over all elements.
   virtual std::vector<Label> labels(const Moment& /*moment*/) const { return {}; }
 };
 
-/// One that shows things in space.
+/// An element that shows objects in space.
 class SpaceView : public Element {
  public:
-  /// `film_time` in s: the camera may move.
+  /// Returns the camera at `film_time` seconds of video, since it may move.
   virtual Camera camera(double film_time) const = 0;
 };
 

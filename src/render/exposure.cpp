@@ -9,7 +9,8 @@
 namespace twrench {
 namespace {
 
-constexpr int steps = 4096;  // of linear light: finer than sRGB's least step, but in the darkest
+// Of linear light: finer than sRGB's smallest step except in the darkest tones.
+constexpr int steps = 4096;
 
 std::array<float, 256> linear_table() {
   std::array<float, 256> table{};
@@ -19,7 +20,7 @@ std::array<float, 256> linear_table() {
   return table;
 }
 
-/// sRGB, 0 to 255, at i / steps of the largest light.
+/// sRGB values, 0 to 255, at i / steps of full light.
 std::vector<float> srgb_table() {
   std::vector<float> table;
   for (int i = 0; i <= steps; ++i) {

@@ -6,22 +6,23 @@
 
 namespace twrench {
 
-/// The mean of pictures, in linear light, as a shutter that is open for a while takes it.
+/// Averages images in linear light, as an open shutter does.
 class Exposure {
  public:
-  /// Of pictures of that size.
+  /// For images of that size.
   Exposure(int width, int height);
 
-  /// Adds a picture: RGBA, premultiplied.
+  /// Adds an image: RGBA, premultiplied.
   void add(const Image& image);
 
-  /// The mean of those added, at least one, as RGBA, premultiplied.
+  /// Returns the mean of the images added, at least one, as premultiplied RGBA.
   Image mean() const;
 
  private:
   int width_, height_;
   int count_ = 0;
-  std::vector<float> sums_;  ///< of a pixel's linear red, green, blue, each times alpha, and alpha
+  /// Sums of each pixel's linear red, green and blue, each times alpha, and of alpha.
+  std::vector<float> sums_;
 };
 
 }  // namespace twrench

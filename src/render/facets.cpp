@@ -8,7 +8,7 @@
 namespace twrench {
 namespace {
 
-/// The strips of a side, counted on and on around it.
+/// The strips of a side, with indices that wrap around it.
 class SideFacets {
  public:
   SideFacets(const Mesh& mesh, const Side& side, const glm::vec3& eye, Facets& facets)
@@ -17,7 +17,7 @@ class SideFacets {
   void add_seen() {
     std::uint32_t first = 0;
     while (first < side_.count && (is_seen(first + side_.count - 1) || !is_seen(first))) ++first;
-    if (first == side_.count) return;  // the cylinder is seen end on
+    if (first == side_.count) return;  // the cylinder is seen end-on
     std::uint32_t end = first;
     while (is_seen(end)) ++end;
     for (std::uint32_t at = first; at < end;) {
@@ -40,7 +40,7 @@ class SideFacets {
     return glm::dot(first.normal + second.normal, eye_ - first.position) > 0;
   }
 
-  /// One facet for the strips from `first` on to `end`, and the steps that lead down to it from the
+  /// Adds one facet for the strips from `first` to `end`, and the triangles that connect it to the
   /// rings.
   void add(std::uint32_t first, std::uint32_t end) {
     const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

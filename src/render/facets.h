@@ -9,19 +9,23 @@
 
 namespace twrench {
 
-/// Triangles between the vertices of a mesh, as its own are.
+/// Triangles between the vertices of a mesh, with the same winding.
 struct Facets {
+  /// Three per triangle.
   std::vector<std::uint32_t> indices;
-  std::vector<std::size_t> part_ends;    ///< in indices, the end of each part's own
-  std::vector<std::size_t> side_begins;  ///< where, before it, those of a cylinder's side begin
-  double depth = 0;                      ///< cm: how deep they lie under the mesh's own at most
+  /// In indices, the end of each part.
+  std::vector<std::size_t> part_ends;
+  /// In indices, where the triangles of a cylinder's side begin in its part.
+  std::vector<std::size_t> side_begins;
+  /// Largest depth in cm of a facet below the mesh's own.
+  double depth = 0;
 };
 
-/// The mesh as it is seen from `eye`, cm, body axes, in fewer triangles: a software rasteriser pays
-/// for whole blocks of pixels along each edge. On the side of a cylinder up to four strips become
-/// one, the fewer the nearer to the outline, which stays as it is; where they are turned away there
-/// are none. What is seen has no gap. A wide facet lies deep in the cylinder, but the shader, which
-/// knows the cylinder, shades as if it did not.
+/// Returns the visible facets of the mesh as seen from `eye` (cm, body axes), merged to fewer
+/// triangles, because a software rasteriser pays for whole blocks of pixels along each edge. On the
+/// side of a cylinder up to four strips are merged into one, fewer close to the silhouette, which
+/// is unchanged; strips that face away are omitted. The visible surface has no gaps. A wide facet
+/// lies deep inside the cylinder, but the shader computes the shading from the exact cylinder.
 Facets facets_seen(const Mesh& mesh, const glm::vec3& eye);
 
 }  // namespace twrench

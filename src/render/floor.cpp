@@ -18,10 +18,11 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 180;
-constexpr double gap = 0.06;      // between the floor and where the body can come, in radii
-constexpr double pool = 1.3;      // radii: where the light has fallen to a quarter
-constexpr double far_away = 3.0;  // radii from its middle at which the floor is taken to end
-constexpr double most_gaps = 60;  // between the balls of a part: a wire's shadow is not seen
+constexpr double gap = 0.06;      // between the floor and the space that the body sweeps, in radii
+constexpr double pool = 1.3;      // in radii: where the light has fallen to a quarter
+constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
+// Between the spheres of a part: the shadow of a wire is invisible.
+constexpr double most_gaps = 60;
 
 /// The pool's light at that distance from its middle, in units of its width: a lamp's falloff.
 double falloff(double distance) {
@@ -29,13 +30,13 @@ double falloff(double distance) {
   return share * share;
 }
 
-/// In units of 255: half steps up and down in a pattern of two by two, as the background's.
+/// In units of 1/255: half steps up and down in a 2 x 2 pattern, as for the background.
 float dither(int x, int y) {
   static constexpr std::array pattern{-0.375F, 0.125F, 0.375F, -0.125F};
   return pattern[static_cast<std::size_t>(2 * (y % 2) + x % 2)];
 }
 
-/// (1 2 1) / 4 down a column or along a row of `count` cells that lie `stride` apart.
+/// Filters with (1 2 1) / 4 along `count` cells that are `stride` apart.
 template <typename Cell>
 void blur_line(Cell* line, int count, std::ptrdiff_t stride) {
   Cell before = line[0];
@@ -47,20 +48,20 @@ void blur_line(Cell* line, int count, std::ptrdiff_t stride) {
   }
 }
 
-/// From 0 at a side to 1 at some way from it, both in shares of the pane.
+/// From 0 at a side to 1 at some distance from it, both as fractions of the pane.
 double ramp(double distance) {
   constexpr double way = 0.15;
   const double share = std::clamp(distance / way, 0.0, 1.0);
   return share * share * (3 - 2 * share);
 }
 
-/// A place between the middles of two cells of a line.
+/// A position between the centres of two cells of a line.
 struct Between {
   int first, second;
   float share;  ///< of the second
 };
 
-/// `place` counts in cells from the line's end.
+/// `place` is in cells from the start of the line.
 Between between(double place, int count) {
   const double within = std::clamp(place - 0.5, 0.0, count - 1.0);
   const int first = static_cast<int>(within);
@@ -89,7 +90,8 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
       balls_(balls_of(parts)),
       grid_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-/// Balls as far apart along a capsule's axis as makes them cast as much shadow as it does.
+/// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
+/// capsule.
 std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
   std::vector<Ball> balls;
   for (const Part& part : parts) {
@@ -103,8 +105,8 @@ std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
   return balls;
 }
 
-/// Takes (column, row, 1) on a grid over the pane to (x, z, 1) / w: the place on the floor that is
-/// seen there, in radii, w > 0 before the eye.
+/// Returns the matrix that maps (column, row, 1) on a grid over the pane to (x, z, 1) / w: the
+/// visible point of the floor in radii, with w > 0 in front of the eye.
 Matrix3d Floor::floor_from_grid(const Camera& camera, int width, int height) const {
   const Eigen::Matrix4d clip_from_space = camera.projection * camera.view;
   Matrix3d clip_from_floor;
@@ -118,7 +120,7 @@ Matrix3d Floor::floor_from_grid(const Camera& camera, int width, int height) con
   return clip_from_floor.inverse() * device_from_grid;
 }
 
-/// How much of the floor is drawn at a place in the pane, in shares of its width and height.
+/// The opacity of the floor at a position in the pane, given as fractions of its width and height.
 float Floor::fade(double x, double y) const {
   const double across = (inner_.left ? ramp(x) : 1) * (inner_.right ? ramp(1 - x) : 1);
   const double down = (inner_.top ? ramp(y) : 1) * (inner_.bottom ? ramp(1 - y) : 1);
@@ -152,7 +154,7 @@ Floor::Cell* Floor::row_of(int row, int width) {
   return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
 }
 
-/// Cells of the grid from which the body's shadow can be seen.
+/// The cells of the grid in which the body's shadow may be visible.
 Area Floor::seen(const Camera& camera) const {
   ScreenArea screen({0, 0, columns_, rows_}, rows_);
   screen.begin_shape();
@@ -187,9 +189,9 @@ void Floor::set_reflection(const Image& image) {
   }
 }
 
-/// The share of the light from above, a lobe of cos^4 about the vertical, that the balls take from
-/// each place: for a ball that is seen there under the half angle a, at theta from the vertical,
-/// about 5 cos^4(theta) (1 - cos a).
+/// Adds the fraction of the light from above, a cos^4 lobe about the vertical, that the spheres
+/// block at each point: for a sphere seen under the half angle a at theta from the vertical,
+/// approximately 5 cos^4(theta) (1 - cos a).
 void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area) {
   const Matrix3f floor_from_cell = floor_from_grid(camera, columns_, rows_).cast<float>();
   const ArrayXf column =
@@ -235,7 +237,7 @@ PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass
   });
 }
 
-/// The cells' colours between their middles, over the pixels of `area`.
+/// Interpolates the cells' colours between their centres over the pixels of `area`.
 Layer Floor::enlarged(const Area& area) const {
   const double across = static_cast<double>(pane_.width) / columns_;
   const double down = static_cast<double>(pane_.height) / rows_;

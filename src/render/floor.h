@@ -13,36 +13,39 @@
 
 namespace twrench {
 
-/// A level floor just below where the turning body can come: a pool of light about the place
-/// beneath its centre that fades away before there is a horizon, the body's shadow and a faint
-/// reflection of it. What changes is worked out at a sixth or so of the picture's resolution, for
-/// it is soft.
+/// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
+/// the point below its centre that fades out before the horizon, with the body's shadow and a faint
+/// reflection. Shadow and reflection are computed at about a sixth of the picture's resolution,
+/// because they are soft.
 class Floor {
  public:
-  /// In the pane of a picture of that size, below parts that fill a sphere of that radius about the
-  /// origin, cm. Where another pane adjoins, it fades away: floors would meet in a line.
+  /// The floor fills the pane of a picture of that size, below parts with that bounding radius
+  /// about the origin, in cm. It fades out where another pane adjoins, so that floors do not meet
+  /// in a line.
   Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
         const Area& picture, std::span<const Part> parts, double radius);
 
-  /// The pool of light: the same from wherever the camera, at its height, looks at the origin.
+  /// Returns the pool of light, which is the same from every camera at this height that looks at
+  /// the origin.
   Layer light(const Camera& camera) const;
 
-  /// The shadow and the reflection of the body in the pose X. The floor outlives the layer.
+  /// Returns the shadow and the reflection of the body in the pose X. The floor must outlive the
+  /// layer.
   PendingLayer draw(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body);
 
  private:
-  /// A ball of the body, to cast shadow: a part is a row of such.
+  /// A sphere that casts shadow; a part is approximated by a row of them.
   struct Ball {
-    Eigen::Vector3d centre;  ///< cm, body axes
-    double radius;           ///< cm
+    Eigen::Vector3d centre;  ///< Centre in cm, body axes.
+    double radius;           ///< Radius in cm.
   };
 
-  /// Whether another pane may adjoin the pane's sides.
+  /// Whether another pane may adjoin each side of the pane.
   struct Sides {
     bool left, right, top, bottom;
   };
 
-  /// Premultiplied red, green, blue, alpha, 0 to 255, of a cell of the grid.
+  /// Premultiplied red, green, blue and alpha of a grid cell, 0 to 255.
   using Cell = Eigen::Array4f;
 
   static std::vector<Ball> balls_of(std::span<const Part> parts);
@@ -60,12 +63,12 @@ class Floor {
   FloorStyle style_;
   Area pane_;
   Sides inner_;
-  double radius_;  ///< cm
-  double height_;  ///< of the floor, y in space, cm; negative
+  double radius_;  ///< Bounding radius in cm.
+  double height_;  ///< Height of the floor, y in space, in cm; negative.
   int columns_, rows_;
-  gl::Framebuffer framebuffer_;  ///< of the grid's size
+  gl::Framebuffer framebuffer_;  ///< Of the grid's size.
   std::vector<Ball> balls_;
-  std::vector<Cell> grid_;  ///< of the layer being made, row by row from the top left
+  std::vector<Cell> grid_;  ///< The layer in progress, row by row from the top left.
 };
 
 }  // namespace twrench

@@ -7,8 +7,8 @@
 
 namespace twrench {
 
-/// The one place where the doubles of the physics become the floats of the picture. Eigen and GLM
-/// both store matrices by columns, for column vectors.
+/// The one place where the doubles of the physics become the floats of the renderer. Both Eigen and
+/// GLM store matrices by columns, for column vectors.
 inline glm::vec3 glm_from_eigen(const Eigen::Vector3d& v) {
   const Eigen::Vector3f f = v.cast<float>();
   return {f.x(), f.y(), f.z()};

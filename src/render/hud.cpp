@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "canvas/error.h"
 #include "render/hud_text.h"
 
 namespace twrench {
 namespace {
 
-/// What the figures of one film have in common.
+/// The common settings of the readouts of a video.
 class Figures {
  public:
   Figures(const Scene& scene, const std::vector<Take>& takes, bool compact)
@@ -56,12 +56,12 @@ class Figures {
 
 void require_characters(const Font& font, const std::string& title) {
   if (const auto missing = missing_character(font, title)) {
-    throw UsageError("title",
-                     fmt::format("has the character U+{:04X}, which neither the font nor the "
-                                 "built-in sans can draw",
-                                 static_cast<std::uint32_t>(*missing)),
-                     "--font FILE takes a font that has it; --title TEXT gives another title, and "
-                     "--hide hud none");
+    throw MissingGlyph(
+        "title",
+        fmt::format("contains the character U+{:04X}, which neither the font nor the "
+                    "built-in sans can draw",
+                    static_cast<std::uint32_t>(*missing)),
+        *missing);
   }
 }
 

@@ -7,20 +7,20 @@
 
 namespace twrench {
 
-/// The colours by which the takes of a comparison are told apart.
+/// Returns the colour that identifies a method in a comparison.
 Color take_color(const OverlayColors& colors, std::size_t take);
 
-/// What the film says in words: title, method, time, drift, flips.
+/// The text of the video: title, method, and the readouts of time, drift and flips.
 class Hud : public Element {
  public:
-  /// All but `scene` and `takes` outlive it. Throws UsageError where the typeface lacks a character
-  /// of the title or, without one, of the scene's name.
+  /// All but `scene` and `takes` outlive it. Throws MissingGlyph where the typeface lacks a
+  /// character of the title or, without one, of the scene's name.
   Hud(const Scene& scene, const std::vector<Take>& takes, const Layout& layout,
       const Typeface& typeface, const OverlayColors& colors);
 
   std::vector<PendingLayer> draw(const Moment& moment) override;
 
-  /// Where words are, to be kept clear.
+  /// Returns the areas of the text blocks, which labels must keep clear of.
   std::vector<Area> extents() const;
 
  private:

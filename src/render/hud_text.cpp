@@ -21,15 +21,15 @@ std::string raised(int exponent) {
   return text;
 }
 
-/// "1.2e-15" as "1.2×10⁻¹⁵".
+/// Returns "1.2e-15" as "1.2×10⁻¹⁵".
 std::string typographic(const std::string& number) {
   const std::size_t e = number.find('e');
   if (e == std::string::npos) return number;
   return number.substr(0, e) + "×10" + raised(std::stoi(number.substr(e + 1)));
 }
 
-/// With what is before the decimal point in groups of three, where that is long, and each space as
-/// wide as a digit.
+/// Groups the digits before the decimal point by three if there are many, with spaces as wide as a
+/// digit.
 std::string grouped(const std::string& number) {
   std::string text;
   const std::size_t whole = std::min(number.find('.'), number.size());

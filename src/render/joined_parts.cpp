@@ -31,8 +31,8 @@ bool holds(const Part& part, const Vector3d& point, double margin) {
   return std::visit(Holds{local, margin}, part.shape);
 }
 
-/// How far along the unit `direction` from `start` one comes nearest to the part's axis (of a
-/// cylinder that is not parallel) or its centre.
+/// The distance from `start` along the unit vector `direction` at which it comes closest to the
+/// part's axis (of a cylinder that is not parallel) or its centre.
 double depth_of_middle(const Part& part, const Vector3d& start, const Vector3d& direction) {
   Vector3d to_centre = part.position - start;
   Vector3d across = direction;
@@ -44,11 +44,11 @@ double depth_of_middle(const Part& part, const Vector3d& start, const Vector3d& 
   return to_centre.dot(across);
 }
 
-/// How far the end of `cylinder` towards `direction`, whose face's middle is `end`, goes on into
-/// `other`; nothing where the two do not touch or the longer cylinder would show.
+/// How far the end of `cylinder` towards `direction`, with the centre of its face at `end`, extends
+/// into `other`; nothing if the two do not touch or the longer cylinder would show.
 std::optional<double> way_into(const Part& other, const Vector3d& end, const Vector3d& direction,
                                double radius) {
-  const double tolerance = 1e-3 * radius;  // a gap too small to be seen counts as touching
+  const double tolerance = 1e-3 * radius;  // a gap too small to see counts as touching
   const bool touches = holds(other, end + tolerance * direction, tolerance) &&
                        !holds(other, end - 3 * tolerance * direction, tolerance);
   if (!touches) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<double> way_into(const Part& other, const Vector3d& end, const Vec
   return depth;
 }
 
-/// Carries one end of the cylinder on; `sign` is +1 for the end on its +z side, -1 for the other.
+/// Extends one end of the cylinder; `sign` is +1 for the end on its +z side, -1 for the other.
 void join_end(Part& part, double sign, std::span<const Part> parts, std::size_t self) {
   auto& cylinder = std::get<Cylinder>(part.shape);
   const Vector3d direction = sign * part.body_from_part.col(2);

@@ -7,13 +7,13 @@
 
 namespace twrench {
 
-/// The parts as they are drawn, which is geometry of the picture only: the masses stay those of
-/// the parts given.
+/// Returns the parts as they are drawn, with gaps closed. This affects only the picture: the masses
+/// are those of the given parts.
 ///
-/// Where the middle of a cylinder's end face just touches another part, as the T-wrench's leg
-/// touches its handle along one line, the cylinder is carried on into that part: up to its axis
-/// (a cylinder) or the height of its centre (a box or an ellipsoid), if there its end lies hidden
-/// inside. So no gap shows where the parts meet.
+/// If the centre of a cylinder's end face just touches another part, as the T-wrench's leg touches
+/// its handle along one line, the cylinder is extended into that part, up to its axis (for a
+/// cylinder) or the height of its centre (for a box or an ellipsoid), provided that its end is then
+/// hidden inside.
 std::vector<Part> joined_parts(std::span<const Part> parts);
 
 }  // namespace twrench

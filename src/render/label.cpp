@@ -7,7 +7,7 @@ namespace twrench {
 std::optional<Label> label_at(const std::string& text, const Camera& camera, const Area& pane,
                               const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                               const Color& color) {
-  constexpr double least_depth = 1e-3;  // shares of the distance, before the eye
+  constexpr double least_depth = 1e-3;  // in front of the eye, as a fraction of the distance
   const double depth = -(camera.view.row(2) * to.homogeneous()).value();
   if (!(depth > least_depth * camera.distance)) return std::nullopt;
   const Eigen::Vector2d anchor = pixel_of(camera, pane, to);

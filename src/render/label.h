@@ -9,16 +9,20 @@
 
 namespace twrench {
 
-/// The name of a thing in space, to be written beside it.
+/// The name of an object in space, drawn next to it.
 struct Label {
-  std::string text;        ///< UTF-8
-  Eigen::Vector2d anchor;  ///< the thing's end, pixels of the picture from its top left
-  Eigen::Vector2d away;    ///< unit, y down: where from there the letters have room
+  /// UTF-8.
+  std::string text;
+  /// The end of the object, in pixels from the top left of the picture.
+  Eigen::Vector2d anchor;
+  /// Unit vector, y down, in which direction there is room for the text.
+  Eigen::Vector2d away;
+  /// Colour of the text.
   Color color;
 };
 
-/// That beside the end of what goes from `from` to `to` in space, where the camera's picture fills
-/// `pane`; nothing where that end is out of it.
+/// Returns the label at the end of an object that extends from `from` to `to` in space, for a
+/// camera whose picture fills `pane`; nothing if the end is outside.
 std::optional<Label> label_at(const std::string& text, const Camera& camera, const Area& pane,
                               const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                               const Color& color);

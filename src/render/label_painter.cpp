@@ -21,10 +21,10 @@ LabelPainter::LabelPainter(const Font& font, double size, const Color& halo, con
   }
 }
 
-/// Out of each taken box by the shortest way, and back into the pane.
+/// Moves the box out of each taken one by the shortest way, and back into the pane.
 LabelPainter::Box LabelPainter::placed(Box box, const std::vector<Box>& taken) const {
   for (const Box& other : taken) {
-    const double right = other.x + other.width - box.x;  // how far out, each way
+    const double right = other.x + other.width - box.x;  // distances to each side
     const double left = box.x + box.width - other.x;
     const double down = other.y + other.height - box.y;
     const double up = box.y + box.height - other.y;

@@ -8,16 +8,17 @@
 
 namespace twrench {
 
-/// Writes labels beside what they name or, where words or another label already are, as near by as
-/// it can.
+/// Draws labels next to what they name, moved as little as possible where text or another label is
+/// in the way.
 class LabelPainter {
  public:
-  /// `size`: px per em; `halo`: what lies around each letter, so that it is legible on anything;
-  /// `pane`: labels stay inside; `taken`: they do not go there. The font outlives the painter.
+  /// `size` is in px per em; `halo` is the colour around each letter that keeps it legible on any
+  /// background; labels stay inside `pane` and avoid the areas `taken`. The font must outlive the
+  /// painter.
   LabelPainter(const Font& font, double size, const Color& halo, const Area& pane,
                const std::vector<Area>& taken);
 
-  /// The first ones have the better right to their place.
+  /// Draws the labels; earlier ones have priority.
   std::vector<Layer> paint(const std::vector<Label>& labels) const;
 
  private:

@@ -5,22 +5,24 @@
 
 namespace twrench {
 
-/// A picture to be laid over another: RGBA, premultiplied (colour times coverage).
+/// An image to be composited over another: RGBA with premultiplied alpha.
 struct Layer {
+  /// The pixels.
   Image image;
-  int x = 0, y = 0;  ///< where its top left pixel goes
+  /// Position of its top left pixel.
+  int x = 0, y = 0;
 
   Area area() const { return {x, y, image.width, image.height}; }
 };
 
-/// A clear one of what lies in `picture` no farther than `reach` px from `area`.
+/// Returns a transparent layer for the part of `picture` within `reach` px of `area`.
 Layer layer_around(const Area& area, int reach, const Area& picture);
 
-/// Lays `layer` over `image`: RGB, or RGBA that is premultiplied too. It lies inside: what does not
-/// is a mistake of whoever made it, and is cut off. Returns where it lies.
+/// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
+/// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
 Area lay_over(Image& image, const Layer& layer);
 
-/// From premultiplied to straight alpha: colours are not darkened where the coverage is partial.
+/// Converts premultiplied to unpremultiplied alpha in `area`.
 void make_straight(Image& image, const Area& area);
 
 }  // namespace twrench

@@ -22,21 +22,22 @@ constexpr int least_square = 96;           // px high: three curves of 16 px wit
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 9.5;       // of nine in a row
 constexpr double most_insets = 0.65;       // of a long picture
-constexpr double least_named = 5;          // em, of a view in which names have room
-constexpr double least_words = 26;         // em of the figures, that they take in a row
-constexpr double words_width = 28;         // em that the words beside the body get
-constexpr int longest = 3;  // length / breadth of a picture: in a longer one all goes in a line
+constexpr double least_named = 5;          // em, of a view that has room for labels
+constexpr double least_words = 26;         // em of the readouts, the least width of a row
+constexpr double words_width = 28;         // em, width of the text beside the body
+// Length / width of a picture; in a longer one everything stands in one line.
+constexpr int longest = 3;
 
 int rounded(double length) { return static_cast<int>(std::lround(length)); }
 int shorter(const Area& area) { return std::min(area.width, area.height); }
 
-/// Whether the components can be told in it.
+/// Whether the components are legible in the area.
 bool holds_plots(const Area& area) {
   return area.width >= least_components &&
          area.height >= (is_strip(area) ? least_inset : least_square);
 }
 
-/// What is to be shown, in the order in which it is dropped.
+/// The optional parts, in the order in which they are dropped.
 enum Part { poinsot_part, momentum_part, components_part, figures_part, title_part, part_count };
 using Parts = std::array<bool, part_count>;
 
@@ -51,12 +52,12 @@ Parts parts_of(const Overlay& overlay) {
   return parts;
 }
 
-/// A layout in the making; `rest` is what is still free.
+/// A layout in progress; `rest` is the free area.
 class Draft {
  public:
   Draft(const Scene& scene, const Parts& parts);
 
-  /// Nothing where something has no room.
+  /// Returns nothing if something does not fit.
   std::optional<Layout> finish();
 
  private:
@@ -124,7 +125,7 @@ void Draft::place_words() {
   if (!aside) rest_ = column;
 }
 
-/// One or, in a long picture, as many as the figures need there and find room.
+/// One row or, in a long picture, as many as the readouts need and as fit.
 int Draft::rows_of_figures(const Area& column) const {
   if (!is_long()) return 1;
   const double wanted = std::ceil(least_words * layout_.text.figure / column.width);
@@ -133,8 +134,8 @@ int Draft::rows_of_figures(const Area& column) const {
   return rows;
 }
 
-/// Beside the body in a column or, in an upright picture, below it in a row; in a long one the
-/// other way round.
+/// Places the insets beside the body in a column or, in a portrait picture, below it in a row; in a
+/// long picture the other way round.
 void Draft::place_insets() {
   const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
   if (squares == 0 && !parts_[components_part]) return;
@@ -160,7 +161,7 @@ void Draft::place_insets() {
   }
 }
 
-/// Where the insets go: the components, where they are shown, and so many squares.
+/// Cuts the area of the insets: the components, if shown, and that many squares.
 Area Draft::cut_insets(int squares) {
   const int breadth = upright() ? rest_.width : rest_.height;
   const bool strip = !upright() && breadth < least_square;
@@ -180,12 +181,12 @@ Area Draft::cut_insets(int squares) {
   for (auto* const words : {&layout_.title, &layout_.figures}) {
     if (*words) (*words)->width = rest_.width;
   }
-  column.y = safe_.y;  // beside the words too
+  column.y = safe_.y;  // beside the text too
   column.height = safe_.height;
   return column;
 }
 
-/// All components in one row below the panes, which are compared.
+/// Places all components in one row below the panes of a comparison.
 void Draft::place_strip() {
   if (!parts_[components_part]) return;
   const double height =
@@ -193,8 +194,8 @@ void Draft::place_strip() {
   layout_.components = cut_bottom(rest_, rounded(std::min(height, 0.3 * rest_.height)), gap_);
 }
 
-/// The method and its figures, in the pane's corner: above the body, or beside it where there the
-/// body would be smaller.
+/// Places the method and its readouts in the pane's corner: above the body, or beside it if the
+/// body would otherwise be smaller.
 void Draft::place_legend(Area& pane) {
   if (!parts_[figures_part]) return;
   const auto& [title, figure, caption] = layout_.text;
@@ -204,7 +205,8 @@ void Draft::place_legend(Area& pane) {
   layout_.legends.push_back(aside ? cut_left(pane, beside, gap_) : cut_top(pane, above, gap_));
 }
 
-/// In a square or, where the picture is long, in a line: there each has more room for its body.
+/// Divides the area into a square grid or, in a long picture, a line, where each body has more
+/// room.
 std::vector<Share> Draft::equal_shares(int count) const {
   const bool square = count == 4 && !is_long();
   const int rows = square ? 2 : picture_.height > picture_.width ? count : 1;
@@ -251,7 +253,7 @@ bool Draft::is_safe(const Area& area) const {
   return shorter(area) > 0 && common(area, safe_) == area;
 }
 
-/// Whether the words of each line are more than an ellipsis.
+/// Whether every line of text shows more than an ellipsis.
 bool Draft::has_room_for_words() const {
   const double title = layout_.text.title, figure = layout_.text.figure;
   const double corner = takes_ > 1 ? 6 * figure : 0;
@@ -308,8 +310,8 @@ bool is_strip(const Area& components) { return components.width > 4 * components
 Layout layout_of(const Scene& scene) {
   if (scene.overlay.compare.size() > 1 && scene.overlay.view != View::wrench) {
     throw UsageError("compare",
-                     "the view '" + name_of(scene.overlay.view) + "' shows one motion only",
-                     "methods are compared in the view 'wrench'");
+                     "the view '" + name_of(scene.overlay.view) + "' shows only one motion",
+                     "use the view 'wrench' to compare methods");
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {

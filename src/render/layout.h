@@ -8,44 +8,55 @@
 
 namespace twrench {
 
-/// Where things go in the picture. Words and insets keep 5 % of the picture's sides from its edges,
-/// and never overlap one another nor the focus of any pane. In a picture more than three times as
-/// long as it is broad all stands in a line, so that each has the whole breadth.
+/// The layout of the picture. Text and insets stay 5 % of the picture's sides away from its edges,
+/// and overlap neither each other nor the focus of any pane. In a picture more than three times as
+/// long as it is wide, everything stands in one line, so that each item has the full breadth.
 ///
-/// What finds no room is dropped, in this order, until the rest has its least size and each body a
-/// third of its pane: Poinsot's construction, the momentum sphere, the components, the figures, the
-/// title.
+/// Items that do not fit are dropped in this order, until the rest has its minimum size and each
+/// body a third of its pane: Poinsot's construction, the momentum sphere, the components, the
+/// readouts, the title.
 struct Layout {
-  /// A view in three dimensions.
+  /// A three-dimensional view.
   struct Pane {
-    Area area;          ///< all of it
-    Area focus;         ///< the part in which the body is to be, uncovered
-    bool named = true;  ///< there is room for the names of what is in it
+    Area area;          ///< The entire pane.
+    Area focus;         ///< The part in which the body is framed, free of other items.
+    bool named = true;  ///< Whether there is room for labels.
   };
 
-  /// px per em.
+  /// Text sizes in px per em.
   struct TextSizes {
+    /// The title.
     double title;
+    /// Values of readouts.
     double figure;
+    /// Captions of readouts.
     double caption;
   };
 
-  std::vector<Pane> panes;  ///< of the body, one a take: they tile the picture or, in the view
-                            ///< `quad`, a quarter of it; none where the view shows no body
+  /// Panes of the body, one per method. They tile the picture or, in the view `quad`, a quarter of
+  /// it; none if the view shows no body.
+  std::vector<Pane> panes;
+  /// The momentum sphere and Poinsot's construction.
   std::optional<Pane> momentum, poinsot;
+  /// The nine components.
   std::optional<Area> components;
-  std::optional<Area> title;    ///< with the method below it or, in a comparison, the time at right
-  std::optional<Area> figures;  ///< of the one take
-  std::vector<Area> legends;    ///< in a comparison, one a pane: the method and its figures
+  /// The title, with the method below it or, in a comparison, the time on the right.
+  std::optional<Area> title;
+  /// The readouts of a single motion.
+  std::optional<Area> figures;
+  /// In a comparison, the method and readouts of each pane.
+  std::vector<Area> legends;
 
+  /// Text sizes.
   TextSizes text{};
-  bool compact = false;  ///< the picture is too small for captions above the figures
+  /// Whether the picture is too small for captions above the readouts.
+  bool compact = false;
 };
 
-/// Whether the nine components stand in one row there, not in three of three.
+/// Returns whether the nine components stand in one row there instead of three rows of three.
 bool is_strip(const Area& components);
 
-/// Throws UsageError for a comparison in a view that shows one motion only.
+/// Computes the layout. Throws UsageError for a comparison in a view that shows only one motion.
 Layout layout_of(const Scene& scene);
 
 }  // namespace twrench

@@ -6,14 +6,17 @@
 
 namespace twrench {
 
-/// The linear light, 0 to 1, of an sRGB value from 0 to 255 (IEC 61966-2-1).
+/// Returns the linear light, 0 to 1, of an sRGB value from 0 to 255 (IEC 61966-2-1).
 double linear_from_srgb(double value);
 
-/// What the body's surface is made of, in the terms of the shader.
+/// The material of the body, as the shader needs it.
 struct Material {
-  glm::vec3 diffuse;      ///< linear albedo; black for a metal
-  glm::vec3 reflectance;  ///< linear, at normal incidence: F0 of Schlick's Fresnel
-  float roughness;        ///< its square is the width of the GGX distribution (Burley 2012)
+  /// Linear diffuse albedo; black for metals.
+  glm::vec3 diffuse;
+  /// Linear reflectance at normal incidence: F0 of Schlick's Fresnel term.
+  glm::vec3 reflectance;
+  /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
+  float roughness;
 };
 
 Material material(const Look& look);

@@ -13,15 +13,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bevel_share = 0.04, widest_bevel_share = 0.12;  // of half the least dimension
-constexpr double least_bevel = 12;                               // tolerances
+constexpr double bevel_share = 0.04, widest_bevel_share = 0.12;  // of half the smallest dimension
+constexpr double least_bevel = 12;                               // in tolerances
 constexpr double quarter = std::numbers::pi / 2;
 
-// The least chords of a quarter turn, however small the picture: the normals between are linear.
+// Minimum number of chords per quarter turn, however small the picture: normals are interpolated
+// linearly.
 constexpr int least_of_body = 8;
 constexpr int least_of_bevel = 2;
 
-/// How many chords a quarter turn on a circle of `radius` needs to stay within `tolerance` of it.
+/// Returns how many chords a quarter of a circle of `radius` needs to stay within `tolerance` of
+/// it.
 int chords_of_quarter(double radius, double tolerance, int least) {
   if (tolerance >= radius) return least;
   const double half_angle = std::acos(1 - tolerance / radius);
@@ -37,8 +39,9 @@ struct Point {
   Vector3d normal;
 };
 
-/// A closed surface as rings of equally many points, from its bottom (-z) to its top, each ring
-/// counter-clockwise seen from the top. Between them lie quads; the first and the last are filled.
+/// A closed surface as rings with the same number of points, from its bottom (-z) to its top, each
+/// ring counter-clockwise as seen from the top. Quads connect them; the first and the last ring are
+/// filled.
 using Rings = std::vector<std::vector<Point>>;
 
 Vector3d on_unit_sphere(double longitude, double latitude) {
@@ -46,14 +49,14 @@ Vector3d on_unit_sphere(double longitude, double latitude) {
           std::sin(latitude)};
 }
 
-/// The angles from `first` to `last`, both ends included.
+/// The angles from `first` to `last`, both included.
 std::vector<double> steps(double first, double last, int count) {
   std::vector<double> result;
   for (int i = 0; i <= count; ++i) result.push_back(first + (last - first) * i / count);
   return result;
 }
 
-/// The latitudes of a bevel at the end -1 or +1 of a shape, upward.
+/// The latitudes of the bevel at the end -1 or +1 of a shape, upwards.
 std::vector<double> bevel_latitudes(double end, int chords) {
   return end < 0 ? steps(-quarter, 0, chords) : steps(0, quarter, chords);
 }
@@ -128,7 +131,7 @@ class MeshBuilder {
          glm_from_eigen((part_.body_from_part * point.normal).eval())});
   }
 
-  /// Triangles without area, as a box has at the poles of its corners, are left out.
+  /// Omits degenerate triangles, which a box has at the poles of its corners.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
@@ -139,7 +142,7 @@ class MeshBuilder {
                  [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
   }
 
-  /// From a ring of `count` vertices to the one over it.
+  /// Connects a ring of `count` vertices with the one above it.
   void join(std::uint32_t low, std::uint32_t high, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t next = (i + 1) % count;
@@ -148,7 +151,7 @@ class MeshBuilder {
     }
   }
 
-  /// The same, for the side of a cylinder, which is added last.
+  /// The same for the side of a cylinder, which is added last.
   void join_side(std::uint32_t low, std::uint32_t high, std::uint32_t count) {
     side_ = {low, high, count, mesh_.indices.size()};
     join(low, high, count);

@@ -10,37 +10,42 @@
 
 namespace twrench {
 
-/// A corner of a triangle, in the order in which the vertex shader's attributes are bound.
+/// A vertex, with members in the order of the vertex shader's attributes.
 struct Vertex {
-  glm::vec3 position;  ///< cm, body axes
-  glm::vec3 normal;    ///< unit, outward
+  glm::vec3 position;  ///< Position in body axes, cm.
+  glm::vec3 normal;    ///< Outward unit normal.
 };
 
 /// The side of a cylinder between its bevels: strips of two triangles, each between two vertices of
-/// the lower ring and the two over them in the upper.
+/// the lower ring and the two above them in the upper one.
 struct Side {
-  std::uint32_t low, high;  ///< the first vertex of each ring, counter-clockwise seen from the top
-  std::uint32_t count;      ///< of the vertices of a ring, and of the strips
-  std::size_t begin;        ///< in indices; from here to the end of its part
+  std::uint32_t low, high;  ///< First vertex of each ring, counter-clockwise as seen from the top.
+  std::uint32_t count;      ///< Number of vertices of a ring, and of strips.
+  std::size_t begin;        ///< In indices; from here to the end of its part.
 };
 
-/// Triangles, three indices each, counter-clockwise seen from outside.
+/// Triangles, three indices each, counter-clockwise as seen from outside.
 struct Mesh {
+  /// Vertices of all triangles.
   std::vector<Vertex> vertices;
+  /// Three per triangle.
   std::vector<std::uint32_t> indices;
-  std::vector<std::size_t> vertex_ends;    ///< in vertices, the end of each part's own
-  std::vector<std::size_t> part_ends;      ///< in indices
-  std::vector<std::optional<Side>> sides;  ///< of each part that is a cylinder
+  /// In vertices, the end of each part.
+  std::vector<std::size_t> vertex_ends;
+  /// In indices, the end of each part.
+  std::vector<std::size_t> part_ends;
+  /// For each part its side, if it is a cylinder.
+  std::vector<std::optional<Side>> sides;
 };
 
-/// The closed surface of a part, in body axes. Rims of cylinders and edges of boxes are rounded by
-/// a small bevel, so that they catch a line of light: 4 % of the smallest half dimension, or, for a
-/// narrower line would be drawn in dashes, 12 tolerances, but at most 12 %. All other vertices lie
-/// on the exact shape, and the facets between them depart from it by no more than `tolerance` cm.
-/// Facets finer than that cost much: thin triangles are drawn badly.
+/// Returns the closed surface of a part in body axes. The rims of cylinders and edges of boxes have
+/// a small rounded bevel to catch a highlight: 4 % of the smallest half dimension, or 12 tolerances
+/// but at most 12 %, because a narrower line would look dashed. All other vertices lie on the exact
+/// shape, and the facets between them deviate from it by at most `tolerance` cm. Much finer facets
+/// are expensive: thin triangles rasterise poorly.
 Mesh part_mesh(const Part& part, double tolerance);
 
-/// The meshes of all parts in one.
+/// Returns the meshes of all parts merged into one.
 Mesh body_mesh(std::span<const Part> parts, double tolerance);
 
 }  // namespace twrench

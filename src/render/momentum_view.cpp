@@ -14,20 +14,20 @@ using Eigen::Vector3d;
 
 constexpr int levels = 4;         // around each end of an axis
 constexpr int around = 240;       // points of a curve
-constexpr double lifted = 1.002;  // curves, off the facets of the sphere
+constexpr double lifted = 1.002;  // lifts curves off the facets of the sphere
 constexpr double axis_end = 1.28;
-constexpr double named = 1.12;  // times that, the end of the axis' name
+constexpr double named = 1.12;  // times that, the position of an axis' name
 
-/// The picture's axes, right-handed, x to the right: that of least moment is up, and the
-/// intermediate one towards the viewer.
+/// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
+/// the intermediate one towards the viewer.
 Matrix3d view_from_body(const Matrix3d& axes) {
   Matrix3d m;
   m << axes.col(0).cross(axes.col(1)).transpose(), axes.col(0).transpose(), axes.col(1).transpose();
   return m;
 }
 
-/// From where the flip is seen best, along the frame's own axes: a little beside the intermediate
-/// one, on the side of `mu`.
+/// The direction from which the flip is seen best, along the frame's own axes: slightly beside the
+/// intermediate axis, on the side of `mu`.
 Vector3d eye_direction(const Vector3d& mu) {
   const Vector3d side = mu.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
   return side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
@@ -58,7 +58,7 @@ Camera MomentumView::camera(double film_time) const {
   constexpr double field_of_view = 0.5;
   Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
   std::vector<Vector3d> points{Vector3d(0, named * axis_end, 0)};
-  // In an upright pane the others can stick out too: of a camera that goes around, all the way.
+  // In an upright pane the other axes may extend further: for a moving camera, all the way around.
   const Vector3d right = direction_of(azimuth + std::numbers::pi / 2, 0);
   for (int i = 0; aspect < 1 && i < 3; ++i) {
     const Vector3d tip = view_from_own_.col(i);
@@ -71,9 +71,9 @@ Camera MomentumView::camera(double film_time) const {
 }
 
 Vector3d MomentumView::place_of(const Sample& sample) const {
-  const double G = body_.momentum.stableNorm();
+  const double G = body_.momentum().stableNorm();
   if (G == 0) return Vector3d::Zero();
-  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia * sample.omega / G));
+  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
 }
 
 template <typename Place>
@@ -92,7 +92,7 @@ void MomentumView::add_level(const EnergyLevel& level, double width, const Ink& 
 }
 
 void MomentumView::add_separatrix() {
-  const auto circles = separatrix(body_.principal.moments);
+  const auto circles = separatrix(body_.principal().moments);
   if (!circles) return;
   for (const Vector3d& side : *circles) {
     add_curve(
@@ -110,7 +110,7 @@ void MomentumView::add_sphere() {
                      {frame_.colors[static_cast<std::size_t>(i)]});
   }
   pad_.sheer.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75);
-  for (const EnergyLevel& level : level_family(body_.principal.moments, levels)) {
+  for (const EnergyLevel& level : level_family(body_.principal().moments, levels)) {
     add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
   }
   if (frame_.level) add_level(*frame_.level, 1, {colors_.momentum, 0.55});
@@ -136,7 +136,7 @@ void MomentumView::add_momentum(const Instant& instant) {
   pad_.sheer.line(
       std::array<Sketch::Point, 2>{{{Vector3d::Zero(), pad_.hairline(), {ink.color, 0.15}},
                                     {now, 1.5 * pad_.hairline(), {ink.color, fading(now, 0.7)}}}});
-  const double clear = 0.45 + 0.55 * fading(now, 1);  // not lost on the far side either
+  const double clear = 0.45 + 0.55 * fading(now, 1);  // remains visible on the far side
   pad_.sheer.dot(now, 5.2 * pad_.hairline(), {colors_.panel, 0.9 * clear});
   pad_.sheer.dot(now, 4.0 * pad_.hairline(), {colors_.momentum, clear});
 }

@@ -8,17 +8,16 @@
 
 namespace twrench {
 
-/// The momentum as the body sees it. Its length G is constant, so that in the body's frame it moves
-/// on a sphere, and along a curve of constant energy: around the axis of least or of greatest
-/// moment or, close to the separatrix, to and fro between the two ends of the intermediate axis,
-/// which is the flip.
+/// The momentum in the body frame. Its length G is constant, so it moves on a sphere, along a curve
+/// of constant energy: around the axis of least or greatest moment or, close to the separatrix,
+/// back and forth between the ends of the intermediate axis, which is the flip.
 class MomentumView : public SpaceView {
  public:
-  /// Of one take, drawn in `pane` by way of `framebuffer`, which outlives the view.
+  /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
   MomentumView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
                const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
-  /// The sphere with its curves and axes, where the camera stays.
+  /// The sphere with its curves and axes, if the camera is fixed.
   std::vector<Layer> still() override;
 
   /// The momentum and its trail.
@@ -28,7 +27,7 @@ class MomentumView : public SpaceView {
 
   Camera camera(double film_time) const override;
 
-  /// Where the momentum of a sample is, on the unit sphere unless the method has left it.
+  /// Returns the position of a sample's momentum, on the unit sphere unless the method has left it.
   Eigen::Vector3d place_of(const Sample& sample) const;
 
  private:
@@ -42,11 +41,11 @@ class MomentumView : public SpaceView {
   OverlayColors colors_;
   CameraPath path_;
   bool shows_trail_, shows_labels_;
-  double trail_length_;  ///< s
+  double trail_length_;  ///< Duration of the trail in s.
   std::size_t take_;
   FreeBody body_;
   PrincipalFrame frame_;
-  Eigen::Matrix3d view_from_own_;  ///< from coordinates along the frame's axes to the picture's
+  Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
   Layout::Pane pane_;
   SketchPad pad_;
 };

@@ -12,7 +12,7 @@ Vector3d half_sizes(const Cylinder& c) { return {c.radius, c.radius, c.length / 
 Vector3d half_sizes(const Box& b) { return b.size / 2; }
 Vector3d half_sizes(const Ellipsoid& e) { return e.radii; }
 
-/// Where along the capsule's segment, 0 to 1, it comes nearest to the point.
+/// Returns the point on the capsule's segment that is nearest to `point`.
 Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {
   const Vector3d along = capsule.to - capsule.from;
   const double squared = along.squaredNorm();
@@ -20,8 +20,8 @@ Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {
   return capsule.from + std::clamp((point - capsule.from).dot(along) / squared, 0.0, 1.0) * along;
 }
 
-/// The gap between two capsules in cm, negative where they overlap: their axes' nearest points by
-/// turns, which converges for these convex sets (von Neumann's alternating projections).
+/// The gap between two capsules in cm, negative if they overlap: alternates between the nearest
+/// points of their axes, which converges for convex sets (von Neumann's alternating projections).
 double gap(const Capsule& a, const Capsule& b) {
   Vector3d on_a = (a.from + a.to) / 2;
   Vector3d on_b = b.from;

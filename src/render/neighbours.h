@@ -10,17 +10,20 @@ namespace twrench {
 
 /// All points within `radius` of a segment. Lengths in cm, body axes.
 struct Capsule {
+  /// Ends of the segment.
   Eigen::Vector3d from, to;
+  /// Radius about the segment.
   double radius;
-  bool meets = false;  ///< a cylinder that is drawn before the part whose neighbour it is
+  /// Whether it is a cylinder that touches the part it occludes and is drawn before it.
+  bool meets = false;
 };
 
-/// The capsule that takes about the place of the part, for shade that is soft anyway: about its
-/// longest axis, its ends drawn in by half a radius.
+/// Returns a capsule that approximates the part for soft shading: about its longest axis, with ends
+/// inset by half a radius.
 Capsule capsule_of(const Part& part);
 
-/// For each part, the capsules of the nearest others that are near enough to shade it: the nearest
-/// first, at most `most`.
+/// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
+/// close enough to shade it: nearest first, at most `most`.
 std::vector<std::vector<Capsule>> neighbours(std::span<const Part> parts, std::size_t most);
 
 }  // namespace twrench

@@ -9,7 +9,7 @@
 namespace twrench {
 namespace {
 
-/// For each vertex the first one at the same place: corners of boxes have several, one a face.
+/// For each vertex the first one at the same position: corners of boxes have several, one per face.
 std::vector<std::uint32_t> first_at_each_place(const std::vector<Vertex>& vertices) {
   std::map<std::tuple<float, float, float>, std::uint32_t> first;
   std::vector<std::uint32_t> result;
@@ -75,8 +75,8 @@ void Outline::find(const glm::vec3& eye, float scale) {
   draw_in(eye, scale);
 }
 
-/// How far a vertex lies within the outline's is measured in the picture: along the normal, less
-/// its part in the line of sight.
+/// The distance of a vertex inside the silhouette is measured on the screen: along the normal,
+/// without its component along the line of sight.
 void Outline::draw_in(const glm::vec3& eye, float scale) {
   for (const Triangle& triangle : triangles_) {
     for (const std::uint32_t edge : triangle.corners) {

@@ -10,39 +10,44 @@
 
 namespace twrench {
 
-/// A corner of a fin, in the order in which the vertex shader's attributes are bound.
+/// A vertex of an edge quad, with members in the order of the vertex shader's attributes.
 struct FinVertex {
-  glm::vec3 position;  ///< on the outline: cm, body axes
-  glm::vec3 normal;    ///< of the surface there, unit
-  float offset;        ///< half pixels along the normal, as it is seen: -1 inside, 1 outside
+  /// Position on the silhouette in body axes, cm.
+  glm::vec3 position;
+  /// Unit surface normal there.
+  glm::vec3 normal;
+  /// Screen-space offset along the normal in half pixels: -1 inside, 1 outside.
+  float offset;
 };
 
-/// The outline of a closed mesh: the edges between a triangle that is seen and one that is turned
-/// away. Along it smooth edges are drawn at the cost of one sample a pixel: the body drawn in by
-/// half a pixel where its outline is, and over it fins, a pixel wide, whose coverage falls from 1
-/// to 0 (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001).
+/// The silhouette of a closed mesh: the edges between a front-facing and a back-facing triangle. It
+/// gives antialiased edges at the cost of one sample per pixel: the body is shrunk by half a pixel
+/// along its silhouette, and edge quads one pixel wide, whose coverage falls from 1 to 0, are drawn
+/// over it (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001).
 class Outline {
  public:
   explicit Outline(const Mesh& mesh);
 
-  /// Finds the outline as it is seen from `eye`, cm, body axes, where 1 cm is about `scale` pixels.
+  /// Finds the silhouette as seen from `eye` (cm, body axes), where 1 cm is about `scale` pixels.
   void find(const glm::vec3& eye, float scale);
 
-  /// Two triangles, six indices, an edge of the outline.
+  /// Return the edge quads as vertices and indices: two triangles, six indices, per edge of the
+  /// silhouette.
   const std::vector<FinVertex>& fins() const { return fins_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
-  /// In indices, the end of the fins of each part.
+  /// Returns, in indices, the end of the edge quads of each part.
   const std::vector<std::size_t>& part_ends() const { return part_ends_; }
 
-  /// For each vertex of the mesh the half pixels by which it is moved: -1 on the outline, less on
-  /// those next to it that lie less than half a pixel within, or triangles would turn over; else 0.
+  /// Returns for each vertex of the mesh its offset in half pixels: -1 on the silhouette, less for
+  /// adjacent vertices within half a pixel of it, where triangles would otherwise fold over, and 0
+  /// elsewhere.
   const std::vector<float>& offsets() const { return offsets_; }
 
  private:
   struct Triangle {
     std::array<std::uint32_t, 3> corners;
-    glm::vec3 normal;  ///< of any length
+    glm::vec3 normal;  ///< Of any length.
   };
   struct Edge {
     std::array<std::uint32_t, 2> ends;
@@ -53,12 +58,12 @@ class Outline {
   void add_fin(const Edge& edge);
 
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> first_at_;  ///< for each vertex the first one at the same place
+  std::vector<std::uint32_t> first_at_;  ///< For each vertex, the first one at the same position.
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
-  std::vector<std::size_t> edge_ends_;  ///< of each part
-  std::vector<char> seen_;              ///< for each triangle
-  std::vector<char> on_it_;             ///< for each vertex
+  std::vector<std::size_t> edge_ends_;  ///< Of each part.
+  std::vector<char> seen_;              ///< For each triangle.
+  std::vector<char> on_it_;             ///< For each vertex.
   std::vector<FinVertex> fins_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::size_t> part_ends_;

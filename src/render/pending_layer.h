@@ -7,18 +7,19 @@
 
 namespace twrench {
 
-/// A layer whose pixels may still be on their way: then it is deferred, and get() waits for them
-/// and does what is left to do, on the thread that calls it: the one that drew. Else it is ready.
+/// A layer whose pixels may still be in transfer. If so it is deferred: get() waits for them and
+/// completes the layer on the calling thread, which must be the one that drew it. Otherwise it is
+/// ready.
 using PendingLayer = std::future<Layer>;
 
-/// One that is ready.
+/// Returns a layer that is ready.
 inline PendingLayer ready(Layer layer) {
   std::promise<Layer> promise;
   promise.set_value(std::move(layer));
   return promise.get_future();
 }
 
-/// The layer that `make` makes of an Image: of what take() gives, when `pixels` are there.
+/// Returns the layer that `make` creates from the Image of take(), once `pixels` have arrived.
 template <typename Pixels, typename Make>
 PendingLayer made_of(Pixels pixels, Make make) {
   if (pixels.is_there()) return ready(make(pixels.take()));
@@ -28,7 +29,7 @@ PendingLayer made_of(Pixels pixels, Make make) {
                     });
 }
 
-/// The pixels as they are, from `x`, `y` on.
+/// Returns the pixels unchanged as a layer at `x`, `y`.
 template <typename Pixels>
 PendingLayer made_of(Pixels pixels, int x, int y) {
   return made_of(std::move(pixels), [x, y](Image image) { return Layer{std::move(image), x, y}; });

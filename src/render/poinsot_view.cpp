@@ -18,7 +18,7 @@ constexpr double momentum_end = 1.34;  // of L's arrow
 constexpr double least_plane = 0.95;   // radius
 constexpr int around = 120;            // points of a curve
 
-/// L up; the azimuth is arbitrary.
+/// With L up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
   if (momentum.isZero(0.0)) return Matrix3d::Identity();
   const Matrix3d frame = frame_with_z_along(momentum);
@@ -27,15 +27,15 @@ Matrix3d with_up(const Vector3d& momentum) {
   return m;
 }
 
-/// Radii of x . I x = 1 as multiples of the plane's distance or, at rest, of the greatest.
+/// Radii of x . I x = 1 in units of the plane's distance or, at rest, of the largest radius.
 Vector3d radii_of(const FreeBody& body) {
-  const Vector3d radii = body.principal.moments.cwiseSqrt().cwiseInverse();
-  if (body.momentum.isZero(0.0)) return radii / radii.maxCoeff();
-  const double G = body.momentum.stableNorm();
-  return radii * (G / std::sqrt(body.omega.dot(body.momentum)));
+  const Vector3d radii = body.principal().moments.cwiseSqrt().cwiseInverse();
+  if (body.momentum().isZero(0.0)) return radii / radii.maxCoeff();
+  const double G = body.momentum().stableNorm();
+  return radii * (G / std::sqrt(body.omega().dot(body.momentum())));
 }
 
-/// rad: a curve through points farther apart would show corners, and miss turns.
+/// rad: a curve through points farther apart would show corners and miss turns.
 constexpr double widest_turn = 0.35;
 
 }  // namespace
@@ -51,8 +51,8 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
       take_(take),
       body_(takes[take].body),
       frame_(body_, colors_),
-      view_from_space_(with_up(body_.momentum)),
-      unit_(at_rest() ? 1 : body_.omega.dot(body_.momentum.stableNormalized())),
+      view_from_space_(with_up(body_.momentum())),
+      unit_(at_rest() ? 1 : body_.omega().dot(body_.momentum().stableNormalized())),
       radii_(radii_of(body_)),
       pane_(pane),
       pad_(gl, framebuffer, pane.area) {
@@ -60,7 +60,7 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
   plane_radius_ = std::max(1.25 * annulus_.outer, least_plane);
   const std::vector<Sample>& whole = takes[take].whole;
   const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
-  if (at_rest() || apart * body_.omega.norm() > widest_turn) return;
+  if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
   for (const Sample& sample : whole) herpolhode_.push_back(contact(sample));
 }
 
@@ -70,7 +70,7 @@ Camera PoinsotView::camera(double film_time) const {
                   radii_.maxCoeff()};
   std::vector<Vector3d> points;
   if (!at_rest()) {
-    points.emplace_back(0, 1.1 * momentum_end, 0);  // and its name
+    points.emplace_back(0, 1.1 * momentum_end, 0);  // including its name
     for (int i = 0; i < 24; ++i) {
       const double angle = 2 * std::numbers::pi * i / 24;
       points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
@@ -81,14 +81,14 @@ Camera PoinsotView::camera(double film_time) const {
 }
 
 Matrix3d PoinsotView::ellipsoid(const Matrix3d& X) const {
-  return view_from_space_ * X * body_.principal.axes * radii_.asDiagonal();
+  return view_from_space_ * X * body_.principal().axes * radii_.asDiagonal();
 }
 
 Vector3d PoinsotView::contact(const Sample& sample) const {
   return view_from_space_ * (sample.X * sample.omega) / unit_;
 }
 
-/// A graticule on the ellipsoid, so that its rolling is seen, about the axis of least moment.
+/// A graticule about the axis of least moment that makes the ellipsoid's rolling visible.
 void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
   const Matrix3d normal_from_unit = view_from_unit.inverse().transpose();
   std::vector<Sketch::Point> line;

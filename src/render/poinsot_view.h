@@ -8,16 +8,16 @@
 
 namespace twrench {
 
-/// Poinsot's construction: the inertia ellipsoid x . I x = 1, which turns with the body about its
-/// fixed centre, rolls without slipping on the invariable plane. It touches the plane at
-/// omega / sqrt(2T), which runs along the polhode on the ellipsoid and along the herpolhode on the
-/// plane (Goldstein, Classical Mechanics, section 5.6).
+/// Poinsot's construction: the inertia ellipsoid x . I x = 1, which rotates with the body about its
+/// fixed centre, rolls without slipping on the invariable plane. The contact point omega / sqrt(2T)
+/// traces the polhode on the ellipsoid and the herpolhode on the plane (Goldstein, Classical
+/// Mechanics, section 5.6).
 ///
-/// Lengths here are multiples of the plane's distance sqrt(2T)/G from the centre, and L points up:
-/// the plane is seen from above, with the contact under it.
+/// Lengths are in units of the plane's distance sqrt(2T)/G from the centre, and L points up: the
+/// plane is seen from above, with the contact point below it.
 class PoinsotView : public SpaceView {
  public:
-  /// Of one take, drawn in `pane` by way of `framebuffer`, which outlives the view.
+  /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
   PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
               const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
@@ -26,10 +26,10 @@ class PoinsotView : public SpaceView {
 
   Camera camera(double film_time) const override;
 
-  /// The ellipsoid in the pose X: its principal radii, turned, as the image of the unit sphere.
+  /// Returns the ellipsoid in the pose X, as the matrix that maps the unit sphere to it.
   Eigen::Matrix3d ellipsoid(const Eigen::Matrix3d& X) const;
 
-  /// Where it touches the plane, whose height is 1.
+  /// Returns the contact point with the plane, whose height is 1.
   Eigen::Vector3d contact(const Sample& sample) const;
 
  private:
@@ -42,16 +42,21 @@ class PoinsotView : public SpaceView {
   OverlayColors colors_;
   CameraPath path_;
   bool shows_trail_, shows_labels_;
-  double trail_length_;  ///< s
+  /// Duration of the trail in s.
+  double trail_length_;
   std::size_t take_;
   FreeBody body_;
   PrincipalFrame frame_;
   Eigen::Matrix3d view_from_space_;
-  double unit_;            ///< of omega, 2T/G, rad/s
-  Eigen::Vector3d radii_;  ///< of the ellipsoid
-  Annulus annulus_{0, 0};  ///< of the herpolhode
+  /// Unit of omega, 2T/G, in rad/s.
+  double unit_;
+  /// Radii of the ellipsoid.
+  Eigen::Vector3d radii_;
+  /// Of the herpolhode.
+  Annulus annulus_{0, 0};
   double plane_radius_;
-  std::vector<Eigen::Vector3d> herpolhode_;  ///< all of it, where it is not too dense to be seen
+  /// The full curve, unless it is too dense to be legible.
+  std::vector<Eigen::Vector3d> herpolhode_;
   Layout::Pane pane_;
   SketchPad pad_;
 };

@@ -4,9 +4,9 @@
 
 namespace twrench {
 
-/// Fills the flat polygon of the vertices first, first + 1, ..., last, which turns
-/// counter-clockwise seen from outside or clockwise, with triangles as fat as can be: a fan would
-/// be all slivers. `add(a, b, c)` takes each.
+/// Triangulates the flat polygon with vertices first to last, which is counter-clockwise as seen
+/// from outside, or clockwise, into triangles as fat as possible; a fan would consist of slivers.
+/// Calls `add(a, b, c)` for each triangle.
 template <typename Add>
 void fill_polygon(std::uint32_t first, std::uint32_t last, bool clockwise, const Add& add) {
   if (last - first < 2) return;

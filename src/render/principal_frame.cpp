@@ -7,7 +7,7 @@
 namespace twrench {
 
 PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palette)
-    : axes(body.principal.axes) {
+    : axes(body.principal().axes) {
   constexpr double along = 1 - 1e-9;
   static constexpr std::array letters{"x", "y", "z"};
   const bool own = axes.cwiseAbs().colwise().maxCoeff().minCoeff() > along;
@@ -20,8 +20,8 @@ PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palett
     colors[i] = palette.axis[own ? letter : i];
     names[i] = most > along ? letters[letter] : fmt::format("I{}", i + 1);
   }
-  direction = axes.transpose() * body.momentum.stableNormalized();
-  if (!direction.isZero(0.0)) level = level_through(body.principal.moments, direction);
+  direction = axes.transpose() * body.momentum().stableNormalized();
+  if (!direction.isZero(0.0)) level = level_through(body.principal().moments, direction);
 }
 
 double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,

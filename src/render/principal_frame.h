@@ -10,20 +10,25 @@
 
 namespace twrench {
 
-/// What the views of the momentum know of a body's principal axes, least moment first.
+/// The body's principal axes as the momentum views show them, least moment first.
 struct PrincipalFrame {
   PrincipalFrame(const FreeBody& body, const OverlayColors& colors);
 
-  Eigen::Matrix3d axes;              ///< body_from_own: each with its greatest component positive,
-                                     ///< and so left-handed as often as not
-  std::array<Color, 3> colors;       ///< where an axis is one of the body's, that one's
-  std::array<std::string, 3> names;  ///< likewise: x, y or z, else I1, I2, I3
-  std::optional<EnergyLevel> level;  ///< on which the momentum is
-  Eigen::Vector3d direction;         ///< of the momentum, at t = 0; 0 at rest
+  /// Rotation body_from_own: each axis has its largest component positive, so that the axes are
+  /// left-handed as often as not.
+  Eigen::Matrix3d axes;
+  /// The body axis' colour, if the principal axis coincides with one.
+  std::array<Color, 3> colors;
+  /// Likewise x, y or z; otherwise I1, I2, I3.
+  std::array<std::string, 3> names;
+  /// The energy level of the momentum.
+  std::optional<EnergyLevel> level;
+  /// Direction of the momentum at t = 0; 0 at rest.
+  Eigen::Vector3d direction;
 };
 
-/// How much of what lies on a closed convex surface is to be seen from `eye` through it: 1 on the
-/// near side, less on the far one, with a ramp at the outline. `outward` is the surface's normal.
+/// Returns the visibility of a point on a closed convex surface seen from `eye`: 1 on the near
+/// side, less on the far side, with a ramp at the silhouette. `outward` is the surface normal.
 double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,
              const Eigen::Vector3d& eye);
 

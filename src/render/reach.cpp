@@ -6,7 +6,8 @@
 namespace twrench {
 namespace {
 
-/// The distance from the origin, at `origin` in the shape's own frame, to the shape's far side.
+/// The distance from the origin, which is `origin` in the shape's own frame, to the shape's far
+/// side.
 struct FarSide {
   Eigen::Vector3d origin;
 

@@ -29,7 +29,7 @@ Image empty_picture(const Scene& scene) {
   return background(scene.look, scene.film.width, scene.film.height);
 }
 
-/// Makes `image` what `still` is, within `area`.
+/// Copies `still` to `image` within `area`.
 void restore(Image& image, const Image& still, const Area& area) {
   const auto channels = static_cast<std::size_t>(still.channels);
   for (int row = area.y; row < area.y + area.height; ++row) {
@@ -41,7 +41,7 @@ void restore(Image& image, const Image& still, const Area& area) {
   }
 }
 
-/// Frames that are to be drawn on, and those that were drawn and are needed no more.
+/// Frames to draw into, and frames that were drawn and are no longer needed.
 class BlankFrames {
  public:
   explicit BlankFrames(Image still) : still_(std::move(still)) { used_.reserve(most); }
@@ -62,20 +62,21 @@ class BlankFrames {
   }
 
   void give_back(Frame frame) noexcept {
-    if (still_.channels == 4) return;  // a frame's alpha is straight, the still picture's is not
+    // A frame's alpha is unpremultiplied, the static background's is not.
+    if (still_.channels == 4) return;
     const std::lock_guard lock(mutex_);
     if (used_.size() < most) used_.push_back(std::move(frame));
   }
 
  private:
-  static constexpr std::size_t most = 16;  // as many as are on their way at once
+  static constexpr std::size_t most = 16;  // as many as are in progress at once
 
-  Image still_;  // premultiplied where it is RGBA
+  Image still_;  // premultiplied if RGBA
   std::mutex mutex_;
   std::vector<Frame> used_;
 };
 
-/// Layers, one over the other: each is laid as soon as it and all below it are ready.
+/// Composites layers in order: each as soon as it and all below it are ready.
 class Composition {
  public:
   explicit Composition(Frame blank) : frame_(std::move(blank)) {}
@@ -87,7 +88,7 @@ class Composition {
     }
   }
 
-  /// The frame, when all are laid.
+  /// Returns the frame when all layers are composited.
   Frame take() {
     while (!layers_.empty()) lay_first();
     if (frame_.image.channels == 4) {
@@ -116,7 +117,7 @@ struct Renderer::Parts {
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   Typeface typeface;
-  std::vector<std::unique_ptr<Element>> elements;  // in the order in which they are laid over
+  std::vector<std::unique_ptr<Element>> elements;  // in compositing order
   std::optional<LabelPainter> label_painter;
   const SpaceView* first = nullptr;
   std::optional<BlankFrames> blank;
@@ -141,7 +142,7 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene, const std::vect
   if (layout.momentum) add(std::in_place_type<MomentumView>, 0, *layout.momentum);
   if (layout.poinsot) add(std::in_place_type<PoinsotView>, 0, *layout.poinsot);
   const OverlayColors& colors = style_of(scene.look.theme).overlay;
-  std::vector<Area> taken;  // no labels go there
+  std::vector<Area> taken;  // areas that labels avoid
   if (layout.components) {
     elements.push_back(std::make_unique<ComponentPanel>(scene, takes, layout, typeface, colors));
     taken.push_back(*layout.components);

@@ -16,49 +16,50 @@
 
 namespace twrench {
 
-/// A frame, and where it differs from what is the same in all frames.
+/// A frame and its damaged areas, where it differs from the static background.
 struct Frame {
-  Image image;                ///< RGBA when the scene is transparent, else RGB
-  std::vector<Area> changed;  ///< may overlap
+  Image image;                ///< RGBA if the scene is transparent, otherwise RGB.
+  std::vector<Area> changed;  ///< May overlap.
 };
 
-/// A frame that has been begun. get() ends it, on the thread of its renderer, which outlives it.
+/// A frame in progress. get() completes it on the thread of its renderer, which must outlive it.
 using PendingFrame = std::future<Frame>;
 
-/// Draws a scene's frames. One per context; used from the thread that made it.
+/// Draws the frames of a scene. One per context; use it only on the thread that created it.
 class Renderer {
  public:
-  /// Compiles the shaders, makes the meshes and the framebuffer of the scene's film size, and
-  /// draws what is the same in every frame. Throws UsageError for a size or a number of samples
-  /// that this OpenGL cannot do, GlError when it lacks what is needed. `mode` is the best one for
-  /// this OpenGL where it is not given.
+  /// Compiles the shaders, creates the meshes and the framebuffer for the scene's frame size, and
+  /// draws the static background. Throws UsageError for a size or sample count beyond this OpenGL's
+  /// limits, GlError if it lacks a required feature. `mode` defaults to the best one for this
+  /// OpenGL.
   Renderer(gl::Context& context, const Scene& scene, const std::vector<Take>& takes,
            std::optional<gl::ReadMode> mode = std::nullopt);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Gives OpenGL all there is to draw; what is to be done with pixels that are on their way then
-  /// is left to get(). Frames may be begun before others are ended, and ended in any order.
+  /// Issues all drawing of a frame; work on pixels that are still in transfer is left to get().
+  /// Several frames may be in progress, and completed in any order.
   PendingFrame begin(const Moment& moment);
 
   Frame draw(const Moment& moment) { return begin(moment).get(); }
 
-  /// Takes a frame that it drew and that nobody needs any more, so that a later one is drawn in its
-  /// memory: only what changed in it has then to be made still again. On any thread.
+  /// Takes back a frame that it drew and that is no longer needed, so that a later one can reuse
+  /// its memory: only its damaged areas must then be restored. Thread-safe.
   void reuse(Frame frame) noexcept;
 
-  /// How many frames should be begun before the one that is being ended, so that drawing does not
-  /// wait for what is read back.
+  /// Returns how many frames should be in progress before the oldest is completed, so that drawing
+  /// does not wait for reading back.
   std::size_t frames_ahead() const;
 
-  /// The picture before anything that changes is laid over it.
+  /// Returns the static background.
   const Image& still() const;
 
-  /// The renderer and version that GL gives: frames are the same bytes where it is the same.
+  /// Returns GL's renderer and version; frames are byte-identical where these are the same.
   std::string description() const;
 
-  /// That of the first view, `film_time` seconds into the film: of the body, if it is shown.
+  /// Returns the camera of the first view, which shows the body if any does, `film_time` seconds
+  /// into the video.
   Camera camera(double film_time) const;
 
  private:

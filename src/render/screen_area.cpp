@@ -18,10 +18,10 @@ using Point = geometry::model::d2::point_xy<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Spans nearer than this are one: pixels between them cost less than a rectangle more.
+/// Spans closer than this are merged: the pixels between them cost less than another rectangle.
 constexpr double least_gap = 32;
 
-/// Columns, from the low to the high one; none where it is turned round.
+/// Columns from low to high; empty if reversed.
 struct Span {
   double low = infinity, high = -infinity;
 
@@ -31,7 +31,7 @@ struct Span {
   }
 };
 
-/// Where the segment from `a` to `b` lies between the heights `top` and `bottom`.
+/// The extent of the segment from `a` to `b` between the heights `top` and `bottom`.
 Span span_between(const Point& a, const Point& b, double top, double bottom) {
   if (std::max(a.y(), b.y()) < top || std::min(a.y(), b.y()) > bottom) return {};
   const auto at = [&](const Point& end) {
@@ -42,8 +42,7 @@ Span span_between(const Point& a, const Point& b, double top, double bottom) {
   return {low, high};
 }
 
-/// The corners of the least convex polygon around `points`, in their order; the first comes again
-/// at the end.
+/// The corners of the convex hull of `points` in order; the first is repeated at the end.
 geometry::model::ring<Point> hull(const std::vector<Eigen::Array2d>& points) {
   geometry::model::multi_point<Point> corners;
   for (const auto& point : points) corners.emplace_back(point.x(), point.y());
@@ -52,7 +51,7 @@ geometry::model::ring<Point> hull(const std::vector<Eigen::Array2d>& points) {
   return result;
 }
 
-/// Those that overlap or are near joined, from left to right.
+/// Merges spans that overlap or are close, from left to right.
 std::vector<Span> joined(std::vector<Span> spans) {
   std::ranges::sort(spans, {}, &Span::low);
   std::vector<Span> result;
@@ -79,10 +78,10 @@ void ScreenArea::add(const Eigen::Vector4f& clip) {
   shapes_.back().points.emplace_back(Pixel(pane_.x, pane_.y) + (0.5 + 0.5 * place) * size);
 }
 
-/// The pixels of the pane that are touched; one at least.
+/// The pixels of the pane that are touched; at least one.
 Area ScreenArea::pixels_between(const Pixel& low, const Pixel& high) const {
-  // Compared as doubles first: a point just before the eye's plane lies farther off than an int
-  // goes.
+  // Compared as doubles first: a point just in front of the eye's plane may be out of an int's
+  // range.
   const auto first = [](double place, int start, int size) {
     return static_cast<int>(std::floor(std::clamp(place, 1.0 * start, start + size - 1.0)));
   };

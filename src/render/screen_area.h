@@ -8,35 +8,34 @@
 
 namespace twrench {
 
-/// The part of a pane that holds what is drawn: convex shapes, each given by points, one pixel
-/// wider for what GL may round otherwise.
+/// The part of a pane that is covered by drawing: convex shapes, each given by points, grown by one
+/// pixel because GL may round differently.
 class ScreenArea {
  public:
-  /// In a picture `picture_height` pixels high.
+  /// For a picture `picture_height` pixels high.
   ScreenArea(const Area& pane, int picture_height) : pane_(pane), picture_height_(picture_height) {}
 
-  /// The points added from now on are of another shape, which reaches `margin` pixels beyond them.
+  /// Starts a new shape that extends `margin` pixels beyond its points.
   void begin_shape(double margin = 0) { shapes_.push_back({{}, margin + 1}); }
 
-  /// A point in clip space; one behind the eye, or that is no number, makes the area the whole
-  /// pane.
+  /// Adds a point in clip space; a point behind the eye, or NaN, makes the area the entire pane.
   void add(const Eigen::Vector4f& clip);
 
-  /// The least rectangle around all shapes, of at least one pixel.
+  /// Returns the bounding rectangle of all shapes, at least one pixel in size.
   Area bounds() const;
 
-  /// Rectangles that hold all shapes and do not overlap: what the shapes take of each band of
+  /// Returns disjoint rectangles that cover all shapes: the extent of the shapes in each band of
   /// `height` rows of the picture.
   std::vector<Area> bands(int height) const;
 
-  /// As GL counts.
+  /// Converts to GL's coordinates.
   gl::Rectangle rectangle(const Area& area) const {
     return {area.x, picture_height_ - area.y - area.height, area.width, area.height};
   }
   gl::Rectangle viewport() const { return rectangle(pane_); }
 
  private:
-  using Pixel = Eigen::Array2d;  ///< of the picture, y down
+  using Pixel = Eigen::Array2d;  ///< In the picture, y down.
 
   struct Shape {
     std::vector<Pixel> points;

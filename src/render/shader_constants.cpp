@@ -10,8 +10,8 @@
 namespace twrench {
 namespace {
 
-// Nine digits tell every float from its neighbours; # keeps the point without which GLSL would read
-// an integer.
+// Nine digits distinguish every float; # keeps the decimal point, without which GLSL would read an
+// integer.
 std::string glsl(float value) { return fmt::format("{:#.9g}", value); }
 std::string glsl(const glm::vec2& v) { return fmt::format("vec2({:#.9g}, {:#.9g})", v.x, v.y); }
 std::string glsl(const glm::vec3& v) {
@@ -23,7 +23,7 @@ std::string constant(const char* type, const char* name, const Value& value) {
   return fmt::format("const {} {} = {};\n", type, name, glsl(value));
 }
 
-/// What `of` tells of each light.
+/// A GLSL array with one element per light, as `of` returns it.
 template <typename Of>
 std::string of_lights(const char* type, const char* name, const Studio& studio, Of of) {
   std::array<std::string, Studio::light_count> values;

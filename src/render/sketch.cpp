@@ -20,7 +20,7 @@ constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii
 constexpr std::uint32_t around_arrow = 28;
 constexpr std::uint32_t around_disc = 96;
 
-const glm::vec3 everywhere(0, 0, 1e6F);  // the edge of what has none: not a line
+const glm::vec3 everywhere(0, 0, 1e6F);  // edge of items that are not lines
 
 glm::vec4 paint_of(const Ink& ink) {
   const double scale = ink.opacity / 255;
@@ -30,8 +30,8 @@ glm::vec4 paint_of(const Ink& ink) {
   return {f.x(), f.y(), f.z(), f.w()};
 }
 
-/// A light from above the camera's right shoulder, a weaker one from its left, and a gleam; a
-/// gloss that is plain beside the body's metal. All vectors of length 1, in camera axes.
+/// A light from above the camera's right shoulder, a weaker one from its left, and a highlight;
+/// less glossy than the body's metal. All vectors are unit vectors in camera axes.
 Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
   static const Vector3d key = Vector3d(0.45, 0.75, 0.5).normalized();
   static const Vector3d fill = Vector3d(-0.8, 0.1, 0.6).normalized();
@@ -88,7 +88,7 @@ void Sketch::band(std::uint32_t first, std::uint32_t second, std::uint32_t count
 }
 
 /// Whether the line may go straight from `last`, which it left along `heading`, past `here`: it
-/// strays from the arc by a sagitta of length * angle / 8, and what it is drawn in hardly changes.
+/// deviates from the arc by a sagitta of length * angle / 8, and its colour hardly changes.
 bool Sketch::may_skip(const Projected& last, const Vector2d& heading, const Projected& here,
                       const Projected& next) {
   constexpr double least_step = 0.5, most_astray = 0.1, most_change = 0.08;  // px, px, opacity
@@ -120,7 +120,7 @@ void Sketch::add_run() {
     const Projected& here = run_[i];
     const Projected& next = run_[std::min(i + 1, run_.size() - 1)];
     if (last != nullptr && i + 1 < run_.size() && may_skip(*last, heading, here, next)) continue;
-    // The direction at a point is that from the one before to the one after.
+    // The direction at a point is that from the previous to the next one.
     const Vector2d along = next.pixel - run_[i > 0 ? i - 1 : 0].pixel;
     if (along.norm() > 1e-3) across = Vector2d(-along.y(), along.x()).normalized();
     add_ends(here, across);
@@ -134,12 +134,12 @@ void Sketch::add_run() {
   run_.clear();
 }
 
-/// The two sides of a line at a point.
+/// Adds the two sides of a line at a point.
 void Sketch::add_ends(const Projected& here, const Vector2d& across) {
   const double width = here.point->width, half = 0.5 * std::max(width, 1.0);
   const Ink& ink = here.point->ink;
   for (const double side : {1.0, -1.0}) {
-    const double reach = side * (half + 1);  // the ramp's half pixel, and one half to be safe
+    const double reach = side * (half + 1);  // the ramp's half pixel, and half a pixel of margin
     Vector4d corner = here.clip;
     corner.head<2>() += (reach * corner.w() * across).cwiseQuotient(half_size_);
     add(corner, {ink.color, ink.opacity * std::min(width, 1.0)},
@@ -166,14 +166,14 @@ void Sketch::dot(const Vector3d& place, double radius, const Ink& ink) {
 /// The side of a cone, or of a part of one, with its axis along z of its frame.
 struct Sketch::Cone {
   Matrix3d frame;
-  Vector3d from;  ///< the middle of its base
+  Vector3d from;  ///< centre of its base
   double length;
   double base, top;  ///< radii
 
   Vector3d at(double angle, double height, double radius) const {
     return from + frame * Vector3d(radius * std::cos(angle), radius * std::sin(angle), height);
   }
-  /// Outward, at that angle; its length is 1.
+  /// Outward unit normal at that angle.
   Vector3d normal(double angle) const {
     const Vector3d n(length * std::cos(angle), length * std::sin(angle), base - top);
     return frame * n.normalized();
@@ -194,7 +194,7 @@ void Sketch::cone(const Cone& cone, const Ink& ink) {
   add_side_fins(cone, ink);
 }
 
-/// The base of a cone, seen from without.
+/// The base of a cone, seen from outside.
 void Sketch::base(const Cone& cone, const Ink& ink) {
   const double scale = pixels(cone.from);
   const double inset = std::max(cone.base - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
@@ -207,13 +207,13 @@ void Sketch::base(const Cone& cone, const Ink& ink) {
   add_rim_fins(cone, ink);
 }
 
-/// The outline of the side is the two lines whose normal n is at right angles to the line of sight:
-/// n . (eye - p) = 0, in the cone's frame cos(a) e_x + sin(a) e_y = base - slope e_z.
+/// The silhouette of the side consists of the two lines whose normal n is perpendicular to the line
+/// of sight: n . (eye - p) = 0, in the cone's frame cos(a) e_x + sin(a) e_y = base - slope e_z.
 void Sketch::add_side_fins(const Cone& cone, const Ink& ink) {
   const Vector3d eye = cone.frame.transpose() * (eye_ - cone.from);
   const double slope = (cone.base - cone.top) / cone.length;
   const double cosine = (cone.base - slope * eye.z()) / std::hypot(eye.x(), eye.y());
-  if (!(std::abs(cosine) < 1)) return;  // seen end on
+  if (!(std::abs(cosine) < 1)) return;  // seen end-on
   const Vector4d inside = clip(cone.from + 0.5 * cone.length * cone.frame.col(2));
   for (const double sign : {-1.0, 1.0}) {
     const double angle = std::atan2(eye.y(), eye.x()) + sign * std::acos(cosine);
@@ -224,7 +224,7 @@ void Sketch::add_side_fins(const Cone& cone, const Ink& ink) {
   }
 }
 
-/// The rim of the base is outline where one of base and side is seen and the other is not.
+/// The rim of the base is part of the silhouette if exactly one of base and side is visible.
 void Sketch::add_rim_fins(const Cone& cone, const Ink& ink) {
   const Vector3d& axis = cone.frame.col(2);
   const bool base_seen = axis.dot(eye_ - cone.from) < 0;
@@ -251,7 +251,7 @@ std::uint32_t Sketch::add_moved(std::uint32_t vertex, const Vector2d& pixels, fl
   Vertex moved = vertices_[vertex];
   moved.clip.x += static_cast<float>(pixels.x() / half_size_.x()) * moved.clip.w;
   moved.clip.y += static_cast<float>(pixels.y() / half_size_.y()) * moved.clip.w;
-  constexpr float most = 8;  // of coverage, in the middle of a line whose one side this is
+  constexpr float most = 8;  // of coverage, in the middle of a line of which this is one side
   moved.edge = {most - coverage, 0, most - 0.5F};
   vertices_.push_back(moved);
   return static_cast<std::uint32_t>(vertices_.size() - 1);
@@ -266,7 +266,7 @@ void Sketch::add_fin(std::uint32_t first, std::uint32_t second, const Vector4d& 
   if (across.dot(0.5 * (pixel(first) + pixel(second)) - middle) < 0) across = -across;
   const auto n = static_cast<std::uint32_t>(vertices_.size());
   for (const std::uint32_t end : {first, second}) {
-    add_moved(end, -0.75 * across, 1.25F);  // a little over what is drawn in, which has facets
+    add_moved(end, -0.75 * across, 1.25F);  // slightly over the shrunk surface, which has facets
     add_moved(end, 0.5 * across, 0);
   }
   indices.insert(indices.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
@@ -298,8 +298,8 @@ void Sketch::disc(const Vector3d& centre, const Vector3d& normal, double radius,
   }
 }
 
-/// On the unit sphere the near side is a cap about the direction to the eye at the distance d,
-/// out to the angle whose cosine is 1 / d.
+/// On the unit sphere the near side is a cap about the direction to the eye at distance d, up to
+/// the angle whose cosine is 1 / d.
 void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
   const Vector3d eye = space_from_unit.inverse() * eye_;
   if (!(eye.norm() > 1)) return;
@@ -308,7 +308,7 @@ void Sketch::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double r
   const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
   const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
   const auto rings = static_cast<std::uint32_t>(std::clamp(1.1 * std::sqrt(size), 8.0, 32.0));
-  const std::uint32_t around = 4 * rings;  // facets stray from the outline by 0.15 pixels
+  const std::uint32_t around = 4 * rings;  // facets deviate from the silhouette by 0.15 pixels
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   for (std::uint32_t i = 0; i <= rings; ++i) {
     const double from_pole = std::acos(1 / eye.norm()) * i / rings;

@@ -6,20 +6,20 @@
 
 namespace twrench {
 
-/// What a view without a body draws on: a part of the picture, in which `solid` things and then
-/// `sheer` ones are seen by one camera.
+/// The canvas of a view without a body: a part of the picture in which opaque and then translucent
+/// items are drawn for one camera.
 class SketchPad {
  public:
   SketchPad(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Area& area)
       : framebuffer_(framebuffer), pass_(gl), area_(area) {}
 
-  /// A blank page.
+  /// Clears the canvas.
   void begin(const Camera& camera);
 
-  /// The page as it is now, as large as what is on it.
+  /// Returns the current contents as a layer that just contains them.
   PendingLayer layer() const;
 
-  /// Pixels: the width of a fine line in an area of this size.
+  /// Returns the width in pixels of a thin line in an area of this size.
   double hairline() const;
 
   Sketch solid, sheer;

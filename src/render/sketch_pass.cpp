@@ -8,7 +8,7 @@
 namespace twrench {
 namespace {
 
-/// Where the vertex shader takes the members of a Sketch::Vertex.
+/// Attribute locations of the members of Sketch::Vertex in the vertex shader.
 enum SketchAttribute : GLuint { clip_attribute = 0, paint_attribute = 1, edge_attribute = 2 };
 
 gl::Program sketch_program(const gl::Functions& gl) {

@@ -6,16 +6,18 @@
 
 namespace twrench {
 
-/// Draws sketches on the framebuffer that is bound, as premultiplied colour.
+/// Renders draw lists to the bound framebuffer as premultiplied colour.
 class SketchPass {
  public:
   explicit SketchPass(const gl::Functions& gl);
 
-  /// Solid things hide and are hidden; their fins are to be drawn when all of them are.
+  /// Draws opaque items with depth test and depth writes. Draw their edge quads when all of them
+  /// are done.
   void draw_solid(const Sketch& sketch) const { draw(sketch, sketch.indices(), GL_TRUE); }
   void draw_fins(const Sketch& sketch) const { draw(sketch, sketch.fin_indices(), GL_FALSE); }
 
-  /// Sheer things, lines and glass, are hidden by solid ones only, and lie over those before.
+  /// Draws translucent items, such as lines and glass: opaque items hide them, and they blend in
+  /// order.
   void draw_sheer(const Sketch& sketch) const { draw(sketch, sketch.indices(), GL_FALSE); }
 
  private:

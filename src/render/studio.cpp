@@ -5,7 +5,7 @@
 namespace twrench {
 namespace {
 
-/// A soft box at `centre` that faces the body, with `width` and `height`, its sides level.
+/// A softbox at `centre` that faces the body, with `width` and `height` and level sides.
 AreaLight facing_body(const glm::vec3& centre, float width, float height,
                       const glm::vec3& radiance) {
   const glm::vec3 back = glm::normalize(centre);

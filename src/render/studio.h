@@ -5,32 +5,40 @@
 
 namespace twrench {
 
-/// A soft box: a rectangle that shines evenly. Places are on the stage: the camera's axes (x right,
-/// y up, z to the camera), the body's centre at the origin, and its bounding radius 1.
+/// A rectangular area light with uniform radiance (a softbox). Coordinates are those of the stage:
+/// the camera's axes (x right, y up, z towards the camera), with the body's centre at the origin
+/// and its bounding radius scaled to 1.
 struct AreaLight {
+  /// Centre of the rectangle.
   glm::vec3 centre;
-  glm::vec3 across;    ///< half of one side; at right angles to `along`
-  glm::vec3 along;     ///< half of the other
-  glm::vec3 radiance;  ///< linear
+  /// Half of one side, perpendicular to `along`.
+  glm::vec3 across;
+  /// Half of the other side.
+  glm::vec3 along;
+  /// Linear radiance.
+  glm::vec3 radiance;
 };
 
-/// The light around the body: it is fixed to the camera, and the body tumbles in it.
+/// The lights around the body. They are fixed to the camera; the body tumbles in them.
 struct Studio {
   static constexpr int light_count = 5;
 
+  /// The area lights.
   std::array<AreaLight, light_count> lights;
-  glm::vec3 above;  ///< radiance of the room overhead, linear
-  glm::vec3 below;  ///< and of its floor
+  /// Linear radiance of the room from above.
+  glm::vec3 above;
+  /// Linear radiance of the room from below.
+  glm::vec3 below;
 };
 
-/// The dark studio: a large key light, a cool fill, a light overhead and two rims from behind.
+/// Returns the dark studio: a large key light, a cool fill, an overhead light and two rim lights.
 Studio dark_studio();
 
-/// The white one: large soft boxes in a bright room, and nothing from behind, so that outlines are
-/// dark before the white (bright-field lighting).
+/// Returns the white studio: large softboxes in a bright room and no rim lights, so that
+/// silhouettes are dark against the white (bright-field lighting).
 Studio white_studio();
 
-/// In space: one small sun, its light thrown back faintly from below.
+/// Returns the lights in space: one small sun, with faint light from below.
 Studio sunlight();
 
 }  // namespace twrench

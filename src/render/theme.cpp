@@ -5,7 +5,7 @@
 namespace twrench {
 namespace {
 
-/// From a to b, each channel by `share`.
+/// Interpolates from a to b, each channel by `share`.
 Color mixed(const Color& a, const Color& b, double share) {
   const auto channel = [&](int from, int to) {
     return static_cast<int>(std::lround(from + share * (to - from)));
@@ -25,9 +25,9 @@ std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& first
   return result;
 }
 
-// The colours that tell things apart began as those of Okabe and Ito ("Color Universal Design",
-// 2008) and were moved, under the contrast that text needs, to where the nearest two are farthest
-// apart for the normal, protan, deutan and tritan eye (Machado et al. 2009).
+// The distinguishing colours started as those of Okabe and Ito ("Color Universal Design", 2008).
+// Subject to the contrast that text needs, they were moved to maximise the smallest difference
+// between any two for normal, protan, deutan and tritan vision (Machado et al. 2009).
 
 OverlayColors on_dark() {
   const std::array<Color, 3> axis{{{213, 114, 53}, {9, 213, 139}, {85, 139, 247}}};

@@ -8,47 +8,72 @@
 
 namespace twrench {
 
-/// What is laid over the body is drawn in these. Text in `text` or `dim` can be read anywhere on
-/// the theme's background, and on a panel; the colours that tell things apart can be read as text
-/// on a panel and, but for the brightest pool of light, on the background: a contrast of 4.5 at
-/// least (WCAG 2.1, 1.4.3). Viewers of all kinds of colour vision can tell them apart.
+/// The colours of overlays. Text in `text` or `dim` is legible anywhere on the theme's background
+/// and on a panel; the distinguishing colours are legible as text on a panel and, except in the
+/// brightest pool of light, on the background: the contrast is at least 4.5 (WCAG 2.1, 1.4.3). They
+/// are distinguishable with every type of colour vision.
 struct OverlayColors {
+  /// Text.
   Color text;
-  Color dim;  ///< of what is said by the way: units, grid lines, the future of a curve
+  /// For secondary content: units, grid lines, the future of a curve.
+  Color dim;
+  /// Panels behind text and curves.
   Color panel;
-  double panel_opacity;       ///< 0 to 1
-  std::array<Color, 3> axis;  ///< the body's x, y, z
-  Color momentum;             ///< L
+  /// 0 to 1.
+  double panel_opacity;
+  /// The body's x, y and z axes.
+  std::array<Color, 3> axis;
+  /// The angular momentum L.
+  Color momentum;
+  /// The angular velocity.
   Color omega;
+  /// The trail of a point.
   Color trail;
-  Color plane;  ///< the invariable plane
-  /// X row by row: a column has its axis' hue, a row its lightness. Those of a row are told apart.
+  /// The invariable plane.
+  Color plane;
+  /// The components of X row by row: a column has its axis' hue, a row its lightness. Curves of one
+  /// row are distinguishable.
   std::array<Color, 9> curve;
 };
 
-/// What lies behind: from the top of the picture to its foot, and stars.
+/// The background: a vertical gradient, and stars.
 struct Backdrop {
+  /// Colour at the top of the picture.
   Color above;
+  /// Colour at the bottom of the picture.
   Color below;
-  double vignette;  ///< how much darker the sides are, 0 to 1
-  int stars;        ///< how many
+  /// Darkening of the sides, 0 to 1.
+  double vignette;
+  /// Number of stars.
+  int stars;
 };
 
+/// The floor of a theme.
 struct FloorStyle {
-  /// What the pool adds at its middle: gray, for where a dark floor changes its hue the 8 bits of a
-  /// video's colour planes make contours.
+  /// Light added in the middle of the pool. It is gray because on a dark floor the 8-bit chroma
+  /// planes of a video would turn changes of hue into visible contours.
   Color light;
-  double shadow;      ///< of the light, how much the deepest shadow takes: 0 to 1
-  double reflection;  ///< of the body's mirror image, how much is seen: 0 to 1
+  /// Fraction of the light that the deepest shadow removes, 0 to 1.
+  double shadow;
+  /// Visible fraction of the body's mirror image, 0 to 1.
+  double reflection;
 };
 
+/// Everything that a theme determines.
 struct ThemeStyle {
-  Color metal;  ///< or paint: the body, where the scene says nothing else
+  /// Colour of the body, metal or paint, unless the scene sets it.
+  Color metal;
+  /// Metalness of the body, 0 (paint) to 1 (metal).
   double metallic;
+  /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).
   double roughness;
+  /// Lights.
   Studio studio;
+  /// Background.
   Backdrop backdrop;
-  std::optional<FloorStyle> floor;  ///< none: the body floats in space
+  /// Nothing if the body floats in space.
+  std::optional<FloorStyle> floor;
+  /// Colours of overlays.
   OverlayColors overlay;
 };
 

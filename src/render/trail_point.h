@@ -6,10 +6,11 @@
 
 namespace twrench {
 
-/// The point of the body whose trail is drawn, in body axes from the centre of mass, cm: the
-/// scene's or, where it names none, just outside the end of a part: of those ends (of cylinders,
-/// boxes and ellipsoids, along their axes) that no other mirrors at the same distance the farthest,
-/// as the tip of the T-wrench's leg; where all have their like, the farthest of all.
+/// Returns the point of the body that draws the trail, in body axes from the centre of mass, cm:
+/// the scene's or, by default, a point just outside the end of a part. Of the ends of cylinders,
+/// boxes and ellipsoids along their axes, it is the farthest one that has no mirror image at the
+/// same distance, such as the tip of the T-wrench's leg; if all have one, it is the farthest of
+/// all.
 Eigen::Vector3d trail_point(const Scene& scene);
 
 }  // namespace twrench

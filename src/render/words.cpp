@@ -8,10 +8,10 @@ namespace {
 
 constexpr double line_height = 1.2;     // em
 constexpr double baseline = 0.95;       // em below the top of a line
-constexpr double caption_height = 1.4;  // em of the caption above a figure
+constexpr double caption_height = 1.4;  // em, of the caption above a readout
 constexpr double figure_height = 1.25;  // em
-constexpr double between = 1.3;         // em of the figure, between two of them
-constexpr double between_rows = 0.35;   // em of the figure
+constexpr double between = 1.3;         // em of the readout, between two of them
+constexpr double between_rows = 0.35;   // em of the readout
 
 double width_of(const std::string& text, const Font& font, double size) {
   return size * typeset(font, text).width;
@@ -47,7 +47,7 @@ void WordBlock::add_line(const std::string& text, const Font& font, double size,
   }
   const double room = area_.x + area_.width - corner_width_ - x;
   const double least = std::min(size, style_.sizes.figure);
-  const double width = typeset(font, text).width;  // none, of marks without a letter
+  const double width = typeset(font, text).width;  // zero, for combining marks without a letter
   const double fitting = width > 0 ? std::clamp(room / width, least, size) : size;
   Line line = typeset_within(font, text, room / fitting);
   extend(x + fitting * line.width, y_ + height);
@@ -93,7 +93,7 @@ void WordBlock::add_corner(Reading figure) {
   const double size = style_.sizes.figure;
   const double width = width_of(figure.widest, style_.typeface.regular, size);
   const double right = area_.x + area_.width;
-  const double base = area_.y + baseline * style_.sizes.title;  // the title's own
+  const double base = area_.y + baseline * style_.sizes.title;  // that of the title
   values_.push_back({std::move(figure.value), size, {right, base}, Canvas::Align::right});
   corner_width_ = width + 2 * size;
   extend(right, area_.y + line_height * style_.sizes.title);

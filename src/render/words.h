@@ -12,52 +12,58 @@
 
 namespace twrench {
 
-/// What words are set in.
+/// The style of a text block.
 struct WordStyle {
+  /// The font.
   const Typeface& typeface;
+  /// Colours of text and panel.
   const OverlayColors& colors;
+  /// Text sizes.
   Layout::TextSizes sizes;
-  bool compact;  ///< captions go before their figures, not above them
+  /// Captions stand beside their readouts instead of above.
+  bool compact;
 };
 
-/// A figure that changes, with what it is.
+/// A readout: a changing value with its caption.
 struct Reading {
+  /// Caption.
   std::string caption;
-  std::string widest;  ///< what no value of it is wider than
+  /// A text at least as wide as every value.
+  std::string widest;
   std::function<std::string(const Moment&)> value;
 };
 
-/// px: of so many rows of figures, each with its caption.
+/// Returns the height in px of that many rows of readouts with captions.
 double height_of_figures(const Layout::TextSizes& sizes, bool compact, int rows);
 
-/// Words on a soft panel, which makes them legible whatever lies below. All but the figures' values
-/// is drawn once.
+/// A text block on a soft panel, which keeps it legible on any background. Everything except the
+/// values of the readouts is drawn once.
 class WordBlock {
  public:
-  /// In the part of `area` that the words need, from its top left on.
+  /// Uses the part of `area` that the text needs, starting at its top left.
   WordBlock(const WordStyle& style, const Area& area);
 
-  /// A line of its own; one that is too long is set smaller, down to the figures' size, and then
-  /// shortened. With a sample of `curve` before it.
+  /// Adds a line. If it is too long, it is set smaller, down to the readouts' size, and then
+  /// truncated. With `curve`, a sample of the curve precedes it.
   void add_line(const std::string& text, const Font& font, double size, const Color& ink,
                 const Color* curve = nullptr);
 
-  /// Side by side in rows or, where the area is upright, below one another: the first ones, where
-  /// there is no room for all.
+  /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
+  /// there is not enough room.
   void add_figures(const std::vector<Reading>& figures);
 
-  /// In the top right corner, without a caption; lines that are added later leave it room.
+  /// Adds a readout without a caption in the top right corner; later lines leave room for it.
   void add_corner(Reading figure);
 
-  /// When all is added. `picture`: what the panel's soft edges may reach into.
+  /// Completes the block. The panel's soft edges may extend within `picture`.
   void finish(const Area& picture);
 
   Layer draw(const Moment& moment) const;
 
-  /// What the words take of their area.
+  /// Returns the area that the text covers.
   const Area& extent() const { return extent_; }
 
-  /// Whether no word has found room.
+  /// Returns whether no text fitted.
   bool is_empty() const { return extent_.width <= 0 || extent_.height <= 0; }
 
  private:
@@ -80,11 +86,11 @@ class WordBlock {
   WordStyle style_;
   Area area_;
   Area extent_;
-  double y_;  ///< where the next line begins
+  double y_;  ///< Where the next line begins.
   double corner_width_ = 0;
   std::vector<Text> texts_;
   std::vector<Value> values_;
-  std::vector<std::pair<Area, Color>> samples_;  ///< of curves
+  std::vector<std::pair<Area, Color>> samples_;  ///< Samples of curves.
   Layer ground_;
 };
 

@@ -22,10 +22,10 @@ Framing framing_at(const CameraPath& path, const Layout::Pane& pane, double radi
           static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance};
 }
 
-/// The path, as much farther off as the overlay needs to be in view all the time.
+/// Returns the path, moved away as far as needed to keep the overlay in view at all times.
 CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverlay& overlay) {
   CameraPath path = scene.camera;
-  constexpr int places = 32;  // on the way of a camera that moves
+  constexpr int places = 32;  // along the path of a moving camera
   const double film = scene.motion.duration / scene.film.speed;
   double distance = 1;
   for (int i = 0; i < (path.orbit == 0 ? 1 : places); ++i) {
@@ -37,7 +37,7 @@ CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverl
   return path;
 }
 
-/// An exposure to pictures some of which are on their way.
+/// An exposure of pictures some of which are in transfer.
 class PendingExposure {
  public:
   PendingExposure(int width, int height) : exposure_(width, height) {}
@@ -52,14 +52,14 @@ class PendingExposure {
 
   bool is_there() const { return on_their_way_.empty(); }
 
-  /// The mean of all.
+  /// Returns the mean of all.
   Image take() {
     while (!is_there()) add_first();
     return exposure_.mean();
   }
 
  private:
-  static constexpr std::size_t most = 8;  // enough for a card to be busy while one is waited for
+  static constexpr std::size_t most = 8;  // enough to keep a card busy while one is waited for
 
   void add_first() {
     exposure_.add(on_their_way_.front().take());
@@ -70,13 +70,14 @@ class PendingExposure {
   std::deque<gl::Readback> on_their_way_;
 };
 
-/// cm: facets that cannot be told from the shape, a seventh of a pixel in the picture's middle.
+/// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
+/// the middle of the picture.
 double tolerance(const Camera& camera, int height) {
   return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
-/// A software rasteriser pays for each pixel that is cleared, read back and laid over; a card for
-/// each rectangle.
+/// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
+/// for each rectangle.
 int band_height(const gl::Framebuffer& framebuffer) {
   return framebuffer.read_mode() == gl::ReadMode::at_once ? 32 : framebuffer.height();
 }
@@ -128,7 +129,7 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
         (camera.projection * camera.view * space_from_body).cast<float>();
     std::size_t i = 0;
     for (const std::size_t end : mesh.vertex_ends) {
-      screen.begin_shape(1);  // a fin's half pixel
+      screen.begin_shape(1);  // half a pixel of the edge quads
       for (; i < end; ++i) {
         const glm::vec3& place = mesh.vertices[i].position;
         screen.add(clip_from_body * Eigen::Vector4f(place.x, place.y, place.z, 1));
@@ -140,7 +141,7 @@ ScreenArea WrenchView::covered(const Camera& camera, std::span<const Matrix3d> p
   return screen;
 }
 
-/// What is in the areas, which hold all that is drawn.
+/// Reads the areas, which contain everything that is drawn.
 std::vector<gl::Readback> WrenchView::picture(const Camera& camera, const Matrix3d& X,
                                               const ScreenArea& screen,
                                               std::span<const Area> areas) {

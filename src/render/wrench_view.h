@@ -12,11 +12,11 @@
 
 namespace twrench {
 
-/// The body as it turns, seen by the scene's camera.
+/// The rotating body, seen by the scene's camera.
 class WrenchView final : public SpaceView {
  public:
-  /// The take with that index, drawn in `pane` by way of `framebuffer`, which has the film's size
-  /// and outlives the view.
+  /// Shows the motion with that index in `pane`, drawn through `framebuffer`, which has the frame
+  /// size and must outlive the view.
   WrenchView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
              const std::vector<Take>& takes, std::size_t take, const Layout::Pane& pane);
 
@@ -36,18 +36,18 @@ class WrenchView final : public SpaceView {
                     std::vector<PendingLayer>& layers);
 
   const gl::Framebuffer& framebuffer_;
-  int band_height_;  ///< rows of the picture that are cleared and read back together
+  int band_height_;  ///< Rows of the picture that are cleared and read back together.
   std::size_t take_;
   Layout::Pane pane_;
-  double radius_;  ///< cm, of the sphere that holds the body in every pose
+  double radius_;  ///< Bounding radius of the body in every pose, in cm.
   BodyOverlay overlay_;
-  CameraPath path_;  ///< from which the overlay is in view too
+  CameraPath path_;  ///< Chosen so that the overlay is in view too.
   BodyPass body_;
-  bool multisampled_;  ///< else edges are smoothed one by one
+  bool multisampled_;  ///< Otherwise edges are antialiased analytically.
   SketchPass sketch_pass_;
-  Sketch solid_, sheer_;  ///< the overlay, as it is drawn in this frame
+  Sketch solid_, sheer_;  ///< Draw lists of the overlay in the current frame.
   std::optional<Floor> floor_;
-  bool floor_lit_ = false;  ///< a flat background stays the colour it is
+  bool floor_lit_ = false;  ///< Whether the floor is lit; a flat background keeps its colour.
 };
 
 }  // namespace twrench

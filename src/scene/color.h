@@ -4,16 +4,16 @@
 
 namespace twrench {
 
-/// A colour as people write it: sRGB, each 0 to 255.
+/// A colour as users write it: sRGB, each channel from 0 to 255.
 struct Color {
   int red, green, blue;
   bool operator==(const Color&) const = default;
 };
 
-/// "#rrggbb", "#rgb", or black, gray, white. Throws UsageError about `what`.
+/// Parses "#rrggbb", "#rgb", "black", "gray" or "white". Throws UsageError about `what`.
 Color parse_color(const std::string& text, const std::string& what);
 
-/// "#rrggbb"
+/// Returns the colour as "#rrggbb".
 std::string to_string(const Color& color);
 
 }  // namespace twrench

@@ -17,7 +17,8 @@ std::string Limit::describe() const {
 
 double check(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value)) return value;
-  throw UsageError(what, fmt::format("is {}, but must be {}", value, limit.describe()));
+  throw OutOfRange(what, fmt::format("is {}, but must be {}", value, limit.describe()),
+                   {value, limit.low, limit.high});
 }
 
 Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::Vector3d& value) {
@@ -28,23 +29,25 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega) {
   const double rate = check(coordinate, what, omega).stableNorm();
   if (rate == 0 || rate >= slowest_rotation) return omega;
-  throw UsageError(what, fmt::format("is {:.6g} rad/s in all, but must be zero or at least {:.6g}",
-                                     rate, slowest_rotation));
+  throw OutOfRange(what,
+                   fmt::format("has magnitude {:.6g} rad/s, but must be zero or at least {:.6g}",
+                               rate, slowest_rotation),
+                   {rate, slowest_rotation, coordinate.high});
 }
 
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
   const double ratio = moments.maxCoeff() / moments.minCoeff();
   if (moments.minCoeff() > 0 && ratio <= most_moment_ratio) return moments;
   throw UsageError(
-      what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the greatest "
-                        "must be at most {:.6g} times the least",
+      what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the largest "
+                        "must be at most {:.6g} times the smallest",
                         moments[0], moments[1], moments[2], most_moment_ratio));
 }
 
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
-  throw UsageError(what,
-                   fmt::format("is {}, but must be a whole number, {}", value, limit.describe()));
+  throw OutOfRange(what, fmt::format("is {}, but must be an integer, {}", value, limit.describe()),
+                   {value, limit.low, limit.high});
 }
 
 }  // namespace twrench::limits

@@ -7,8 +7,8 @@
 
 namespace twrench {
 
-// What a scene chooses by name, as files and the command line spell it. Each way from a name
-// throws UsageError about `what`, with the nearest name offered.
+// The names by which scene files and the command line select options. Each conversion from a name
+// throws UsageError about `what`, suggesting the nearest name.
 
 Theme theme_of(const std::string& name, const std::string& what);
 View view_of(const std::string& name, const std::string& what);
@@ -18,7 +18,7 @@ std::string name_of(Theme theme);
 std::string name_of(View view);
 std::string name_of(Feature feature);
 
-/// The names themselves, where they are those of methods and not too many to be drawn side by side.
+/// Returns the names if all are methods and not too many to be shown side by side.
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what);
 
 }  // namespace twrench

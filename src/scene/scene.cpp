@@ -13,10 +13,10 @@ namespace twrench {
 int Scene::frame_count() const {
   const double frames = std::round(motion.duration * film.fps / film.speed);
   if (frames < 1.0 || frames > limits::most_frames) {
-    throw UsageError(
+    throw OutOfRange(
         "film",
         fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::most_frames),
-        "change the duration, the frames a second or the speed");
+        {frames, 1, limits::most_frames}, "change the duration, the frame rate or the speed");
   }
   return static_cast<int>(frames);
 }

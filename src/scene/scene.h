@@ -14,117 +14,162 @@
 
 namespace twrench {
 
-/// The body: its parts or, where it is given so, its principal moments alone.
+/// The body, given by its parts or by its principal moments alone.
 struct Body {
+  /// The parts; empty if `moments` is set.
   std::vector<Part> parts;
-  std::optional<Eigen::Vector3d>
-      moments;  ///< about the body's x, y, z, g cm^2; then parts is empty
+  /// Principal moments of inertia about the body's x, y and z axes, in g cm^2.
+  std::optional<Eigen::Vector3d> moments;
 };
 
+/// The initial condition and how the motion is computed.
 struct Motion {
-  Eigen::Vector3d omega{1.0, 0.05, 0.0};  ///< omega(0), body axes, rad/s
+  /// Angular velocity at t = 0 in body axes, in rad/s.
+  Eigen::Vector3d omega{1.0, 0.05, 0.0};
+  /// Name of the integration method.
   std::string method = "rkmk45";
+  /// Step size and tolerance.
   StepControl control;
-  double duration = 96.0;  ///< s of motion
+  /// Duration of the motion in s.
+  double duration = 96.0;
 };
 
+/// The frames of the video.
 struct Film {
-  int width = 1920, height = 1080;  ///< pixels
-  double fps = 60.0;                ///< frames per second of film
-  double speed = 6.0;               ///< seconds of motion per second of film
+  /// Size in pixels.
+  int width = 1920, height = 1080;
+  /// Frames per second of video.
+  double fps = 60.0;
+  /// Seconds of motion per second of video.
+  double speed = 6.0;
 
-  /// t of frame i: i * speed / fps, never accumulated.
+  /// Returns the time of the motion in s for a frame: frame * speed / fps, never accumulated.
   double time_of(int frame) const { return frame * speed / fps; }
 };
 
-/// The whole of a picture's finish: material, lights, background, colours of what is laid over.
+/// The finish of the picture: material, lights, background and overlay colours.
 enum class Theme { studio, paper, space };
 
+/// The look of the picture. Unset values are the theme's.
 struct Look {
+  /// The theme.
   Theme theme = Theme::studio;
-  int samples = 1;                  ///< a pixel; with 1, edges are smoothed one by one instead
-  int motion_blur = 1;              ///< poses that a frame is the mean of; 1 is none
-  bool transparent = false;         ///< no background: alpha is the coverage of what is drawn
-  std::optional<Color> background;  ///< a flat one; else the theme's
-  std::optional<Color> color;       ///< of the body; else the theme's
-  std::optional<double> metallic;   ///< 0 to 1; else the theme's
-  std::optional<double> roughness;  ///< 0.05 to 1; else the theme's
+  /// MSAA samples per pixel; 1 = analytic edge antialiasing.
+  int samples = 1;
+  /// Poses averaged per frame; 1 = no motion blur.
+  int motion_blur = 1;
+  /// Whether there is no background: alpha is then the coverage of what is drawn.
+  bool transparent = false;
+  /// A flat background colour.
+  std::optional<Color> background;
+  /// Colour of the body.
+  std::optional<Color> color;
+  /// Metalness of the body, 0 (paint) to 1 (metal).
+  std::optional<double> metallic;
+  /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).
+  std::optional<double> roughness;
 };
 
-/// A camera that looks at the centre of mass. Angles in rad.
+/// A camera that looks at the centre of mass.
 struct CameraPath {
-  double azimuth = 0.0;         ///< from space's z axis towards x
-  double elevation = 0.245;     ///< above the plane of x and z
-  double distance = 1.0;        ///< 1 is where the body, in every pose, just fits its place
-  double orbit = 0.0;           ///< rad per second of film, about space's y axis
-  double field_of_view = 0.55;  ///< the smaller angle of the view
+  /// Azimuth from the space z axis towards x, in rad.
+  double azimuth = 0.0;
+  /// Elevation above the xz plane, in rad.
+  double elevation = 0.245;
+  /// Distance in units of the one at which the body in every pose just fits its pane.
+  double distance = 1.0;
+  /// Angular speed about the space y axis in rad per second of video.
+  double orbit = 0.0;
+  /// Field of view along the shorter side of the picture, in rad.
+  double field_of_view = 0.55;
 };
 
-/// What can be shown beside the body.
+/// What can be shown besides the body.
 enum class Feature {
-  floor,       ///< with the body's shadow and reflection
-  axes,        ///< of the body
-  momentum,    ///< L, an arrow
-  omega,       ///< another
-  trail,       ///< of a point of the body, and of omega's in the views of the momentum
-  plane,       ///< the invariable plane
-  labels,      ///< names of the arrows and axes
-  hud,         ///< title, time, method, drift, flips
-  components,  ///< the nine of X against time
-  sphere,      ///< the momentum sphere, an inset
-  poinsot,     ///< Poinsot's construction, an inset
+  floor,       ///< The floor with the body's shadow and reflection.
+  axes,        ///< The body's axes.
+  momentum,    ///< The angular momentum L as an arrow.
+  omega,       ///< The angular velocity as an arrow.
+  trail,       ///< The trail of a point of the body, of the momentum, or of omega.
+  plane,       ///< The invariable plane.
+  labels,      ///< The names of arrows and axes.
+  hud,         ///< Title, time, method, drift and flips.
+  components,  ///< The nine components of X against time.
+  sphere,      ///< The momentum sphere as an inset.
+  poinsot,     ///< Poinsot's construction as an inset.
 };
 
+/// What the picture shows: the body, the momentum sphere, Poinsot's construction, or all of them
+/// with the components.
 enum class View { wrench, momentum, poinsot, quad };
 
-/// What explains the motion.
+/// The view and its overlays.
 struct Overlay {
+  /// The view.
   View view = View::wrench;
+  /// What is shown besides the body.
   std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,      Feature::trail,
                          Feature::labels, Feature::hud,      Feature::components, Feature::sphere};
-  std::vector<std::string> compare;            ///< methods, side by side; empty: the motion's alone
-  std::optional<Eigen::Vector3d> trail_point;  ///< cm, in the axes of the parts; else the farthest
-  std::optional<double> trail_length;          ///< s of motion; else 12 rad's worth
-  std::string font = "sans";                   ///< of those that are built in, or a file
+  /// Names of the methods shown side by side; empty shows only Motion::method.
+  std::vector<std::string> compare;
+  /// The point of the body that draws the trail, in the axes of the parts, in cm; by default see
+  /// trail_point().
+  std::optional<Eigen::Vector3d> trail_point;
+  /// Length of the trail in s of motion; by default the time of a 12 rad rotation.
+  std::optional<double> trail_length;
+  /// Name of a built-in font, or a font file.
+  std::string font = "sans";
 
+  /// Returns whether a feature is shown.
   bool shows(Feature feature) const { return show.contains(feature); }
 };
 
-/// Sets the background from "transparent" or a colour. Throws UsageError about `what`.
+/// Sets the background to "transparent" or a colour. Throws UsageError about `what`.
 void set_background(Look& look, const std::string& text, const std::string& what);
 
-/// Everything that determines a film. Plain values with defaults; a file or the command line
-/// overrides them.
+/// Everything that determines a video. The values have defaults that a scene file or the command
+/// line overrides.
 struct Scene {
-  std::string name;  ///< names the output; letters, digits, '-' and '_'
+  /// Name of the scene, from which output names derive: letters, digits, '-' and '_'.
+  std::string name;
+  /// Title shown in the picture; may be empty.
   std::string title;
+  /// The rigid body.
   Body body;
+  /// Its motion.
   Motion motion;
+  /// Frame size and rate.
   Film film;
+  /// Theme, material and quality.
   Look look;
+  /// Camera.
   CameraPath camera;
+  /// View and overlays.
   Overlay overlay;
 
-  /// N = round(duration * fps / speed). Throws UsageError unless that is 1 to 10^7.
+  /// Returns the number of frames, round(duration * fps / speed). Throws UsageError unless it is 1
+  /// to 10^7.
   int frame_count() const;
 };
 
-/// Of the scene's body. Where it is given by its moments alone, mass is NaN and the centre 0.
+/// Returns the mass properties of the scene's body. If it is given by its moments alone, the mass
+/// is NaN and the centre of mass 0.
 MassProperties mass_properties(const Body& body);
 
-/// The parts to draw, centred on the centre of mass: the body's own, or the equimomental box.
+/// Returns the parts to draw, relative to the centre of mass: the body's own, or the equimomental
+/// box.
 std::vector<Part> visible_parts(const Body& body);
 
-/// The names of the scenes that are built in.
+/// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();
 
-/// The built-in scene of that name or, when `name_or_path` ends in ".toml", in any case, has a
-/// folder, or is there and no built-in name, that file's.
-/// Throws UsageError for an unknown name (with the nearest offered) or a bad scene (with file, line
-/// and key), FileError where the file cannot be read.
+/// Loads a scene. `name_or_path` is a path if it ends in ".toml" (in upper or lower case), contains
+/// a folder, or is an existing file but no built-in name; otherwise it names a built-in scene.
+/// Throws UsageError for an unknown name (suggesting the nearest) or an invalid scene (with file,
+/// line and key), FileError if the file cannot be read.
 Scene load_scene(const std::string& name_or_path);
 
-/// Reads a scene from TOML text; `source` names it in errors.
+/// Parses a scene from TOML text; `source` names it in errors. Throws UsageError.
 Scene parse_scene(std::string_view toml, const std::string& source);
 
 }  // namespace twrench

@@ -42,7 +42,7 @@ Eigen::Matrix3d read_orientation(TomlTable& part) {
   part.vector("axis", limits::coordinate, axis);
   part.vector("rotation", limits::coordinate, rotation);
   if (part.has("axis") && part.has("rotation")) {
-    throw UsageError(part.place("rotation"), "must not be given together with axis");
+    throw UsageError(part.place("rotation"), "cannot be combined with axis");
   }
   if (axis.isZero(0.0)) throw UsageError(part.place("axis"), "must not be zero");
   return part.has("axis") ? frame_with_z_along(axis) : so3::exp(rotation);
@@ -70,7 +70,7 @@ Body read_body(TomlTable& file) {
   });
   if (body.parts.empty() != body.moments.has_value()) {
     throw UsageError(file.place("part"),
-                     "a body is given either by [[part]] tables or by [body] moments");
+                     "the body must be given by either [[part]] tables or [body] moments");
   }
   if (!body.moments) limits::check_moments(file.place("part"), mass_properties(body.parts).moments);
   return body;
@@ -139,8 +139,8 @@ void read_overlay(TomlTable& table, Overlay& overlay) {
   table.text("font", overlay.font);
 }
 
-/// A file by its ending, in any case, by the folder it lies in, or because it is there; no name of
-/// a built-in scene looks so.
+/// Whether this is a path: because of its extension (in upper or lower case), because it has a
+/// folder, or because the file exists. No name of a built-in scene looks like one.
 bool is_path(const std::string& name_or_path) {
   std::string ending = std::filesystem::path(name_or_path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -28,7 +28,7 @@ ordered_json part_json(const Part& part) {
   return json;
 }
 
-/// What the theme decides is left out.
+/// Omits what the theme decides.
 ordered_json look_json(const Look& look) {
   ordered_json json{
       {"theme", name_of(look.theme)}, {"samples", look.samples}, {"motion_blur", look.motion_blur}};
@@ -71,7 +71,8 @@ ordered_json scene_json(const Scene& scene) {
                     {"orbit", scene.camera.orbit},
                     {"field_of_view", scene.camera.field_of_view}};
   json["overlay"] = overlay_json(scene.overlay);
-  // JSON is UTF-8: other bytes, in a title or a font's path, are here what they are in a file.
+  // JSON is UTF-8: invalid bytes in a title or a font's path are replaced here as they are in a
+  // file.
   return ordered_json::parse(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 

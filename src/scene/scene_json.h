@@ -6,7 +6,8 @@
 
 namespace twrench {
 
-/// Every value of the scene, defaults resolved, in the words and units of a scene file.
+/// Returns every value of the scene with defaults resolved, using the keys and units of a scene
+/// file.
 nlohmann::ordered_json scene_json(const Scene& scene);
 
 }  // namespace twrench

@@ -19,7 +19,7 @@ const toml::node* TomlTable::find(const std::string& key) {
 }
 
 double TomlTable::number_in(const toml::node& node, const std::string& what) const {
-  // Not value<double>(), which gives nothing for a whole number that no double is equal to.
+  // Not value<double>(), which returns nothing for an integer that no double represents exactly.
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
   if (const auto* real = node.as_floating_point()) return real->get();
   throw UsageError(what, "must be a number");
@@ -29,7 +29,7 @@ std::vector<double> TomlTable::numbers(const toml::node& node, const std::string
                                        std::size_t count) {
   const toml::array* array = node.as_array();
   if (array == nullptr || array->size() != count) {
-    throw UsageError(place(key), fmt::format("must be {} numbers in brackets", count));
+    throw UsageError(place(key), fmt::format("must be an array of {} numbers", count));
   }
   std::vector<double> values;
   for (const toml::node& entry : *array) values.push_back(number_in(entry, place(key)));
@@ -54,7 +54,7 @@ void TomlTable::whole(const std::string& key, const limits::Limit& limit, int& v
 
 void TomlTable::text(const std::string& key, std::string& value) {
   if (const toml::node* node = find(key)) {
-    if (!node->is_string()) throw UsageError(place(key), "must be a text in quotes");
+    if (!node->is_string()) throw UsageError(place(key), "must be a string");
     value = node->as_string()->get();
   }
 }
@@ -99,7 +99,7 @@ std::vector<std::string> TomlTable::required_texts(const std::string& key) {
   require(key);
   const toml::array* array = find(key)->as_array();
   if (array == nullptr || (!array->empty() && !array->is_homogeneous(toml::node_type::string))) {
-    throw UsageError(place(key), "must be texts in brackets");
+    throw UsageError(place(key), "must be an array of strings");
   }
   std::vector<std::string> texts;
   for (const toml::node& entry : *array) texts.push_back(entry.as_string()->get());

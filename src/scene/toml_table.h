@@ -13,8 +13,8 @@
 namespace twrench {
 
 /// A TOML table that is read key by key into values that already hold their defaults. Every
-/// mistake is a UsageError that names file, line, key and what is allowed; so is, at finish(), a
-/// key that nothing asked for.
+/// mistake, including a key that is never requested (reported by finish()), is a UsageError that
+/// names file, line, key and what is allowed.
 class TomlTable {
  public:
   /// `path` names the table in messages: "motion", "part[2]"; empty for the whole file.
@@ -23,28 +23,28 @@ class TomlTable {
 
   bool has(const std::string& key) const { return table_.contains(key); }
 
-  // Each leaves `value` alone where the key is absent.
+  // Each leaves `value` unchanged if the key is absent.
   void number(const std::string& key, const limits::Limit& limit, double& value);
   void whole(const std::string& key, const limits::Limit& limit, int& value);
   void text(const std::string& key, std::string& value);
   void vector(const std::string& key, const limits::Limit& limit, Eigen::Vector3d& value);
   void size(const std::string& key, const limits::Limit& limit, int& width, int& height);
 
-  /// The same for keys that must be there.
+  /// The same for required keys.
   double required_number(const std::string& key, const limits::Limit& limit);
   Eigen::Vector3d required_vector(const std::string& key, const limits::Limit& limit);
   std::string required_text(const std::string& key);
   std::vector<std::string> required_texts(const std::string& key);
 
-  /// Calls `read` with the sub-table, where it is present, and finishes it.
+  /// Calls `read` with the sub-table if it is present, then finishes it.
   void table(const std::string& key, const std::function<void(TomlTable&)>& read);
-  /// Calls `read` for each table of the array, where it is present, and finishes each.
+  /// Calls `read` for each table of the array if it is present, and finishes each.
   void tables(const std::string& key, const std::function<void(TomlTable&)>& read);
 
-  /// "FILE:LINE: KEY", to begin a message about that key with.
+  /// Returns "FILE:LINE: KEY", the start of a message about that key.
   std::string place(const std::string& key) const;
 
-  /// Throws where the table has a key that nothing asked for.
+  /// Throws UsageError if the table has a key that was not requested.
   void finish() const;
 
  private:

@@ -6,19 +6,19 @@
 
 namespace twrench {
 
-/// The true local error of a step: the Frobenius distance from its end to where the exact motion
-/// that starts where the step does would be.
+/// Returns the true local error of a step: the Frobenius distance between its end and the exact
+/// motion started from its beginning.
 double local_error(const FreeBody& body, const OwnStep& step);
 
-/// How honest the estimate E of an embedded pair is: the true local error of its accepted steps
-/// against it. NaN where no step has an error above round-off.
+/// The quality of an embedded pair's error estimate E: the true local errors of accepted steps
+/// compared with it. NaN if no step has an error above round-off.
 struct EstimateQuality {
-  double median_ratio;   ///< of true/E
-  double largest_ratio;  ///< of true/E
-  double largest_error;  ///< the true local error of the worst step
+  double median_ratio;   ///< Median of true/E.
+  double largest_ratio;  ///< Maximum of true/E.
+  double largest_error;  ///< Largest true local error of a step.
 };
 
-/// Gathers it over the steps of one trajectory.
+/// Accumulates the quality over the steps of a trajectory.
 class EstimateCheck {
  public:
   explicit EstimateCheck(const FreeBody& body) : body_(body) {}

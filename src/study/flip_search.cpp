@@ -10,7 +10,7 @@
 namespace twrench {
 
 double FlipSearch::component(const Eigen::Matrix3d& X) const {
-  return body_.principal.axes.col(1).dot(angular_velocity(body_, method_, X));
+  return body_.principal().axes.col(1).dot(angular_velocity(body_, method_, X));
 }
 
 void FlipSearch::visit(const OwnStep& step) {

@@ -6,17 +6,17 @@
 
 namespace twrench {
 
-/// Finds when the component of omega along the intermediate axis changes sign in the motion as a
-/// method computes it: between the ends of each of its steps, then by root finding on the method's
-/// own samples within the step. Two changes within one step are not seen.
+/// Finds the times at which the component of omega along the intermediate axis changes sign in a
+/// method's own solution: it brackets them between the ends of each step, then finds the root on
+/// the method's own samples within the step. Two sign changes within one step are missed.
 class FlipSearch {
  public:
   FlipSearch(const FreeBody& body, const Method& method) : body_(body), method_(method) {}
 
-  /// To be called for each step, in their order.
+  /// Processes the next step; steps must arrive in order.
   void visit(const OwnStep& step);
 
-  /// The instants so far, s, ascending.
+  /// Returns the times found so far in s, ascending.
   const std::vector<double>& times() const { return times_; }
 
  private:
@@ -25,7 +25,7 @@ class FlipSearch {
 
   const FreeBody& body_;
   const Method& method_;
-  double sign_ = 0.0;  ///< that of the component when it was not zero last; 0 before that
+  double sign_ = 0.0;  ///< Sign of the component when it was last nonzero; 0 before that.
   std::vector<double> times_;
 };
 

@@ -6,7 +6,7 @@
 namespace twrench {
 namespace {
 
-/// The greatest of 1, 2 and 5 times a power of ten that is no more than x > 0.
+/// The largest number of the form 1, 2 or 5 times a power of ten that does not exceed x > 0.
 double round_number_below(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
   for (const double digit : {5.0, 2.0}) {
@@ -18,7 +18,8 @@ double round_number_below(double x) {
 }  // namespace
 
 std::vector<double> step_ladder(double duration, double speed) {
-  constexpr double coarsest_turn = 0.21;  // rad; not 0.2, so that |omega| just over 1 leaves 0.2 s
+  // rad; not 0.2, so that |omega| slightly above 1 gives 0.2 s.
+  constexpr double coarsest_turn = 0.21;
   constexpr double most_steps = 200'000;
   constexpr std::size_t rungs = 8;
   const double longest = speed > 0.0 ? coarsest_turn / speed : duration;
@@ -29,7 +30,7 @@ std::vector<double> step_ladder(double duration, double speed) {
 }
 
 double early_time(double duration, double speed) {
-  constexpr double turn = 10.5;  // rad; not 10, so that |omega| just over 1 leaves 10 s
+  constexpr double turn = 10.5;  // rad; not 10, so that |omega| slightly above 1 gives 10 s
   return speed * duration > turn ? round_number_below(turn / speed) : duration;
 }
 

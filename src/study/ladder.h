@@ -6,27 +6,29 @@
 
 namespace twrench {
 
-/// Step lengths, s, from a coarse one to a fine one by halves, for a motion of `duration` seconds
-/// at `speed` rad/s: from 0.2 rad or less a step, a round number of seconds, down to what takes
-/// 200,000 steps, eight at most.
+/// Returns step sizes in s from coarse to fine, each half the previous one, for a motion of
+/// `duration` seconds at `speed` rad/s: from a round number of seconds of at most 0.2 rad per step,
+/// down to what takes 200,000 steps; at most eight.
 std::vector<double> step_ladder(double duration, double speed);
 
-/// A round number of seconds after which the body has turned by about 10 rad; the duration, where
+/// Returns a round number of seconds in which the body rotates by about 10 rad, or the duration if
 /// that is shorter.
 double early_time(double duration, double speed);
 
-/// Tolerances from 1e-4 to 1e-12 by tenths.
+/// Returns tolerances from 1e-4 to 1e-12, each a tenth of the previous one.
 std::vector<double> tolerance_ladder();
 
-/// The middle one of the values, or the mean of the two that are. `values` is not empty.
+/// Returns the median of the values, which must not be empty; the mean of the middle two if their
+/// number is even.
 double median(std::vector<double> values);
 
 struct Point {
-  double x, y;  ///< positive
+  double x, y;  ///< Both positive.
 };
 
-/// The exponent p of y = c x^p through the points: the median of the slopes of all pairs in
-/// logarithms (Theil and Sen), which a stray point does not move. Nothing for fewer than two.
+/// Returns the exponent p of y = c x^p through the points: the median of the slopes of all pairs on
+/// logarithmic scales (Theil and Sen), which is robust against outliers. Nothing for fewer than two
+/// points.
 std::optional<double> fitted_exponent(std::span<const Point> points);
 
 }  // namespace twrench

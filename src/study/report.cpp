@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of a table for people.
+/// Formats a number for a table.
 std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
 }
@@ -22,7 +22,7 @@ std::string brief(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : "-";
 }
 
-/// Without a minus before 0.00.
+/// Avoids a minus sign before 0.00.
 std::string hundredths(double value) {
   return fmt::format("{:.2f}", std::round(100.0 * value) / 100.0 + 0.0);
 }
@@ -31,14 +31,12 @@ std::string flips_heading(const Study& study) {
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
   const ExactMotion::Flips& flips = *study.flips;
   if (!std::isfinite(flips.interval)) {
-    return "Flips: one at most; on the separatrix the body comes to rest about its intermediate\n"
-           "axis.\n";
+    return "Flips: at most one; on the separatrix the rotation settles on the intermediate axis.\n";
   }
   return fmt::format(
-      "Flips (sign changes of omega along the intermediate axis): every {:.12f} s, which is\n"
-      "2K/|r|; asymptotically ln(16/mc)/|r| = {:.12f} s. {} of them; the axis swings through\n"
-      "{:.1f} degrees.\n",
-      flips.interval, flips.asymptotic_interval, study.flip_times.size(),
+      "Flips (sign changes of omega along the intermediate axis): {} predicted, every {:.12f} s\n"
+      "= 2K/|r| (asymptotically ln(16/mc)/|r| = {:.12f} s). Swing of the axis: {:.1f} degrees.\n",
+      study.flip_times.size(), flips.interval, flips.asymptotic_interval,
       flips.swing * 180 / std::numbers::pi);
 }
 
@@ -57,13 +55,13 @@ std::string runs_text(const Study& study) {
   std::string text = fmt::format(
       "{:>12}{:>10}{:>12}{:>12}{:>10}{:>10}{:>10}{:>9}{:>12}{:>12}{:>10}\n", "step, s", "tolerance",
       fmt::format("X at {:.4g} s", study.early), fmt::format("X at {:.4g} s", study.duration),
-      "energy", "X^T X-Id", "momentum", "flips", "off by, s", "evaluations", "CPU, ms");
+      "energy", "X^T X-Id", "momentum", "flips", "flip err, s", "evaluations", "CPU, ms");
   for (const MethodStudy& m : study.methods) {
     const std::string order =
-        m.order ? fmt::format("order {:.2f} seen", *m.order) : "no order seen";
-    text += m.method->order == 0 ? "exact: what the others are held against\n"
-                                 : fmt::format("{}: {}\n", m.method->name, order);
-    for (const StudyRun& run : m.runs) text += run_line(study, run, m.method->order > 0);
+        m.order ? fmt::format("observed order {:.2f}", *m.order) : "no observed order";
+    text += m.method->exact() ? "exact: the reference for the other methods\n"
+                              : fmt::format("{}: {}\n", m.method->name, order);
+    for (const StudyRun& run : m.runs) text += run_line(study, run, !m.method->exact());
   }
   return text;
 }
@@ -72,7 +70,7 @@ std::string estimates_text(const Study& study) {
   std::string text;
   for (const MethodStudy& m : study.methods) {
     if (!m.method->adaptive()) continue;
-    text += fmt::format("{}: true/E goes as step^{}\n", m.method->name,
+    text += fmt::format("{}: true/E scales as step^{}\n", m.method->name,
                         m.estimate_exponent ? hundredths(*m.estimate_exponent) : "?");
     for (const StudyRun& run : m.runs) {
       if (!run.estimate) continue;
@@ -82,7 +80,7 @@ std::string estimates_text(const Study& study) {
     }
   }
   if (text.empty()) return text;
-  return "\nThe estimate E of each accepted step against its true local error\n" +
+  return "\nError estimate E of each accepted step, compared with its true local error\n" +
          fmt::format("{:>12}{:>10}{:>16}{:>17}{:>24}\n", "mean step, s", "tolerance",
                      "true/E, median", "true/E, largest", "true/tolerance, largest") +
          text;
@@ -106,13 +104,13 @@ std::vector<double> intervals(const std::vector<double>& times) {
   return between;
 }
 
-/// Of each method's finest run that was not refused.
+/// For each method, the flips of its finest run that did not fail.
 std::string flips_text(const Study& study) {
   if (study.flip_times.empty()) return {};
-  std::string at = "\nFlips at, s, each method in its finest steps\n" +
+  std::string at = "\nFlip times in s, each method at its finest step\n" +
                    flip_row("predicted", "", study.flip_times);
   std::string between =
-      "\nTime between flips, s\n" + flip_row("predicted", "", intervals(study.flip_times));
+      "\nTime between flips in s\n" + flip_row("predicted", "", intervals(study.flip_times));
   for (const MethodStudy& m : study.methods) {
     const StudyRun* finest = nullptr;
     for (const StudyRun& run : m.runs) {
@@ -165,9 +163,9 @@ Json flips_json(const Study& study) {
 }  // namespace
 
 std::string study_text(const Study& study, const std::string& scene) {
-  return fmt::format("{}: {} s of motion, methods held against the exact one\n\n{}\n{}{}{}", scene,
-                     study.duration, flips_heading(study), runs_text(study), estimates_text(study),
-                     flips_text(study));
+  return fmt::format("{}: {} s of motion, methods compared with the exact solution\n\n{}\n{}{}{}",
+                     scene, study.duration, flips_heading(study), runs_text(study),
+                     estimates_text(study), flips_text(study));
 }
 
 std::string study_csv(const Study& study) {
@@ -209,7 +207,7 @@ std::string study_json(const Study& study, const std::string& scene) {
     Json runs = Json::array();
     for (const StudyRun& run : m.runs) runs.push_back(run_json(run));
     all.push_back({{"method", m.method->name},
-                   {"order", m.method->order},
+                   {"order", m.method->order.value_or(0)},
                    {"order_seen", or_null(m.order)},
                    {"estimate_exponent", or_null(m.estimate_exponent)},
                    {"runs", runs}});

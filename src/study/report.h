@@ -6,15 +6,15 @@
 
 namespace twrench {
 
-// A study in words. `scene` names what was studied.
+// Reports of a study. `scene` names the scene that was studied.
 
-/// Tables for people.
+/// Returns tables for people to read.
 std::string study_text(const Study& study, const std::string& scene);
 
-/// One line a run; a value that does not exist is empty.
+/// Returns CSV with one line per run; a missing value is empty.
 std::string study_csv(const Study& study);
 
-/// Everything; a value that does not exist is null.
+/// Returns JSON with all results; a missing value is null.
 std::string study_json(const Study& study, const std::string& scene);
 
 }  // namespace twrench

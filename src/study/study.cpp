@@ -6,8 +6,9 @@
 #include <ctime>
 #include <limits>
 
-#include "base/error.h"
+#include "base/require.h"
 #include "motion/diagnostics.h"
+#include "motion/error.h"
 #include "motion/stepper.h"
 #include "study/flip_search.h"
 #include "study/ladder.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::size_t time_parts = 200;
 
-/// CPU seconds of one call: the mean over as many as take 2 ms, the clock being coarse.
+/// CPU time of one call in s: the mean over as many calls as take 2 ms, because the clock is
+/// coarse.
 template <typename Call>
 double cpu_seconds(const Call& call) {
   constexpr double enough = 2e-3;
@@ -29,7 +31,8 @@ double cpu_seconds(const Call& call) {
   }
 }
 
-/// Of those that both have. The method may see the last ones only after the end, or not at all.
+/// Compares the flips that both have. The method may find the last ones only after the end, or not
+/// at all.
 double flip_error(const std::vector<double>& predicted, const std::vector<double>& seen) {
   const std::size_t common = std::min(predicted.size(), seen.size());
   if (common == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -40,10 +43,10 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
   return largest;
 }
 
-/// Walks along the method's steps for what is seen on the way.
+/// Runs through the method's steps and collects errors, flips and the estimate's quality.
 void look_on_the_way(const FreeBody& body, const Method& method, const StepControl& control,
                      const Study& exact, StudyRun& run) {
-  const double initial_energy = energy(body.inertia, body.omega);
+  const double initial_energy = energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
   std::int64_t steps = 0;
@@ -86,13 +89,13 @@ StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& 
     run.steps = result.steps;
     run.evaluations = result.evaluations;
     look_on_the_way(body, method, control, exact, run);
-  } catch (const UsageError& error) {
+  } catch (const MotionError& error) {
     run.failure = error.what();
   }
   return run;
 }
 
-/// The order, from the errors between round-off and where the error has no order any more.
+/// The order, from the errors above round-off and within the asymptotic range.
 std::optional<double> order_of(const std::vector<StudyRun>& runs) {
   constexpr double round_off = 1e-12, asymptotic = 0.1;
   std::vector<Point> points;
@@ -114,13 +117,13 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
   return fitted_exponent(points);
 }
 
-/// The ladder that suits the method. The closed form has none: only its flips are looked for, in
+/// The ladder that suits the method. The closed form has none: only its flips are searched, with
 /// the finest steps.
 std::vector<StepControl> controls_for(const Method& method, const StudyPlan& plan) {
   std::vector<StepControl> controls;
   if (method.adaptive()) {
     for (const double t : plan.tolerances) controls.push_back({plan.first_step, t, plan.max_steps});
-  } else if (method.order == 0) {
+  } else if (method.exact()) {
     controls.push_back({.step = std::ranges::min(plan.steps)});
   } else {
     for (const double h : plan.steps) {
@@ -133,10 +136,12 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
 }  // namespace
 
 Study study(const FreeBody& body, const StudyPlan& plan) {
-  constexpr int steepest = 8;  // a slope beyond it has no room above round-off
+  constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
+  require_positive("duration", plan.duration);
+  if (plan.steps.empty()) throw UsageError("steps", "there must be one at least");
   const ExactMotion motion(body);
   Study result{plan.duration,
-               early_time(plan.duration, body.omega.norm()),
+               early_time(plan.duration, body.omega().norm()),
                motion.flips(),
                motion.flip_times(plan.duration),
                {}};
@@ -145,7 +150,7 @@ Study study(const FreeBody& body, const StudyPlan& plan) {
     for (const StepControl& control : controls_for(*method, plan)) {
       of_method.runs.push_back(run_one(body, *method, control, result, motion));
     }
-    if (method->order > 0 && method->order <= steepest) {
+    if (method->order.value_or(steepest + 1) <= steepest) {
       of_method.order = order_of(of_method.runs);
     }
     of_method.estimate_exponent = estimate_exponent_of(of_method.runs);

@@ -11,53 +11,86 @@
 
 namespace twrench {
 
-/// What is to be tried.
+/// What a study runs.
 struct StudyPlan {
+  /// The methods to compare.
   std::vector<const Method*> methods;
-  std::vector<double> steps;                         ///< s, of the methods with a fixed step
-  std::vector<double> tolerances;                    ///< of the adaptive methods
-  double first_step = 0.01;                          ///< s, of the adaptive methods
-  double duration = 0.0;                             ///< s
-  std::int64_t max_steps = StepControl{}.max_steps;  ///< of one run
+  /// Step sizes in s for the fixed-step methods.
+  std::vector<double> steps;
+  /// Tolerances for the adaptive methods.
+  std::vector<double> tolerances;
+  /// Initial step size in s of the adaptive methods.
+  double first_step = 0.01;
+  /// Duration of the motion in s.
+  double duration = 0.0;
+  /// Maximum number of steps of a run.
+  std::int64_t max_steps = StepControl{}.max_steps;
 };
 
-/// One motion by one method, held against the exact one.
+/// One run of a method, compared with the exact solution.
 struct StudyRun {
-  double step = 0.0;                ///< s; the mean of the accepted ones of an adaptive method
-  std::optional<double> tolerance;  ///< of an adaptive method
-  std::string failure;              ///< why the method refused; then nothing below is set
-  double early_error = 0.0;         ///< Frobenius norm of X - X_exact at Study::early
-  double error = 0.0;               ///< Frobenius norm of X - X_exact at the end
-  double energy_drift = 0.0;        ///< the largest of each of these over the steps, absolute
+  /// Step size in s; for an adaptive method, the mean of the accepted ones.
+  double step = 0.0;
+  /// Tolerance of an adaptive method.
+  std::optional<double> tolerance;
+  /// Why the method failed; if set, none of the fields below is.
+  std::string failure;
+  /// Frobenius norm of X - X_exact at Study::early.
+  double early_error = 0.0;
+  /// Frobenius norm of X - X_exact at the end.
+  double error = 0.0;
+  /// Largest absolute value over all steps.
+  double energy_drift = 0.0;
+  /// Largest value over all steps.
   double orthogonality_error = 0.0;
+  /// Largest value over all steps.
   double momentum_error = 0.0;
-  std::vector<double> flips;     ///< s, as the method sees them
-  double flip_error = 0.0;       ///< s, the largest of those that can be compared; NaN: none
-  std::int64_t steps = 0;        ///< rejected ones too
-  std::int64_t evaluations = 0;  ///< of omega
-  double cpu_seconds = 0.0;      ///< for the sample at the end
-  std::optional<EstimateQuality> estimate;  ///< of an embedded pair
-  std::vector<double> drift_in_time;  ///< largest |energy drift| in equal parts of the duration
+  /// Times of the flips in the method's own solution, in s.
+  std::vector<double> flips;
+  /// Largest error of a flip time in s, over those that both solutions have; NaN if there are none.
+  double flip_error = 0.0;
+  /// Number of steps, including rejected ones.
+  std::int64_t steps = 0;
+  /// Evaluations of omega.
+  std::int64_t evaluations = 0;
+  /// CPU time in s for computing the sample at the end.
+  double cpu_seconds = 0.0;
+  /// Quality of the error estimate of an embedded pair.
+  std::optional<EstimateQuality> estimate;
+  /// Largest |energy drift| in equal parts of the duration.
+  std::vector<double> drift_in_time;
 };
 
+/// All runs of a method.
 struct MethodStudy {
+  /// The method.
   const Method* method = nullptr;
-  std::vector<StudyRun> runs;               ///< in the order of the plan's steps or tolerances
-  std::optional<double> order;              ///< exponent of the early error over the step
-  std::optional<double> estimate_exponent;  ///< that of the median of true/E over the step
+  /// Runs in the order of the plan's step sizes or tolerances.
+  std::vector<StudyRun> runs;
+  /// Exponent of the early error as a function of the step size.
+  std::optional<double> order;
+  /// Exponent of the median of true/E as a function of the step size.
+  std::optional<double> estimate_exponent;
 };
 
+/// The results of a study.
 struct Study {
-  double duration = 0.0;  ///< s
-  /// s: where orders are measured, about 10 rad from the start, before flips have magnified an
-  /// error of the energy, which may have another order
+  /// Duration of the motion in s.
+  double duration = 0.0;
+  /// Time in s at which orders are measured: after a rotation of about 10 rad, before flips have
+  /// amplified energy errors, which may have another order.
   double early = 0.0;
-  std::optional<ExactMotion::Flips> flips;  ///< predicted
-  std::vector<double> flip_times;           ///< s, predicted, up to the duration
+  /// The flips of the exact motion.
+  std::optional<ExactMotion::Flips> flips;
+  /// Predicted flip times in s, up to the duration.
+  std::vector<double> flip_times;
+  /// Results by method, in the plan's order.
   std::vector<MethodStudy> methods;
 };
 
-/// Runs them all. A method that refuses a step or a tolerance is a run with a failure.
+/// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
+/// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
+/// UsageError where there are no steps.
 Study study(const FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench

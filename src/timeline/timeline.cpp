@@ -9,16 +9,17 @@
 namespace twrench {
 namespace {
 
-constexpr int whole_intervals = 1200;  // finer than a curve across a wide panel can show
+constexpr int whole_intervals = 1200;  // Finer than a curve across a wide panel can show.
 
-/// s between two points of a trail: 0.03 rad or so, but 50 points at least and 2000 at most.
+/// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
+/// 2000.
 double step_of_trail(const Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
   return length / std::clamp(points, 50.0, 2000.0);
 }
 
-/// Nothing where the intermediate axis does not swing past the plane normal to L far enough to
-/// count as turning over.
+/// Nothing if the intermediate axis does not swing past the plane normal to L far enough to count
+/// as turning over.
 std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
   const auto flips = ExactMotion(body).flips();
   if (!flips || flips->swing < std::numbers::pi / 2) return std::nullopt;
@@ -27,7 +28,7 @@ std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
 
 std::vector<double> seen_flips(const Take& take, double duration) {
   if (!take.flips) return {};
-  if (std::holds_alternative<ClosedForm>(take.method->scheme)) {
+  if (take.method->exact()) {
     return ExactMotion(take.body).flip_times(duration);
   }
   FlipSearch search(take.body, *take.method);
@@ -39,12 +40,12 @@ std::vector<double> seen_flips(const Take& take, double duration) {
 Take take_of(const Scene& scene, const std::string& method) {
   Take take{&find_method(method),
             scene.motion.control,
-            free_body(mass_properties(scene.body).inertia, scene.motion.omega),
+            FreeBody(mass_properties(scene.body).inertia, scene.motion.omega),
             0.0,
             {},
             {},
             {}};
-  take.initial_energy = energy(take.body.inertia, take.body.omega);
+  take.initial_energy = energy(take.body.inertia(), take.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
     times.push_back(scene.motion.duration * i / whole_intervals);
@@ -99,7 +100,7 @@ Timeline::Record Timeline::record(const Take& take) const {
   };
   std::vector<double> own, blurred, grid;
   const int count = scene_.look.motion_blur;
-  const double open = 0.5 * scene_.film.speed / scene_.film.fps;  // half the frame's time
+  const double open = 0.5 * scene_.film.speed / scene_.film.fps;  // half the frame interval
   for (const int frame : frames_) {
     own.push_back(scene_.film.time_of(frame));
     for (int i = 0; count > 1 && i < count; ++i) {

@@ -13,7 +13,7 @@ TEST(Arguments, Numbers) {
   EXPECT_EQ(parse_number("1.5e-3", "x"), 1.5e-3);
   EXPECT_EQ(parse_number("-2", "x"), -2);
   EXPECT_EQ(parse_number("+2", "x"), 2);
-  EXPECT_TRUE(std::isnan(parse_number("nan", "x")));  // for the limits to refuse
+  EXPECT_TRUE(std::isnan(parse_number("nan", "x")));  // rejected later, by the limits
   for (const char* text : {"", "+", "+-1", "1,5", "0x10", "1 ", " 1", "1e", "one", "1e999"}) {
     EXPECT_THROW(parse_number(text, "x"), UsageError) << text;
   }

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "image/png.h"
 #include "scratch_folder.h"
 
@@ -33,14 +33,14 @@ Manifest manifest_of(int count) {
   return manifest;
 }
 
-/// A picture that tells its frame.
+/// A picture that identifies its frame.
 Picture picture_of(const FrameRecord& frame) {
   Picture picture{Image(16, 16, 3)};
   picture.image.pixels[0] = static_cast<std::uint8_t>(frame.frame);
   return picture;
 }
 
-/// Frames that `draw` draws when they are ended.
+/// Draws frames with `draw` when they are completed.
 Drawing drawing(std::function<Picture(const FrameRecord&)> draw = picture_of,
                 std::size_t ahead = 0) {
   return {[draw = std::move(draw)](const FrameRecord& frame) {
@@ -84,7 +84,7 @@ TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
     lending.reuse = [&](Picture picture) {
       const std::lock_guard lock(mutex);
       back.push_back(picture.image.pixels[0]);
-      picture.image.pixels.assign(picture.image.pixels.size(), 255);  // nobody looks at it now
+      picture.image.pixels.assign(picture.image.pixels.size(), 255);  // no stage reads it any more
     };
     run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, progress_, times_);
     sequence.finish();
@@ -141,14 +141,14 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
     const auto frames_folder = folder_ / std::to_string(ahead);
     FrameSequence sequence(frames_folder, manifest_of(count));
     const auto draw = [](const FrameRecord& frame) {
-      if (frame.frame == 7) throw GlError("drawing", "lost");
+      if (frame.frame == 7) throw gl::GlError("drawing", "lost");
       return picture_of(frame);
     };
     EXPECT_THROW(
         run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, progress_, times_),
-        GlError);
+        gl::GlError);
     sequence.finish();
-    // What was on its way is whole and told of.
+    // The frames in flight are complete and recorded.
     EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 7u);
   }
 }
@@ -157,7 +157,7 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
   FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
   int drawn = 0;
   const auto draw = [&](const FrameRecord& frame) {
-    // Renamed, which is at once: others write there while a removal goes through it.
+    // Renamed, because that is atomic: other threads write there while a removal would proceed.
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return picture_of(frame);
   };

@@ -45,7 +45,7 @@ TEST(BoundedQueue, NeverHoldsMoreThanItsCapacity) {
   std::thread producer([&] {
     for (int i = 0; i < items; ++i) {
       queue.push(i);
-      // Inside, and one in the consumer's hands that it has not counted yet.
+      // Those inside, and one that the consumer has taken but not counted yet.
       const int inside = i + 1 - taken;
       if (inside > most) {
         most = inside;

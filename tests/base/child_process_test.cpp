@@ -26,7 +26,7 @@ namespace {
 bool vmsplice_is_there = true;
 }
 
-/// In place of the C library's.
+/// Replaces the C library's.
 extern "C" ssize_t vmsplice(int pipe, const iovec* pages, std::size_t count, unsigned flags) {
   if (vmsplice_is_there) return ::syscall(SYS_vmsplice, pipe, pages, count, flags);
   errno = ENOSYS;
@@ -134,7 +134,7 @@ TEST(ChildProcess, OneThatDiesMidwayIsNoticed) {
 }
 
 TEST(ChildProcess, SpeaksOnWhileItIsFed) {
-  // Far more of errors than a pipe holds, before it reads its input.
+  // Writes far more to standard error than a pipe holds before it reads its input.
   ChildProcess child(shell("yes complaint | head -c 1000000 >&2; echo last >&2; cat >/dev/null"));
   EXPECT_TRUE(child.write(bytes(5'000'000)));
   EXPECT_EQ(child.wait(), 0);
@@ -142,7 +142,7 @@ TEST(ChildProcess, SpeaksOnWhileItIsFed) {
   EXPECT_THAT(child.error_output(), EndsWith("last\n"));
 }
 
-/// How many descriptors a child has.
+/// The number of descriptors that a child has.
 std::string descriptors() {
   ChildProcess child(shell("ls /proc/self/fd | wc -l >&2"));
   EXPECT_EQ(child.wait(), 0);
@@ -165,11 +165,12 @@ TEST(ChildProcess, HasTheSignalsAsAProgramExpectsThem) {
 }
 
 TEST(ChildProcess, IsNotInTheTerminalsGroup) {
-  ChildProcess child(shell("[ $(cut -d ' ' -f 5 /proc/$$/stat) = $$ ]"));  // its group is its own
+  // It has its own process group.
+  ChildProcess child(shell("[ $(cut -d ' ' -f 5 /proc/$$/stat) = $$ ]"));
   EXPECT_EQ(child.wait(), 0);
 }
 
-/// Whether the process runs; not when it is gone, or a zombie that init has yet to reap.
+/// Whether the process is running: neither gone nor a zombie that init has yet to reap.
 bool runs(const std::string& pid) {
   try {
     const auto stat = read_file("/proc/" + pid + "/stat", 1000);
@@ -179,7 +180,7 @@ bool runs(const std::string& pid) {
   }
 }
 
-/// Whether it comes true within half a minute.
+/// Whether the condition becomes true within half a minute.
 bool soon(const std::function<bool()>& condition) {
   for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(milliseconds(10));
   return condition();
@@ -216,7 +217,7 @@ TEST(ChildProcess, ThatDoesNotEndIsKilled) {
 }
 
 TEST(ChildProcess, MayTakeItsTimeWhileItTakesSomething) {
-  // A second and a half in all, which is more than the patience.
+  // A second and a half in total, which exceeds the patience.
   ChildProcess child(shell("for i in 1 2 3 4 5; do head -c 1000000 >/dev/null; sleep 0.3; done"),
                      milliseconds(1200));
   EXPECT_TRUE(child.write(bytes(5'000'000)));

@@ -143,7 +143,7 @@ TEST(PendingFile, WritesToADeviceAndAPipeDirectly) {
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("null", "pipe"));
 }
 
-// A shell may have opened it to append: to open it anew would be to begin at its start.
+// A shell may have opened it for appending; reopening it would start at its beginning.
 TEST(PendingFile, WritesToTheDescriptorThatIsNamed) {
   const ScratchFolder scratch;
   const Descriptor log(::open((scratch / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600));

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
+#include "base/error.h"
 #include "math/so3.h"
 #include "scene/scene.h"
 
@@ -28,7 +31,8 @@ TEST(MassProperties, TheTWrench) {
   EXPECT_NEAR(wrench.inertia(1, 1), Iyy, 1e-12 * Iyy);
   EXPECT_NEAR(wrench.inertia(2, 2), Izz, 1e-12 * Izz);
   EXPECT_TRUE(wrench.inertia.isDiagonal(0.0)) << wrench.inertia;
-  // The figures the specification prints, and the 25-digit reference's first sixteen.
+  // The values that the specification prints, and the first sixteen digits of the 25-digit
+  // reference.
   EXPECT_NEAR(wrench.inertia(0, 0), 982.2713030224087, 1e-12 * Ixx);
   EXPECT_NEAR(wrench.inertia(1, 1), 722.6710300807721, 1e-12 * Iyy);
   EXPECT_NEAR(wrench.inertia(2, 2), 1578.650308428871, 1e-12 * Izz);
@@ -74,6 +78,69 @@ TEST(MassProperties, PrincipalAxesDiagonalise) {
   EXPECT_NEAR(body.axes.determinant(), 1.0, 1e-14);
   EXPECT_LE(body.moments[0], body.moments[1]);
   EXPECT_LE(body.moments[1], body.moments[2]);
+}
+
+/// The quantity that the parts are refused for.
+std::string refused(const std::vector<Part>& parts) {
+  try {
+    mass_properties(parts);
+  } catch (const UsageError& error) {
+    return error.quantity();
+  }
+  return "nothing";
+}
+
+TEST(MassProperties, OfPartsThatCannotBeAreRefused) {
+  EXPECT_EQ(refused(three_parts()), "nothing");
+  EXPECT_EQ(refused({}), "parts");
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, std::nan(""), infinity}) {
+    auto parts = three_parts();
+    parts[1].density = bad;
+    EXPECT_EQ(refused(parts), "density") << bad;
+    parts[1] = {Cylinder{bad, 1}, 1, Vector3d::Zero(), Matrix3d::Identity()};
+    EXPECT_EQ(refused(parts), "radius") << bad;
+    parts[1].shape = Cylinder{1, bad};
+    EXPECT_EQ(refused(parts), "length") << bad;
+    parts[1].shape = Box{{1, bad, 1}};
+    EXPECT_EQ(refused(parts), "size") << bad;
+    parts[1].shape = Ellipsoid{{1, 1, bad}};
+    EXPECT_EQ(refused(parts), "radii") << bad;
+    if (std::isfinite(bad)) continue;
+    parts[1] = three_parts()[1];
+    parts[1].position.y() = bad;
+    EXPECT_EQ(refused(parts), "position") << bad;
+  }
+}
+
+TEST(MassProperties, OfAPartThatIsNotTurnedButBentAreRefused) {
+  auto parts = three_parts();
+  parts[0].body_from_part.setZero();
+  EXPECT_EQ(refused(parts), "body_from_part");
+  parts[0].body_from_part = -Matrix3d::Identity();
+  EXPECT_EQ(refused(parts), "body_from_part") << "a reflection";
+  parts[0].body_from_part = 1.001 * Matrix3d::Identity();
+  EXPECT_EQ(refused(parts), "body_from_part");
+  parts[0].body_from_part(1, 1) = std::nan("");
+  EXPECT_EQ(refused(parts), "body_from_part");
+}
+
+TEST(MassProperties, ThatOverflowAreRefused) {
+  EXPECT_EQ(refused({{Box{{1e150, 1, 1}}, 1e200, {0, 0, 0}, Matrix3d::Identity()}}), "parts");
+}
+
+TEST(PrincipalAxes, OfAMatrixThatIsNoInertiaAreRefused) {
+  Matrix3d inertia = Vector3d(1, 2, 3).asDiagonal();
+  inertia(2, 1) = 0.1;
+  EXPECT_THROW(principal_axes(inertia), UsageError) << "not symmetric";
+  inertia(2, 1) = inertia(1, 2) = std::nan("");
+  EXPECT_THROW(principal_axes(inertia), UsageError);
+}
+
+TEST(EquimomentalBox, OfAMomentThatIsNotPositiveIsRefused) {
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(equimomental_box({1, bad, 1}), OutOfRange) << bad;
+  }
 }
 
 TEST(PrincipalAxes, OrderAndSignAreDefinite) {

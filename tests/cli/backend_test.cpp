@@ -1,5 +1,5 @@
-// Machines that lack a way to OpenGL, through the real program: an empty file in a library's place
-// is one that the loader finds and cannot load.
+// Machines without one of the OpenGL backends, tested with the real program: the loader finds an
+// empty file in place of the library and cannot load it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// run_twrench, but always the program itself: these tests choose the back end.
+/// Like run_twrench(), but without the backend from the environment: these tests choose it.
 Outcome run(const ScratchFolder& folder, const std::string& arguments,
             const std::string& before = "") {
   return run_shell(folder, before + "\"$TWRENCH_BINARY\" " + arguments);
@@ -35,7 +35,7 @@ TEST(Backend, WithoutOsmesaIsEgl) {
   const std::string before = without(folder, osmesa);
   const Outcome done = run(folder, small, before);
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL, as OSMesa cannot be used"));
+  EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL; OSMesa is not usable"));
   const Outcome asked = run(folder, small + "--backend osmesa --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libosmesa6"));

@@ -1,4 +1,5 @@
-// What a user can get wrong: one line that names it, the right exit code, and nothing written.
+// User errors: each is one line that names the mistake, with the right exit code, and nothing is
+// written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using testing::StartsWith;
 struct Mistake {
   const char* arguments;
   int code;
-  const char* message;  ///< within standard error
+  const char* message;  ///< part of standard error
 };
 
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
@@ -44,17 +45,18 @@ TEST_P(BadInput, IsOneClearLine) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadInput,
     testing::Values(
-        Mistake{"", 2, "command line: a command is missing"},
+        Mistake{"", 2, "command line: no command was given"},
         Mistake{"--versoin", 2, "command line: unknown option '--versoin'"},
         Mistake{"--versoin", 2, "did you mean '--version'?"},
         Mistake{"help rendr", 2, "did you mean 'render'?"},
         Mistake{"methods more", 2, "methods: unexpected argument 'more'"},
         Mistake{"render --sise=640x360", 2, "did you mean '--size'? see twrench render --help"},
-        Mistake{"render --method", 2, "--method: its value, NAME, is missing"},
-        Mistake{"render --fps 1 --fps 2", 2, "--fps: can be given only once, not 2 times"},
-        Mistake{"render --no-video=x", 2, "--no-video: takes no value"},
+        Mistake{"render --method", 2, "--method: its value NAME is missing"},
+        Mistake{"render --fps 1 --fps 2", 2,
+                "--fps: it can be given only once, but was given 2 times"},
+        Mistake{"render --no-video=x", 2, "--no-video: it takes no value"},
         Mistake{"render --timing=xml", 2, "--timing: unknown name 'xml'"},
-        Mistake{"simulate stable-y stable-z", 2, "SCENE: can be given only once"},
+        Mistake{"simulate stable-y stable-z", 2, "SCENE: it can be given only once"},
         Mistake{"study --max-error ''", 2, "--max-error: its value is empty"},
         Mistake{"study --max-error= stable-y", 2, "--max-error: its value is empty"},
         Mistake{"study --methods ''", 2, "--methods: its value is empty"},
@@ -90,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --font missing.ttf", 2, "missing.ttf"},
         Mistake{"render --font ./file", 2, "font ./file: is not a TrueType or OpenType font"},
         Mistake{"render --title \u0646\u0635", 2,
-                "title: has the character U+0646, which neither the font nor the built-in sans can "
+                "title: contains the character U+0646, which neither the font nor the built-in "
+                "sans can "
                 "draw"},
         Mistake{"render --view quad --compare rk4,exact", 2, "compare: the view 'quad'"},
         Mistake{"render folder.toml", 5, "folder.toml"},
@@ -135,9 +138,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"simulate --format xml", 2, "--format"},
         Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "more than"},
         Mistake{"simulate --method rk4 --step 400 --times 1000", 2, "longer than a turn"},
+        Mistake{"simulate --method rk4 --step 400 --times 1000", 2, "take a shorter --step"},
+        Mistake{"simulate --method rk4 --step 1e-9 --times 1000", 2, "take a longer --step"},
+        Mistake{
+            "simulate --method euler --inertia 1,2,3 --omega 0.1,100,0.1 --step 0.06 --times 99", 2,
+            "a shorter --step, or a method that stays on SO(3)"},
+        Mistake{"study --inertia 1,2,3 --omega 1e12,1e11,1 --duration 1e9", 2,
+                "give a shorter --duration"},
+        Mistake{"render --backend osmesa --egl-device 0", 2, "--egl-device: OSMesa has none"},
         Mistake{"simulate --method rkmk4 --step 6 --omega 1,1,1 --times 9", 2, "--step"},
         Mistake{"simulate --method implicit-trapezoid --step 4 --times 9", 2, "too far"},
-        Mistake{"simulate --tolerance 1e-16", 2, "(double precision keeps no less)"},
+        Mistake{"simulate --tolerance 1e-16", 2, "(the limit of double precision)"},
         Mistake{"simulate --inertia 1,nan,2", 2, "--inertia: is nan"},
         Mistake{"plot", 2, "--output"},
         Mistake{"plot -o a.bmp", 2, "must end in .svg, .pdf or .png"},
@@ -153,9 +164,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"study --max-energy-drift -1", 2, "--max-energy-drift: is -1"},
         Mistake{"study --format xml", 2, "--format"},
         Mistake{"study --plot a.gif", 2, "must end in .svg, .pdf or .png"},
-        Mistake{"study --methods exact --plot a.svg", 2, "nothing to draw"},
+        Mistake{"study --methods exact --plot a.svg", 2, "no steps to plot"},
         Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
-        Mistake{"encode missing -o a.mp4", 5, "missing"}, Mistake{"compare key.toml", 2, "B"}));
+        Mistake{"encode missing -o a.mp4", 5, "missing"},
+        Mistake{"encode missing -o a.mp4", 5, "the folder that twrench render wrote"},
+        Mistake{"compare key.toml", 2, "B"}));
 
 TEST(BadInput, ADamagedFontIsOneClearLine) {
   const ScratchFolder folder;

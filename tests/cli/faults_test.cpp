@@ -1,5 +1,5 @@
-// What befalls long runs: each fault ends in one clear line and the right exit code, the frames so
-// far are whole, and nothing is left of what is not.
+// Faults during long runs: each ends with one clear line and the right exit code, all finished
+// frames are intact, and nothing incomplete remains.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ const std::string bare_film = "render --size 160x90 --fps 10 --speed 6 --duratio
 const std::string film = bare_film + "--progress none --frames-dir f ";
 const std::string frames = film + "--no-video ";
 
-/// What a user sees of a failure, and a folder of frames after it.
+/// Checks the message of a failure, and the frames that remain.
 void expect_told(const Outcome& run, int code, const std::string& message) {
   EXPECT_EQ(run.code, code) << run.err;
   EXPECT_THAT(run.err, StartsWith("twrench: error: "));
@@ -33,7 +33,7 @@ void expect_told(const Outcome& run, int code, const std::string& message) {
   EXPECT_LE(std::ranges::count(run.err, '\n'), 2) << run.err;
 }
 
-/// Each frame of which the manifest tells is the file that it tells of. Returns how many.
+/// Checks that each frame in the manifest matches its file. Returns their number.
 std::size_t count_whole_frames(const fs::path& folder) {
   const json manifest = json::parse(text_of(folder / "manifest.json"));
   for (const json& frame : manifest["frames"]) {
@@ -58,9 +58,9 @@ void put_program(const ScratchFolder& folder, const std::string& name, const std
 
 const std::string with_bin = "PATH=\"$PWD/bin:$PATH\" ";
 
-/// Runs the commands in a file system of so much room, mounted at d, and copies what is there in
-/// the end to `after`. Not everywhere may one mount: then the outcome's code is -1. As root of the
-/// namespace Mesa would look for its cache in root's home, and complain that it may not.
+/// Runs the commands in a file system of limited size mounted at d, and copies its final contents
+/// to `after`. If mounting is not permitted, the outcome's code is -1. As root of the namespace,
+/// Mesa would look for its cache in root's home and complain that it may not.
 Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
                           const std::string& commands) {
   if (run_shell(folder, "unshare -rm mount -t tmpfs tmpfs /tmp").code != 0) return {};
@@ -76,12 +76,12 @@ TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
   const Outcome run = run_on_small_disk(
       folder, "500k", "cd d && \"$TWRENCH\" " + frames + "; code=$?; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
-  expect_told(run, 5, "the run is estimated to need");
+  expect_told(run, 5, "the run needs an estimated");
   EXPECT_THAT(run.err, HasSubstr("free some space"));
   EXPECT_FALSE(fs::exists(folder / "after/f"));
 }
 
-// What the estimate cannot know: another program takes the space.
+// The estimate cannot foresee this: another program uses up the space.
 TEST(Faults, ADiskThatFillsUpMidway) {
   const ScratchFolder folder;
   const Outcome run = run_on_small_disk(
@@ -96,7 +96,7 @@ TEST(Faults, ADiskThatFillsUpMidway) {
   EXPECT_EQ(count_temporaries(folder / "after/f"), 0U);
 }
 
-// A limit on the size of a file stands for a disk that the film fills.
+// A file size limit simulates a disk that the video fills.
 TEST(Faults, AFilmThatOutgrowsItsDisk) {
   const ScratchFolder folder;
   const Outcome run = run_shell(
@@ -114,10 +114,10 @@ TEST(Faults, AManifestThatCannotBeWritten) {
   const bool none_was_due = std::chrono::steady_clock::now() - start < std::chrono::seconds(5);
   expect_told(run, 5, "manifest.json");  // the frames are smaller
   EXPECT_EQ(count_temporaries(folder / "f"), 0U);
-  // All are there; where drawing took so long that a manifest was due before the end, as many as
-  // one of that size tells of.
+  // All are there; if drawing was so slow that a manifest was due before the end, as many as fit a
+  // manifest of that size.
   EXPECT_TRUE(fs::exists(folder / (none_was_due ? "f/frame_000199.png" : "f/frame_000070.png")));
-  count_whole_frames(folder / "f");  // by the manifest before
+  count_whole_frames(folder / "f");  // by the previous manifest
 }
 
 TEST(Faults, TheFolderIsRemovedMidway) {
@@ -155,7 +155,7 @@ TEST(Faults, FfmpegThatFailsAtOnceIsMissedBeforeTheFirstFrame) {
   }
 }
 
-// The drivers are found by name; these are in their place.
+// Drivers are found by name; these replace them.
 TEST(Faults, NoUsableOpenGlLibrary) {
   const ScratchFolder folder;
   fs::create_directories(folder / "lib");
@@ -231,7 +231,8 @@ TEST(Faults, NoHomeToWriteTo) {
       0);
 }
 
-// What a manifest names is a file of its folder, and what is a link of another's is not written to.
+// A manifest can only name files in its own folder, and links to other files are not written
+// through.
 TEST(Hostile, AManifestLeadsNowhereElse) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames + "--frames 0-1").code, 0);
@@ -241,7 +242,7 @@ TEST(Hostile, AManifestLeadsNowhereElse) {
     changed.replace(changed.find("frame_000001.png"), 16, path);
     write_file_atomically(folder / "f/manifest.json", changed);
     expect_told(run_twrench(folder, "encode f -o v.mp4 --progress none"), 5,
-                "a file's name without a path");
+                "a file name without a path");
   }
 }
 

@@ -43,7 +43,8 @@ TEST(Lists, VersionAndHelp) {
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;
     EXPECT_THAT(run.out,
-                HasSubstr(*command == 0 ? "The trajectory as CSV or JSON" : "Example: twrench "))
+                HasSubstr(*command == 0 ? "Compute the trajectory and write it as CSV or JSON"
+                                        : "Example: twrench "))
         << command;
   }
 }

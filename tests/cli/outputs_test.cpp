@@ -1,5 +1,5 @@
-// Outputs: none is an input, none takes the place of what somebody else has there, and what is
-// wrong with one is told before anything is made.
+// Outputs: none overwrites an input or someone else's file, and errors are reported before anything
+// is created.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -63,14 +63,15 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   ASSERT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0);
   EXPECT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0) << "the same film again loses nothing";
   const std::string before = text_of(folder / "v.mp4");
-  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "another film");
+  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "a video of something else");
   ASSERT_EQ(run_twrench(folder, frames + "stable-y").code, 0);
-  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2, "another film");
+  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2,
+                 "a video of something else");
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
   write_file_atomically(folder / "notes.mkv", "not a film");
-  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "no film");
+  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "not a video");
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 
@@ -162,7 +163,7 @@ TEST(Outputs, FoldersAreMadeForAFilm) {
   EXPECT_TRUE(fs::exists(folder / "new/folder/v.mp4"));
 }
 
-// A manifest is of anyone: it neither makes us wait nor takes all memory.
+// A manifest may be hostile: it must neither block us nor exhaust the memory.
 TEST(Hostile, AManifestThatDoesNotEnd) {
   const ScratchFolder folder;
   fs::create_directory(folder / "f");
@@ -182,7 +183,7 @@ TEST(Hostile, AManifestThatDoesNotEnd) {
   }
 }
 
-// Threads that cannot be had: of a user who has none left.
+// The user's limit on threads is exhausted.
 TEST(Hostile, NoThreadCanBeStarted) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can be a user without other processes";
   const ScratchFolder folder;

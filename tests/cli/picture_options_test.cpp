@@ -1,4 +1,4 @@
-// That each option of the picture sets what it is named after; the manifest tells the scene.
+// Each picture option sets the scene value it is named after, as recorded in the manifest.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The scene of one small frame that is drawn with these options.
+/// The scene of one small frame drawn with these options.
 json scene_drawn_with(const std::string& options) {
   const ScratchFolder folder;
   const Outcome run =

@@ -16,7 +16,7 @@ int count_of(const std::string& part, const std::string& text) {
   return count;
 }
 
-/// Numbers of lines that are dashed, as the marks of flips are.
+/// The number of dashed lines, which mark flips.
 int dashes(const std::string& svg) { return count_of("stroke-dasharray", svg); }
 
 TEST(Plot, NinePanelsWithTheFlipsMarked) {

@@ -1,4 +1,4 @@
-// The main job from end to end, small, through the real program, ffmpeg and ffprobe.
+// End-to-end tests of small renders with the real program, ffmpeg and ffprobe.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-// 1.2 s of film, 12 frames.
+// 1.2 s of video, 12 frames.
 const std::string small = "render --size 160x90 --fps 10 --duration 7.2 --speed 6 --progress none ";
 
 json probe(const ScratchFolder& folder, const std::string& video) {
@@ -62,7 +62,7 @@ TEST(Render, FilmAndFramesAndManifest) {
   }
 }
 
-// The pose in the manifest is that of the system's own integration at the frame's own time.
+// The pose in the manifest is that of a separate integration at the frame's time.
 TEST(Render, FramesArePosedByTheTrajectory) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, small + "--no-video --method rk4 --step 0.05").code, 0);
@@ -88,8 +88,8 @@ TEST(Render, DecodedFramesAreThePngFrames) {
     std::snprintf(name, sizeof name, "decoded_%06d.png", i + 1);
     const auto difference = compare(read_png(folder / name), png, 24);
     ASSERT_TRUE(difference.has_value());
-    // A film keeps a quarter of the colour, which thin coloured lines feel, and rounds the rest; a
-    // wrong matrix or range is off by far more than this everywhere.
+    // Video keeps a quarter of the chroma samples, which affects thin coloured lines, and rounds
+    // the rest; a wrong matrix or range would be off by far more than this everywhere.
     EXPECT_LE(difference->mean, 1.3) << i;
     EXPECT_LE(difference->share, 0.02) << i;
   }
@@ -108,7 +108,7 @@ TEST(Render, FramesDoNotDependOnTheRangeNorOnTheJobs) {
   EXPECT_FALSE(std::filesystem::exists(folder / "b/frame_000000.png"));
 }
 
-// The digest of each frame, by its number, as the manifest in `frames_dir` tells it.
+// The digest of each frame by number, from the manifest in `frames_dir`.
 std::map<int, std::string> digests(const ScratchFolder& folder, const std::string& frames_dir) {
   const json manifest = json::parse(text_of(folder / (frames_dir + "/manifest.json")));
   std::map<int, std::string> result;
@@ -123,7 +123,7 @@ TEST(Render, FramesDoNotDependOnWhatWasDrawnBeforeThem) {
   std::iota(numbers.begin(), numbers.end(), 0);
   std::shuffle(numbers.begin(), numbers.end(), std::mt19937(5));
   std::map<int, std::string> together;
-  for (int run = 0; run < 3; ++run) {  // of four frames each, on one, two and three threads
+  for (int run = 0; run < 3; ++run) {  // four frames each, on one, two and three threads
     std::string range;
     for (int i = 4 * run; i < 4 * run + 4; ++i) {
       if (!range.empty()) range += ',';
@@ -172,7 +172,7 @@ TEST(Render, NoFramesLeavesTheFilmAlone) {
 TEST(Render, ProgressForPeopleAndForPrograms) {
   const ScratchFolder folder;
   const std::string base = "render --size 64x36 --no-video --frames 0-4 --progress ";
-  const Outcome plain = run_twrench(folder, base + "auto");  // no terminal here
+  const Outcome plain = run_twrench(folder, base + "auto");  // not a terminal
   EXPECT_THAT(plain.err, HasSubstr("5 of 5 frames, "));
   EXPECT_THAT(plain.err, HasSubstr("5 frames in "));
   const Outcome lines = run_twrench(folder, base + "json");
@@ -185,7 +185,7 @@ TEST(Render, TimingForPeopleAndForPrograms) {
   const ScratchFolder folder;
   const std::string base = "render --size 64x36 --frames 0-4 --progress none ";
   const Outcome text = run_twrench(folder, base + "--timing");
-  EXPECT_THAT(text.err, HasSubstr("busy milliseconds a frame: pose "));
+  EXPECT_THAT(text.err, HasSubstr("busy time per frame, ms: pose "));
   const json report = json::parse(run_twrench(folder, base + "--timing=json").err);
   EXPECT_EQ(report["frames"], 5);
   double wall = report["wall_seconds"];
@@ -197,7 +197,7 @@ TEST(Render, TimingForPeopleAndForPrograms) {
   EXPECT_GT(report["cpu_ms_per_frame"]["children"], 0.0) << "the encoder's";
 }
 
-// A program in ffmpeg's place that dies when it has seen some frames.
+// A substitute for ffmpeg that dies after some frames.
 TEST(Render, FramesStayWhenFfmpegDies) {
   const ScratchFolder folder;
   write_file_atomically(folder / "ffmpeg",

@@ -1,4 +1,4 @@
-// A run that is interrupted or killed leaves only what is whole, and can be gone on with.
+// An interrupted or killed run leaves only intact files, and can be resumed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ const std::string film =
     "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
     "v.mp4 ";
 
-/// What the manifest says of the same.
+/// The digests in the manifest.
 std::map<std::string, std::string> told_digests(const fs::path& folder) {
   std::map<std::string, std::string> told;
   const json manifest = json::parse(text_of(folder / "manifest.json"));
@@ -37,7 +37,7 @@ std::string decoded(const fs::path& video) {
   return text_of(sums);
 }
 
-/// A run of `film` that nobody disturbs.
+/// A run of `film` without interruption.
 struct Undisturbed {
   Undisturbed() {
     EXPECT_EQ(run_twrench(folder, film).code, 0);
@@ -74,7 +74,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   }
 }
 
-// At instants all over the run, its very start and end among them.
+// At times throughout the run, including its very start and end.
 TEST(Resume, AfterBeingKilledAtAnyInstant) {
   const Undisturbed whole;
   ScratchFolder folder;
@@ -127,7 +127,7 @@ TEST(Resume, RefusesAManifestOfSomebodyElse) {
   write_file_atomically(folder / "f/manifest.json", theirs);
   const Outcome refused = run_twrench(folder, small + "--resume");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("not of this program"));
+  EXPECT_THAT(refused.err, HasSubstr("not written by this program"));
   EXPECT_EQ(text_of(folder / "f/manifest.json"), theirs);
 }
 

@@ -1,4 +1,4 @@
-// One film drawn by several runs that share a folder.
+// A video drawn by several runs that share a folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// 24 frames, of which every second is asked for.
+// 24 frames, of which every second is requested.
 const std::string film =
     "render --size 64x36 --fps 10 --duration 14.4 --speed 6 --frames 0-23:2 --progress none ";
 
@@ -64,7 +64,7 @@ TEST(Shards, ThatAreMissingAreNamed) {
   EXPECT_FALSE(fs::exists(folder / "s.mp4"));
   const Outcome allowed = run_twrench(folder, "encode f -o s.mp4 --progress none --allow-missing");
   EXPECT_EQ(allowed.code, 0);
-  EXPECT_THAT(allowed.err, HasSubstr("without the missing frames 6,8,10,18,20,22"));
+  EXPECT_THAT(allowed.err, HasSubstr("lacks the missing frames 6,8,10,18,20,22"));
 }
 
 TEST(Shards, AreGoneOnWithByThemselvesAndByAWholeRun) {

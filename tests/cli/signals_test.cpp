@@ -1,4 +1,4 @@
-// A signal ends every command at once, whatever it waits for, and leaves nothing half-written.
+// A signal ends every command at once, whatever it is waiting for, and leaves no partial files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Runs the command, as one that heeds all signals, sends it the signal when `ready` succeeds, and
-/// waits. `before` sets its environment.
+/// Runs the command with all signals enabled, sends it the signal once `ready` succeeds, and waits.
+/// `before` sets its environment.
 Outcome run_and_signal(const ScratchFolder& folder, const std::string& command,
                        const std::string& signal, const std::string& ready,
                        const std::string& before = "") {
@@ -22,7 +22,7 @@ Outcome run_and_signal(const ScratchFolder& folder, const std::string& command,
                                signal + " $pid; wait $pid");
 }
 
-/// What a command that waits for something is told to do, and nothing but `left` is there.
+/// Checks that the command was ended by the signal and that only `left` remains.
 void expect_ended(const ScratchFolder& folder, const Outcome& run, int code,
                   const std::vector<std::string>& left) {
   EXPECT_EQ(run.code, code) << run.err;
@@ -56,7 +56,7 @@ TEST(Signals, EndAWaitForAPipe) {
                {"pipe"});
 }
 
-// An ffmpeg that passes the trial, which is without an output file, and then takes nothing.
+// An ffmpeg that passes the test, which has no output file, and then accepts no data.
 const std::string hang =
     "mkdir bin && printf '#!/bin/sh\\ncase \"$*\" in *null*) cat >/dev/null; exit;; esac\\n"
     "echo $$ >../hung; exec sleep 1000\\n' >bin/ffmpeg && chmod +x bin/ffmpeg";
@@ -69,7 +69,7 @@ TEST(Signals, EndAWaitForFfmpegAndEndItToo) {
       run_and_signal(folder, film, "HUP", "[ -s ../hung ]", "cd d; PATH=\"$PWD/../bin:$PATH\" ");
   expect_ended(folder, run, 143, {"bin", "d", "hung"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
-  // Reaped by whoever inherits it, so it may still have an entry.
+  // Whoever inherits it reaps it, so it may still have an entry.
   const Outcome gone = run_shell(
       folder, "status=/proc/$(cat hung)/status; [ ! -e $status ] || grep -q '^State:.*Z' $status");
   EXPECT_EQ(gone.code, 0) << "ffmpeg goes on";

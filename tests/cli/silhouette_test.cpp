@@ -1,5 +1,6 @@
-// The body is drawn where its motion and the manifest's matrices say: its outline held against one
-// that is found without the renderer, by rays through each pixel and the two cylinders themselves.
+// The body is drawn where its motion and the manifest's matrices place it: its silhouette is
+// compared with one computed without the renderer, by casting rays through the pixels at the two
+// cylinders.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -34,15 +35,15 @@ bool meets(const Ray& ray, const Vector3d& centre, int axis, double half, double
   const double c = o[u] * o[u] + o[v] * o[v] - radius * radius;
   const double root = b * b - a * c;
   if (root < 0) return false;
-  // Within the endless cylinder for s from s1 to s2, between the planes of its ends from e1 to e2.
+  // Within the infinite cylinder for s from s1 to s2, between the planes of its ends from e1 to e2.
   const double s1 = (-b - std::sqrt(root)) / a, s2 = (-b + std::sqrt(root)) / a;
   const double e1 = (-half - o[axis]) / d[axis], e2 = (half - o[axis]) / d[axis];
   return std::max(s1, std::min(e1, e2)) <= std::min(s2, std::max(e1, e2));
 }
 
-/// The T-wrench about its centre of mass: a handle 8 cm long and a leg 4 cm long, both of radius
-/// 1 cm. The leg ends at x = 0, where it touches the handle along a line; it is drawn carried on to
-/// the handle's axis, x = -1, or a gap would be seen along the handle.
+/// The T-wrench about its centre of mass: a handle 8 cm long and a leg 4 cm long, both of radius 1
+/// cm. The leg ends at x = 0, where it touches the handle along a line; it is drawn extended to the
+/// handle's axis, x = -1, to close the gap along the handle.
 bool meets_wrench(const Ray& ray) {
   return meets(ray, {-1, 0, 0}, 1, 4, 1) || meets(ray, {1.5, 0, 0}, 0, 2.5, 1);
 }

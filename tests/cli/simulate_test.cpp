@@ -79,7 +79,7 @@ TEST(Simulate, JsonHasTheSameNumbers) {
   EXPECT_EQ(sample["energy"], row[13]);
 }
 
-// The document is written sample by sample, as the JSON library would write it at once.
+// The document is written sample by sample, but must match what the JSON library would write.
 TEST(Simulate, JsonIsTheLibrarysOwnText) {
   const ScratchFolder folder;
   for (const char* times : {"", " --times 2", " --times 2,-1"}) {
@@ -90,7 +90,7 @@ TEST(Simulate, JsonIsTheLibrarysOwnText) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
-// 200,000 samples are 20 MB and more of numbers, and 100 MB of text.
+// 200,000 samples are 20 MB or more of numbers, and 100 MB of text.
 TEST(Simulate, HoldsNoMoreThanASample) {
   const ScratchFolder folder;
   for (const char* format : {"csv", "json"}) {

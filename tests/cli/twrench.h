@@ -15,7 +15,7 @@
 
 namespace twrench {
 
-/// What the program did with a command line.
+/// The result of running a command line.
 struct Outcome {
   int code = -1;
   std::string out, err;
@@ -28,14 +28,14 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// The real program; where TWRENCH_TEST_BACKEND=egl says so, with EGL for its OpenGL.
+/// The real program; with EGL as its backend if TWRENCH_TEST_BACKEND=egl.
 inline std::string program() {
   const char* const backend = std::getenv("TWRENCH_TEST_BACKEND");
   if (backend == nullptr || std::string(backend) != "egl") return TWRENCH_BINARY;
   return TWRENCH_TESTS_DIR "/cli/twrench-egl.sh";
 }
 
-/// Runs `command` as a shell does, in `folder`, where `$TWRENCH` is the real program.
+/// Runs `command` in a shell in `folder`, where `$TWRENCH` is the real program.
 inline Outcome run_shell(const ScratchFolder& folder, const std::string& command) {
   const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
   const std::string whole = "cd '" + folder.path().string() +
@@ -46,8 +46,8 @@ inline Outcome run_shell(const ScratchFolder& folder, const std::string& command
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
 }
 
-/// Runs the real program in `folder` with `arguments`, as a shell splits them; `before` may set
-/// its environment ("PATH=/nowhere ").
+/// Runs the real program in `folder` with `arguments`, split as by a shell; `before` may set its
+/// environment ("PATH=/nowhere ").
 inline Outcome run_twrench(const ScratchFolder& folder, const std::string& arguments,
                            const std::string& before = "") {
   return run_shell(folder, before + "\"$TWRENCH\" " + arguments);

@@ -1,4 +1,5 @@
-// What the program says: help, messages for people and for programs, and nothing that forges them.
+// The program's output: help, messages for users and for programs, and protection against forged
+// lines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -125,7 +126,7 @@ TEST(Words, TablesAreEscapedToo) {
   }
 }
 
-/// Runs it on a terminal, and returns what that got.
+/// Runs it on a terminal, and returns the terminal's output.
 std::string seen_on_terminal(const ScratchFolder& folder, const std::string& environment) {
   return run_shell(folder,
                    environment + " script -qec '\"$TWRENCH\" " + tiny + "--overwrite' /dev/null")
@@ -152,7 +153,7 @@ TEST(Words, ABarInAFileHasNoEscapes) {
   EXPECT_THAT(run.err, Not(HasSubstr("\x1b")));
 }
 
-// exec keeps what the system has counted for the process and for its children until then.
+// exec keeps the times that the system has counted so far for the process and its children.
 TEST(Words, TimingDoesNotCountTheTimeBefore) {
   const ScratchFolder folder;
   const Outcome run =
@@ -163,7 +164,7 @@ TEST(Words, TimingDoesNotCountTheTimeBefore) {
   EXPECT_EQ(report["cpu_ms_per_frame"]["children"], 0.0);
 }
 
-/// Runs as nobody what root would be let do.
+/// Runs as nobody, because root would be permitted.
 Outcome run_as_nobody(const ScratchFolder& folder, const std::string& command) {
   return run_shell(folder,
                    "setpriv --reuid 65534 --regid 65534 --clear-groups sh -c '" + command + "'");

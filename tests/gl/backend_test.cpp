@@ -25,7 +25,7 @@ TEST(Backend, ReportsARendererOrAReasonForEach) {
   EXPECT_EQ(reports[0].name, "osmesa");
   EXPECT_EQ(reports[1].name.substr(0, 3), "egl");
   for (const BackendReport& report : reports) {
-    EXPECT_NE(report.renderer.empty(), report.why_not.empty()) << report.name;
+    EXPECT_NE(report.renderer.empty(), report.failure == nullptr) << report.name;
   }
 }
 
@@ -60,7 +60,7 @@ TEST(EglContext, ListsItsDevicesWhereThereIsNoneOfTheName) {
     make_egl_context("17");
     FAIL() << "no exception";
   } catch (const UsageError& error) {
-    EXPECT_STREQ(error.what(), "EGL device 17: EGL has none of that name");
+    EXPECT_STREQ(error.what(), "EGL device 17: EGL has no device of that name");
     EXPECT_THAT(error.remedy(), HasSubstr("its devices: 0"));
   }
 }
@@ -73,7 +73,7 @@ TEST(EglContext, OpensEachDeviceThatItLists) {
   }
 }
 
-// EGL has one display for a device: the end of one context must not be that of the other.
+// EGL has one display per device: destroying one context must not terminate the other.
 TEST(EglContext, OutlivesAnotherOnTheSameDevice) {
   auto first = make_egl_context("software");
   const auto second = make_egl_context("software");

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl/library.h"
 #include "gl_fixture.h"
 
@@ -52,11 +52,12 @@ TEST(Functions, NamesTheOneThatIsMissing) {
 TEST(Library, NamesWhatItLookedForAndTheRemedy) {
   constexpr std::array names{"libtwrench-none.so.2", "libtwrench-none.so"};
   try {
-    const Library library(names, "install it");
+    const Library library(names, "install it", GlError::Reason::no_osmesa);
     FAIL() << "no exception";
   } catch (const GlError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("libtwrench-none.so.2, libtwrench-none.so"));
     EXPECT_EQ(error.remedy(), "install it");
+    EXPECT_EQ(error.reason(), GlError::Reason::no_osmesa);
   }
 }
 

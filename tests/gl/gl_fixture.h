@@ -9,7 +9,7 @@
 
 namespace twrench::gl {
 
-/// A context for each test, current.
+/// Provides a current context for each test.
 class GlTest : public testing::Test {
  protected:
   std::unique_ptr<Context> context = make_test_context();

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl_fixture.h"
 
 namespace twrench::gl {

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "base/error.h"
+#include "gl/error.h"
 #include "gl/framebuffer.h"
 #include "gl_fixture.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 37, height = 23;
 
-/// A slanted triangle over the middle, whose colour differs from pixel to pixel and with `shade`.
+/// A slanted triangle over the middle, whose colour varies from pixel to pixel and with `shade`.
 class Drawn {
  public:
   Drawn(const Functions& gl, int samples, ReadMode mode)
@@ -52,7 +52,7 @@ class Drawn {
 
 class ReadbackTest : public GlTest, public testing::WithParamInterface<int> {
  protected:
-  /// What is read at once when that is drawn.
+  /// The pixels read at once when that is drawn.
   std::vector<std::uint8_t> expected(float shade, const Rectangle& area) const {
     const Drawn at_once(gl, GetParam(), ReadMode::at_once);
     at_once.draw(shade);
@@ -69,7 +69,7 @@ TEST_P(ReadbackTest, GivesTheSameBytesThroughABuffer) {
     buffered.draw(0.5F);
     Readback readback = buffered.begin_read(area);
     EXPECT_FALSE(readback.is_there());
-    const auto pixels = expected(0.5F, area);  // read while the other is on its way
+    const auto pixels = expected(0.5F, area);  // read while the other is in transfer
     const Image image = readback.take();
     EXPECT_EQ(image.width, area.width);
     EXPECT_EQ(image.height, area.height);

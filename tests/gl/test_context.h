@@ -9,8 +9,8 @@
 
 namespace twrench::gl {
 
-/// What the tests draw with, in software wherever they run: EGL where TWRENCH_TEST_BACKEND=egl says
-/// so, which takes every test over EGL alone, or where there is no OSMesa; else OSMesa.
+/// Creates the tests' context, in software everywhere: EGL if TWRENCH_TEST_BACKEND=egl, which runs
+/// every test with EGL only, or if there is no OSMesa; otherwise OSMesa.
 inline std::unique_ptr<Context> make_test_context() {
   const char* const wanted = std::getenv("TWRENCH_TEST_BACKEND");
   const std::string backend = wanted == nullptr ? "" : wanted;

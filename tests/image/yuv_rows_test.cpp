@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAreArray;
 
-// Of no whole number of vectors, and of too few pixels for one.
+// Widths that are not multiples of the vector size, or smaller than it.
 class YuvRowsOf : public testing::TestWithParam<int> {};
 
 TEST_P(YuvRowsOf, AreTheSameWithTheWidestInstructions) {

@@ -22,15 +22,15 @@ std::vector<std::uint8_t> converted(const Image& image) {
   return {yuv.bytes().begin(), yuv.bytes().end()};
 }
 
-/// Y', Cb, Cr of BT.709 in 8-bit levels, not rounded: ITU-R BT.709-6, items 3.2 to 3.4.
+/// Y', Cb, Cr of BT.709 in 8-bit levels, unrounded: ITU-R BT.709-6, items 3.2 to 3.4.
 std::array<double, 3> reference(const std::array<double, 3>& rgb) {
   const double y = (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 255;
   return {16 + 219 * y, 128 + 224 * (rgb[2] / 255 - y) / 1.8556,
           128 + 224 * (rgb[0] / 255 - y) / 1.5748};
 }
 
-/// The mean colour around the chroma sample (cx, cy): columns weighted 1 2 1, two rows, what is
-/// outside taken from the edge.
+/// The mean colour around the chroma sample (cx, cy): columns weighted 1 2 1, two rows, with the
+/// edge repeated outside.
 std::array<double, 3> around(const Image& image, int cx, int cy) {
   std::array<double, 3> sum{};
   for (int row = 2 * cy; row <= 2 * cy + 1; ++row) {

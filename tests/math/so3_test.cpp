@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 // An entry of exp sums three terms of order one, and one of X^T X three more: nine roundings of
-// 1.1e-16 each, of which all but a few cancel.
+// 1.1e-16 each, most of which cancel.
 constexpr double round_off = 2e-15;
 
 Vector3d random_direction(std::mt19937_64& generator) {
@@ -49,7 +49,7 @@ TEST_P(So3AtAngle, ExpAgreesWithTheQuaternion) {
     const Vector3d axis = random_direction(generator);
     const Matrix3d expected =
         Eigen::Quaterniond(Eigen::AngleAxisd(GetParam(), axis)).toRotationMatrix();
-    // The axis is a unit vector to 1e-16, which an angle of 20 enlarges.
+    // The axis is a unit vector to 1e-16, which an angle of 20 amplifies.
     EXPECT_LE((exp(GetParam() * axis) - expected).cwiseAbs().maxCoeff(),
               round_off * std::max(1.0, GetParam()));
   }
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Angles, So3AtAngle,
                          testing::Values(0.0, 1e-12, 1e-8, 1e-4, 1.0, 2.5, pi - 1e-9, pi, 20.0));
 
 TEST(So3, SmallAnglesKeepTheirRelativeDigits) {
-  // Where 1 - cos is taken literally the second-order part of exp is lost below 1e-8.
+  // Computing 1 - cos directly would lose the second-order part of exp below 1e-8.
   for (const double angle : {1e-3, 1e-5, 1e-7}) {
     const Matrix3d X = exp(Vector3d(angle, angle, 0));
     EXPECT_NEAR(X(0, 1) / (0.5 * angle * angle), 1.0 - angle * angle / 6, 1e-9);

@@ -23,7 +23,7 @@ TEST(Energy, IsHalfOmegaDotIOmega) {
 
 TEST(Diagnostics, VanishOnTheExactMotion) {
   for (const ReferenceCase& c : reference_cases()) {
-    const double start = energy(c.body.inertia, c.omega0);
+    const double start = energy(c.body.inertia(), c.omega0);
     for (const Sample& sample : c.samples) {
       const Diagnostics d = diagnose(c.body, start, sample);
       EXPECT_NEAR(d.energy_drift, 0, 4e-15) << c.name << " " << sample.t;
@@ -35,7 +35,7 @@ TEST(Diagnostics, VanishOnTheExactMotion) {
 
 TEST(Diagnostics, SeeEachFault) {
   const Vector3d omega(1, 2, -1);
-  const FreeBody body = free_body(inertia, omega);
+  const FreeBody body(inertia, omega);
   const double start = energy(inertia, omega);
   EXPECT_NEAR(diagnose(body, start, {0, Matrix3d::Identity(), 1.1 * omega}).energy_drift, 0.21,
               1e-12);
@@ -46,7 +46,7 @@ TEST(Diagnostics, SeeEachFault) {
 }
 
 TEST(Diagnostics, OfABodyAtRestAreZero) {
-  const FreeBody body = free_body(inertia, Vector3d::Zero());
+  const FreeBody body(inertia, Vector3d::Zero());
   const Diagnostics d = diagnose(body, 0, {0, Matrix3d::Identity(), Vector3d::Zero()});
   EXPECT_EQ(d.energy_drift, 0);
   EXPECT_EQ(d.momentum_error, 0);

@@ -25,13 +25,13 @@ using Eigen::Vector3d;
 using Kind = ExactMotion::Kind;
 
 ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
-  return ExactMotion(free_body(moments.asDiagonal(), omega));
+  return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
-/// What an angle is known to after a turn by |omega| t, in units of one rounding of it.
+/// The accuracy of an angle after a rotation by |omega| t, in units of its rounding.
 double turned(const Vector3d& omega, double t) { return std::max(1.0, omega.norm() * std::abs(t)); }
 
-/// Ten roundings or so: a hundredth of what is promised (1e-13), twice what is seen.
+/// About ten roundings: a hundredth of the promised 1e-13, twice the largest observed.
 constexpr double tight = 2e-15;
 
 template <typename Reference>
@@ -46,7 +46,7 @@ void expect_agrees(const Vector3d& moments, const Vector3d& omega, double t, Ref
   EXPECT_LT((sample.omega - reference.omega()).norm(), bound * omega.norm());
 }
 
-// Fast where the processor has more digits than double's, as x86; not every long double does.
+// Fast where the processor has more digits than double, as on x86; not every long double has them.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 constexpr bool long_double_is_wide = std::numeric_limits<long double>::digits >= 64;
 using Wide = TaylorMotion<std::conditional_t<long_double_is_wide, long double, Quad>, 22>;
@@ -88,7 +88,7 @@ struct Boundary {
 
 void PrintTo(const Boundary& boundary, std::ostream* out) { *out << boundary.name; }
 
-/// Each family crosses a boundary between cases where its offset is zero.
+/// Each family crosses a boundary between cases at offset zero.
 class AcrossBoundaries : public testing::TestWithParam<Boundary> {};
 
 TEST_P(AcrossBoundaries, AgreesWithTaylorSeries) {
@@ -177,15 +177,15 @@ TEST(ExactMotion, ConservesWhatIsConserved) {
   RandomBodies random;
   for (int n = 0; n < 500; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const FreeBody body(moments.asDiagonal(), omega);
     const Sample s = ExactMotion(body).at(random.between(-1e6, 1e6));
-    const Vector3d m = body.inertia * s.omega;
-    const double G = body.momentum.norm();
+    const Vector3d m = body.inertia() * s.omega;
+    const double G = body.momentum().norm();
     EXPECT_LT((s.X.transpose() * s.X - Matrix3d::Identity()).norm(), tight);
     EXPECT_NEAR(s.X.determinant(), 1, tight);
     EXPECT_NEAR(m.norm(), G, tight * G);
-    EXPECT_LT((s.X * m - body.momentum).norm(), tight * G);
-    const double energy = omega.dot(body.momentum);
+    EXPECT_LT((s.X * m - body.momentum()).norm(), tight * G);
+    const double energy = omega.dot(body.momentum());
     EXPECT_NEAR(s.omega.dot(m), energy, 3 * tight * energy);
   }
 }
@@ -199,7 +199,7 @@ TEST(ExactMotion, GoesOnFromWhereItWas) {
     const ExactMotion motion = exact(moments, omega);
     const Sample first = motion.at(t1);
     const Sample second = exact(moments, first.omega).at(t2);
-    // The rounding of omega(t1) is spread by the motion: far less tight than a sample itself.
+    // The motion amplifies the rounding of omega(t1): far less accurate than a sample itself.
     EXPECT_LT((motion.at(t1 + t2).X - first.X * second.X).norm(), 1e-12);
   }
 }
@@ -234,13 +234,13 @@ TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
     const Matrix3d inertia = R * moments.asDiagonal() * R.transpose();
     const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
     const Sample sample = exact(moments, omega).at(t);
-    const Sample rotated = ExactMotion(free_body(symmetric, R * omega)).at(t);
+    const Sample rotated = ExactMotion(FreeBody(symmetric, R * omega)).at(t);
     EXPECT_LT((rotated.X - R * sample.X * R.transpose()).norm(), 1e-12);
     EXPECT_LT((rotated.omega - R * sample.omega).norm(), 1e-12 * omega.norm());
   }
 }
 
-// Where the product of two small differences vanished, the phase became infinite.
+// Where the product of two small differences underflowed, the phase became infinite.
 TEST(ExactMotion, NothingUnderflowsOfASmallBodyThatIsNearlyASphere) {
   for (const double mass : {1e-300, 1e-44, 1.0, 1e44, 1e300}) {
     const Vector3d moments = mass * Vector3d(1, 1.000000001055, 1.0000000005274);

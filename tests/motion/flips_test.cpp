@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
+#include "motion/error.h"
 #include "motion/exact.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
@@ -18,13 +18,14 @@ using Eigen::Vector3d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
-  return ExactMotion(free_body(moments.asDiagonal(), omega));
+  return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
-// A list of them would take all memory.
+// A list of them would exhaust the memory.
 TEST(Flips, MoreThanCanBeListedAreRefused) {
   const ExactMotion fast = exact({1, 2, 3}, {1e12, 1e11, 1});
-  EXPECT_THROW(fast.flip_times(1e9), UsageError);
+  EXPECT_THROW(fast.flip_times(1e9), MotionError);
+  EXPECT_THROW(fast.flip_times(infinity), OutOfRange);
   EXPECT_EQ(fast.flip_times(10 * fast.flips()->interval).size(), 10U);
 }
 
@@ -47,7 +48,7 @@ TEST(Flips, OfTheWrench) {
   const auto flips = ExactMotion(reference_case("wrench-a").body).flips();
   ASSERT_TRUE(flips);
   EXPECT_NEAR(flips->interval, 23.630725246383427, 1e-13);
-  EXPECT_NEAR(flips->first, 23.630725246383427 / 2, 1e-13);  // it starts half-way between two
+  EXPECT_NEAR(flips->first, 23.630725246383427 / 2, 1e-13);  // it starts halfway between two flips
   EXPECT_NEAR(flips->asymptotic_interval, 23.618730497761169, 1e-13);
   EXPECT_GT(flips->swing, 3.0);
   EXPECT_LT(ExactMotion(reference_case("wrench-b").body).flips()->swing, 0.4);
@@ -71,7 +72,7 @@ TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
       bounds.push_back(t);
     }
     bounds.push_back(end);
-    // Between two flips there is no other: the sign is one and alternates.
+    // Between two flips there is no other: the sign is constant, and alternates.
     double sign = std::copysign(1.0, omega[1]);
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
       for (const double share : {0.02, 0.5, 0.98}) {

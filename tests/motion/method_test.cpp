@@ -52,7 +52,7 @@ TEST(Method, TableausAreExplicit) {
 TEST(Method, QuadratureConditionsHoldToTheTableausOrder) {
   for (const Method& method : runge_kutta_methods()) {
     const Row c = nodes(tableau_of(method));
-    for (int power = 0; power < method.tableau_order; ++power) {
+    for (int power = 0; power < tableau_of(method).order; ++power) {
       EXPECT_NEAR(quadrature(tableau_of(method).weights, c, power), 1.0 / (power + 1), 1e-15)
           << method.name << " c^" << power;
     }
@@ -71,7 +71,7 @@ TEST(Method, FehlbergsPair) {
 }
 
 // The condition sum b_i a_ij c_j = 1/6, and its companions of order 4, which the quadrature
-// conditions do not imply: a digit slipped inside `a` shows here.
+// conditions do not imply: they reveal a wrong digit inside `a`.
 TEST(Method, CoupledConditionsOfTheFourthOrderTableaus) {
   for (const char* name : {"rk4", "rkf45"}) {
     const Tableau& t = tableau_of(find_method(name));

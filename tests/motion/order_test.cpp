@@ -1,5 +1,5 @@
-// Orders are measured, not believed: the slope of the error of X(20) on the T-wrench over step
-// lengths, against the 25-digit reference.
+// Orders are measured: the slope of the error of X(20) on the T-wrench against the step size, with
+// the 25-digit reference.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,14 +23,14 @@ double error_after(const Method& method, int steps) {
 
 class MethodOrder : public testing::TestWithParam<Method> {};
 
-// `rk4` and `rkf45` are second order here, and that is no fault of the code: section 4.4 and 4.5
-// take one exponential of the averaged stage velocities and so drop their commutators, of which
-// the first is (h^3/12) omega x omega'. Only the tableaus are of order 4 and 5.
+// `rk4` and `rkf45` are second order here, which is not an error of the code: sections 4.4 and 4.5
+// use one exponential of the averaged stage velocities and thus omit their commutators, the first
+// of which is (h^3/12) omega x omega'. Only the tableaus are of order 4 and 5.
 TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const Method& method = GetParam();
-  if (method.order == 0) GTEST_SKIP() << "no step, no order";
-  if (method.order > 4) GTEST_SKIP() << "no slope over so many steps; see TaylorOrder";
-  // From where the slope is asymptotic, to where round-off flattens it.
+  if (method.exact()) GTEST_SKIP() << "no step, no order";
+  if (*method.order > 4) GTEST_SKIP() << "no slope over so many steps; see TaylorOrder";
+  // From where the slope is asymptotic to where round-off flattens it.
   const int coarsest = method.order == 1 ? 6400 : 800;
   constexpr double round_off = 1e-12;
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -45,19 +45,20 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   RecordProperty("slope", std::to_string(slope));
   std::printf("%s: order %.3f\n", std::string(method.name).c_str(), slope);
-  // Above the order by as much as the next term of the error still weighs (Fehlberg's first is
-  // small), below it not at all.
-  EXPECT_GT(slope, method.order - 0.1);
-  EXPECT_LT(slope, method.order + 0.3);
+  // The slope exceeds the order by the weight of the next error term (Fehlberg's first is small),
+  // and is not below it.
+  EXPECT_GT(slope, *method.order - 0.1);
+  EXPECT_LT(slope, *method.order + 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MethodOrder, every_method(), method_test_name);
 
-/// The order at which a series is cut, and a step, s, whose error is well above round-off.
+/// The order at which a series is truncated, and a step size in s whose error is well above
+/// round-off.
 class TaylorOrder : public testing::TestWithParam<std::pair<int, double>> {};
 
-// An order so high shows between round-off and the pole of the motion only in single steps: the
-// error of one goes as h^(order + 1). The recurrence does not know where it will be cut.
+// Between round-off and the pole of the motion, such a high order is visible only in single steps,
+// whose error scales as h^(order + 1). The recurrence does not know where it will be truncated.
 TEST_P(TaylorOrder, IsTheSlopeOfTheLocalError) {
   const auto [order, h] = GetParam();
   Method method = find_method("taylor");
@@ -66,7 +67,7 @@ TEST_P(TaylorOrder, IsTheSlopeOfTheLocalError) {
   const auto error = [&](double length) {
     const Step step = take_step(wrench, method, Eigen::Matrix3d::Identity(), length);
     const double truth = (step.X - ExactMotion(wrench).at(length).X).norm();
-    EXPECT_GT(step.error, truth) << length;  // the last term is larger than all that are dropped
+    EXPECT_GT(step.error, truth) << length;  // the last term exceeds the sum of all omitted terms
     return truth;
   };
   const double slope = std::log2(error(h) / error(h / std::sqrt(2.0))) / 0.5;
@@ -79,8 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Cut, TaylorOrder,
                          testing::Values(std::pair{2, 0.5}, std::pair{4, 0.5}, std::pair{8, 1.0},
                                          std::pair{10, 1.7}, std::pair{20, 4.4}));
 
-// The figures published for the printed RK4 and RKF45 (its 5th-order row aside) at 100 to 800
-// steps.
+// The values published for the printed RK4 and RKF45 (its 5th-order row aside) at 100 to 800 steps.
 TEST(MethodError, OfThePrintedRungeKuttaMethods) {
   const double expected[] = {6.1e-3, 1.1e-3, 2.4e-4, 5.8e-5};
   for (int i = 0; i < 4; ++i) {

@@ -23,7 +23,7 @@ double energy_of(const Vector3d& moments, const Vector3d& mu) {
 }
 
 FreeBody body(const Vector3d& moments, const Vector3d& omega) {
-  return free_body(moments.asDiagonal(), omega);
+  return FreeBody(moments.asDiagonal(), omega);
 }
 
 TEST(Polhode, LiesOnTheSphereAndOnTheEllipsoidOfEnergy) {
@@ -104,8 +104,9 @@ TEST(Herpolhode, StaysInItsAnnulusAndReachesBothRims) {
   for (const Vector3d& omega : {Vector3d(0.05, 1, 0), Vector3d(1, 0.3, 0.2), Vector3d(0, 0.4, 1)}) {
     const FreeBody free = body(wrench, omega);
     const ExactMotion motion(free);
-    const Vector3d up = free.momentum.normalized();
-    const auto level = level_through(free.principal.moments, free.principal.axes.transpose() * up);
+    const Vector3d up = free.momentum().normalized();
+    const auto level =
+        level_through(free.principal().moments, free.principal().axes.transpose() * up);
     ASSERT_TRUE(level);
     const auto [inner, outer] = herpolhode_annulus(*level);
     double least = 1e9, most = 0;

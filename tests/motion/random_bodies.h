@@ -6,7 +6,7 @@
 
 namespace twrench {
 
-/// Bodies that exist (the triangle inequality holds), from needles to plates, of any size.
+/// Physically possible bodies (the triangle inequality holds), from needles to plates, of any size.
 class RandomBodies {
  public:
   Eigen::Vector3d moments() {

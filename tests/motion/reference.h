@@ -39,7 +39,7 @@ inline std::vector<ReferenceCase> reference_cases() {
     const Eigen::Vector3d moments =
         vector_of(c.contains("inertia_values_g_cm2") ? c["inertia_values_g_cm2"] : c["inertia"]);
     const Eigen::Vector3d omega0 = vector_of(c["omega0"]);
-    ReferenceCase reference{c["name"], free_body(moments.asDiagonal(), omega0), omega0, {}};
+    ReferenceCase reference{c["name"], FreeBody(moments.asDiagonal(), omega0), omega0, {}};
     for (const auto& s : c["samples"]) {
       Sample sample{s["t"], {}, vector_of(s["omega"])};
       for (int row = 0; row < 3; ++row) {

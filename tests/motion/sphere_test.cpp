@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const FreeBody sphere = free_body(Matrix3d::Identity(), Vector3d::UnitX());
+const FreeBody sphere(Matrix3d::Identity(), Vector3d::UnitX());
 
 double error_at_end(const Method& method, int steps) {
   const double t = 10.0;
@@ -24,11 +24,11 @@ double error_at_end(const Method& method, int steps) {
   return (end.X - so3::exp(t * Vector3d::UnitX())).norm();
 }
 
-// Task 3, and 4: on the sphere omega is constant, so that every method on the group is exact.
+// Tasks 3 and 4: on the sphere omega is constant, so that every method on the group is exact.
 TEST(Sphere, EveryLieMethodIsExact) {
   for (const Method& method : methods()) {
     if (method.linear()) continue;
-    // Round-off of at most five products a step, which grows like their number at worst.
+    // Round-off of at most five products per step, which grows at most linearly.
     EXPECT_LE(error_at_end(method, 1000), 5e-13) << method.name;
     EXPECT_LE(error_at_end(method, 10), 1e-14) << method.name;
   }
@@ -45,7 +45,7 @@ TEST(Sphere, EulerIsFirstOrderAndLeavesTheGroup) {
   EXPECT_NEAR(W.determinant(), 1 + h * h, 1e-15);
 }
 
-// Eq. (24) takes (W I)^-1. Away from SO(3) the transpose would give another omega.
+// Eq. (24) uses (W I)^-1. Off SO(3) the transpose would give a different omega.
 TEST(Sphere, EulerTakesTheInverse) {
   const Matrix3d W = 2 * Matrix3d::Identity();
   EXPECT_EQ(angular_velocity(sphere, find_method("euler"), W), Vector3d(0.5, 0, 0));

@@ -8,8 +8,8 @@
 
 namespace twrench {
 
-/// Euler's equations and the attitude by their Taylor series in a wide type: slow, and with
-/// nothing in common with the closed form. The inertia is diagonal, of any order; X(0) = Id.
+/// Euler's equations and the attitude by Taylor series in a wide type: slow, and independent of the
+/// closed form. The inertia is diagonal, in any order; X(0) = Id.
 template <typename Real, std::size_t order>
 class TaylorMotion {
  public:
@@ -74,7 +74,7 @@ class TaylorMotion {
     }
   }
 
-  /// Terms of omega_j omega_k and of the quaternion product q (0, omega).
+  /// Adds the terms of omega_j omega_k and of the quaternion product q (0, omega).
   static void add_products(State& sum, const State& a, const State& b) {
     sum[0] += a[1] * b[2];
     sum[1] += a[2] * b[0];

@@ -5,12 +5,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
 #include "image/png.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 #include "movie/frame_sequence.h"
 #include "run_command.h"
@@ -32,7 +33,7 @@ Image gray(int width, int height, std::size_t level) {
   return image;
 }
 
-/// Frames of a range, of which `drawn` are drawn: frame i is of gray level 10 i.
+/// Writes the frames `drawn` of a range: frame i has gray level 10 i.
 std::filesystem::path draw(const ScratchFolder& scratch, const std::string& range,
                            const std::string& drawn) {
   FrameSequence sequence(scratch / "frames", {.version = "0.1.0",
@@ -44,7 +45,7 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
                                               .encoder = {},
                                               .range = range,
                                               .frames = {}});
-  std::vector<FrameRecord> records(100);  // which outlive the sequence's last manifest
+  std::vector<FrameRecord> records(100);  // must outlive the sequence's last manifest
   for (const int frame : parse_frame_range(drawn, 100)) {
     FrameRecord& record = records[static_cast<std::size_t>(frame)];
     record.frame = frame;
@@ -62,15 +63,17 @@ std::vector<int> encode_and_count(const std::filesystem::path& folder,
   return heard;
 }
 
-FileError failure(const ScratchFolder& scratch) {
+/// The error that ends it, of that type, without a film.
+template <typename Kind>
+Kind failure(const ScratchFolder& scratch) {
+  std::optional<Kind> failure;
   try {
     encode_and_count(scratch / "frames", scratch / "film.mp4");
-  } catch (const FileError& error) {
-    EXPECT_FALSE(std::filesystem::exists(scratch / "film.mp4"));
-    return error;
+  } catch (const Kind& error) {
+    failure = error;
   }
-  ADD_FAILURE() << "no error";
-  return {"", ""};
+  EXPECT_FALSE(std::filesystem::exists(scratch / "film.mp4"));
+  return failure.value();
 }
 
 TEST(EncodeFrames, MakesTheFilmOfTheFramesInOrder) {
@@ -91,9 +94,10 @@ TEST(EncodeFrames, NamesTheFramesThatWereNeverDrawnOrAreGone) {
   const ScratchFolder scratch;
   draw(scratch, "0-19", "0-4,8-12");
   std::filesystem::remove(scratch / "frames/frame_000010.png");
-  const FileError error = failure(scratch);
+  const auto error = failure<FramesError>(scratch);
   EXPECT_THAT(error.what(), HasSubstr("frames are missing: 5-7,10,13-19"));
-  EXPECT_THAT(error.remedy(), HasSubstr("--resume"));
+  EXPECT_EQ(error.reason(), FramesError::Reason::missing);
+  EXPECT_THAT(error.frames(), ElementsAre(5, 6, 7, 10, 13, 14, 15, 16, 17, 18, 19));
 }
 
 TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
@@ -116,7 +120,10 @@ TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
   const ScratchFolder scratch;
   draw(scratch, "0-3", "0-3");
   write_file_atomically(scratch / "frames/frame_000002.png", encode_png(gray(32, 16, 99)));
-  EXPECT_THAT(failure(scratch).what(), HasSubstr("frame_000002.png: it is not the file"));
+  const auto error = failure<FramesError>(scratch);
+  EXPECT_THAT(error.what(), HasSubstr("frame_000002.png: it is not the file"));
+  EXPECT_EQ(error.reason(), FramesError::Reason::altered);
+  EXPECT_THAT(error.frames(), ElementsAre(2));
   EXPECT_THAT(scratch.names(), ElementsAre("frames"));
 }
 
@@ -129,13 +136,13 @@ TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
     FrameSequence sequence(scratch / "frames", manifest);
     sequence.write(record, encode_png(gray(width, height, 0)));
     sequence.finish();
-    EXPECT_THAT(failure(scratch).what(), HasSubstr("the manifest says 32x16"));
+    EXPECT_THAT(failure<FileError>(scratch).what(), HasSubstr("the manifest says 32x16"));
   }
 }
 
 TEST(EncodeFrames, NeedsAManifest) {
   const ScratchFolder scratch;
-  EXPECT_THAT(failure(scratch).what(), HasSubstr("there is no such folder"));
+  EXPECT_THAT(failure<FileError>(scratch).what(), HasSubstr("there is no such folder"));
 }
 
 TEST(EncodeFrames, KeepsTheFramesWhenFfmpegFails) {

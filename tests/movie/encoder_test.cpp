@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/file.h"
+#include "movie/error.h"
 #include "run_command.h"
 #include "scratch_folder.h"
 #include "stub_ffmpeg.h"
@@ -41,7 +41,7 @@ void encode(const std::filesystem::path& output, const std::vector<Image>& frame
   encoder.finish();
 }
 
-/// The frames of a film, decoded by ffmpeg.
+/// The frames of a video, decoded by ffmpeg.
 std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string& film) {
   const std::string raw = (scratch / (film + ".rgb")).string();
   run_command("ffmpeg -v error -i 'file:" + (scratch / film).string() +
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string
   return read_file(raw, 100'000'000);
 }
 
-/// What ffprobe says of the film's stream.
+/// ffprobe's description of the video stream.
 std::string probe(const ScratchFolder& scratch, const std::string& film) {
   const std::string out = (scratch / (film + ".txt")).string();
   run_command(
@@ -61,7 +61,7 @@ std::string probe(const ScratchFolder& scratch, const std::string& film) {
   return {text.begin(), text.end()};
 }
 
-/// The error that making a film of many frames ends in.
+/// The error with which encoding many frames ends.
 template <typename Expected>
 Expected failure(const std::filesystem::path& output) {
   try {
@@ -115,7 +115,7 @@ TEST(Encoder, KeepsColours) {
 }
 
 TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
-  // Every 17th level of each channel, in squares of 16 pixels of which the inner 8 are looked at.
+  // Every 17th level of each channel, in squares of 16 pixels whose inner 8 are compared.
   constexpr int side = 1024;
   const ScratchFolder scratch;
   Image image(side, side, 3);
@@ -144,7 +144,7 @@ TEST(Encoder, KeepsFramesUprightAndInOrder) {
   std::vector<Image> frames;
   for (int k = 0; k < 3; ++k) {
     frames.push_back(flat({20, 20, 20}));
-    // Bright: 16 rows at the top, and so many columns at the left.
+    // Bright: the top 16 rows, and that many columns on the left.
     for (std::size_t i = 0; i < frames.back().pixels.size(); ++i) {
       const auto x = static_cast<int>(i / 3 % 64);
       const auto y = static_cast<int>(i / 3 / 64);
@@ -220,14 +220,14 @@ TEST(Encoder, ShowsTransparentFramesOverBlack) {
   const ScratchFolder scratch;
   Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // seen by half
+    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // half transparent
   }
   encode(scratch / "film.mp4", {image});
   EXPECT_NEAR(decode(scratch, "film.mp4")[0], 100, 2);
 }
 
 TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
-  // Opaque at the left, half seen in the middle, clear at the right.
+  // Opaque on the left, half transparent in the middle, transparent on the right.
   Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
     const auto x = i / 4 % 64;
@@ -285,7 +285,7 @@ TEST(Encoder, TakesRatesThatAreNotWhole) {
     EXPECT_THAT(encoder_arguments({64, 48, fps}), ::testing::Contains(fraction)) << fps;
   }
   for (const double fps : {0.0, -1.0, 1e9, std::nan("")}) {
-    EXPECT_THROW(encoder_arguments({64, 48, fps}), UsageError);
+    EXPECT_THROW(encoder_arguments({64, 48, fps}), OutOfRange);
   }
 }
 
@@ -293,13 +293,14 @@ TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
   const ScratchFolder scratch;
   for (const auto& [width, height] : {std::pair{641, 480}, {640, 481}, {0, 0}}) {
     const VideoFormat odd{width, height, 30};
-    EXPECT_THROW(require_encoder(odd), UsageError);
-    EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), UsageError);
+    EXPECT_THROW(require_encoder(odd), FilmSizeError);
+    EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), FilmSizeError);
   }
   try {
     require_encoder({641, 481, 30});
-  } catch (const UsageError& error) {
-    EXPECT_THAT(error.remedy(), HasSubstr("--size 642x482"));
+  } catch (const FilmSizeError& error) {
+    EXPECT_EQ(error.width(), 642);
+    EXPECT_EQ(error.height(), 482);
   }
 }
 
@@ -355,7 +356,7 @@ TEST(Encoder, ThatCannotDoItIsToldBeforeTheFirstFrame) {
     FAIL();
   } catch (const EncoderError& error) {
     EXPECT_STREQ(error.what(),
-                 "ffmpeg cannot make the film: ffmpeg ended with exit status 1: "
+                 "ffmpeg cannot encode the video: ffmpeg ended with exit status 1: "
                  "Unknown encoder 'libx264'");
     EXPECT_THAT(error.remedy(), HasSubstr("libx264"));
   }
@@ -377,7 +378,7 @@ TEST(Encoder, ThatDiesMidwayIsTold) {
   write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
   const StubFfmpeg stub(scratch, "head -c 1000000 >/dev/null; kill -KILL $$");
   EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(),
-              HasSubstr("exit status 137: it said nothing"));
+              HasSubstr("exit status 137: it printed no message"));
   EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAre("bin", "film.mp4"));
   EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
 }
@@ -393,7 +394,7 @@ TEST(Encoder, ThatHangsIsStoppedAndTold) {
       encoder.finish();
       FAIL();
     } catch (const EncoderError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("ffmpeg hung, and was stopped"));
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg stopped responding and was killed"));
     }
     EXPECT_THAT(scratch.names(), ElementsAre("bin"));
     EXPECT_THROW(require_encoder(format, patience), EncoderError);
@@ -413,8 +414,8 @@ TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
   const std::string last = "for film; do :; done; film=${film#file:}; ";
   const std::string real = "$(PATH=${PATH#*:} command -v ffmpeg)";
   const std::pair<std::string, const char*> stubs[] = {
-      {last + "cat >/dev/null; : >\"$film\"", "what it wrote is no film"},
-      {"head -c 18432 | " + real + " \"$@\"", "a film of 4 frames"}};
+      {last + "cat >/dev/null; : >\"$film\"", "its output is not a video"},
+      {"head -c 18432 | " + real + " \"$@\"", "a video of 4 frames"}};
   for (const auto& [script, message] : stubs) {
     const StubFfmpeg stub(scratch, script);
     VideoEncoder encoder(scratch / "film.mp4", format);

@@ -77,7 +77,7 @@ TEST(FrameRange, SaysWhichFramesThereAre) {
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_STREQ(error.what(), "frames '3-10': there is no frame 10");
-    EXPECT_EQ(error.remedy(), "the film's frames are 0-9");
+    EXPECT_EQ(error.remedy(), "the video's frames are 0-9");
   }
   EXPECT_THROW(parse_frame_range("0-2147483647", max_frame_count), UsageError);
 }

@@ -114,7 +114,7 @@ TEST(FrameSequence, WithoutAFrameTouchesNoManifest) {
   EXPECT_EQ(read_file(scratch / manifest_name, 100).size(), 14U);
 }
 
-// So that another run, or a next one, never meets frames of which it cannot tell whose they are.
+// So that no run ever finds frames whose origin is unknown.
 TEST(FrameSequence, HasAManifestBeforeAFrame) {
   const ScratchFolder scratch;
   Manifest shard = head("0-9");
@@ -146,7 +146,7 @@ TEST(FrameSequence, NeedsAFolder) {
     FAIL();
   } catch (const FileError& error) {
     EXPECT_EQ(error.what(),
-              "cannot make the folder " + (scratch / "file").string() + ": Not a directory");
+              "cannot create the folder " + (scratch / "file").string() + ": Not a directory");
   }
   EXPECT_THROW(FrameSequence(scratch / "file/deeper", head("0-9")), FileError);
 }

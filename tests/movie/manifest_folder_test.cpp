@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "base/error.h"
 #include "base/file.h"
+#include "movie/error.h"
 #include "movie/frame_range.h"
 #include "scratch_folder.h"
 
@@ -41,7 +41,7 @@ void put(const ScratchFolder& scratch, const Manifest& manifest) {
 std::string failure(const ScratchFolder& scratch) {
   try {
     read_manifests(scratch.path());
-  } catch (const FileError& error) {
+  } catch (const FramesError& error) {
     return error.what();
   }
   return "no error";
@@ -97,7 +97,7 @@ TEST(ManifestFolder, RefusesTwoDigestsOfOneFrame) {
 
 TEST(ManifestFolder, NeedsAManifest) {
   const ScratchFolder scratch;
-  EXPECT_THAT(failure(scratch), HasSubstr("it has no manifest.json"));
+  EXPECT_THAT(failure(scratch), HasSubstr("it contains neither manifest.json"));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Manifest sample() {
           .frames = {record(3), record(5)}};
 }
 
-/// What is wrong with the sample once `from` in its text is `to`.
+/// The error for the sample after replacing `from` by `to` in its text.
 std::string failure(const std::string& from, const std::string& to) {
   std::string text = format_manifest(sample());
   const std::size_t at = text.find(from);
@@ -117,7 +117,7 @@ TEST(Manifest, NamesFilesByTheirNumberInTheFilm) {
 TEST(Manifest, RefusesFileNamesThatLeadElsewhere) {
   for (const char* name : {"../a.png", "/etc/passwd", "a/b.png", "..", ".", "", "a\\u0000b"}) {
     EXPECT_EQ(failure("frame_000005.png", name),
-              "cannot use m.json: frames[1].file must be a file's name without a path")
+              "cannot use m.json: frames[1].file must be a file name without a path")
         << name;
   }
 }
@@ -148,12 +148,12 @@ TEST(Manifest, SaysWhereItIsWrong) {
 TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
   for (const char* frame : {"\"frame\":3", "\"frame\":1", "\"frame\":4", "\"frame\":11"}) {
     EXPECT_THAT(failure("\"frame\":5", frame),
-                HasSubstr("cannot use m.json: frames must be in the range and ascending"));
+                HasSubstr("cannot use m.json: frames must be in the range and in ascending order"));
   }
 }
 
 TEST(Manifest, RefusesWhatIsNotJson) {
-  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("m.json: line 6 is no JSON"));
+  EXPECT_THAT(failure("\"fps\":", "fps:"), HasSubstr("m.json: line 6 is not valid JSON"));
   EXPECT_THAT(failure("\"fps\": ", "\"fps\": 1e999, \"\": "),
               HasSubstr("a number that is too large"));
   EXPECT_THAT(failure("{", ""), HasSubstr("cannot use m.json"));
@@ -182,12 +182,12 @@ TEST(Manifest, TellsOfItsShard) {
 TEST(Manifest, HeadIsReadWithoutTheFrames) {
   const ScratchFolder scratch;
   const std::string text = format_manifest(sample());
-  // What stands behind the head is not looked at.
+  // The part after the head is not read.
   write_file_atomically(scratch / "cut.json", text.substr(0, text.find("\"frame\":3")));
   const Manifest head = read_manifest_head(scratch / "cut.json");
   EXPECT_TRUE(same_film(head, sample()));
   EXPECT_TRUE(head.frames.empty());
-  // Another program may write it in another way.
+  // Another program may format it differently.
   write_file_atomically(scratch / "other.json", nlohmann::json::parse(text).dump());
   EXPECT_TRUE(read_manifest_head(scratch / "other.json").frames.empty());
   EXPECT_EQ(read_manifest_head(scratch / "other.json").range, "3-9:2");
@@ -196,7 +196,7 @@ TEST(Manifest, HeadIsReadWithoutTheFrames) {
 
 TEST(Manifest, RefusesDeepNesting) {
   const std::string deep = std::string(1'000'000, '[');
-  EXPECT_THAT(failure("\"dzhanibekov\"", deep), HasSubstr("nests deeper than"));
+  EXPECT_THAT(failure("\"dzhanibekov\"", deep), HasSubstr("nested more than"));
 }
 
 TEST(Manifest, IsReadFromItsFolder) {

@@ -10,7 +10,7 @@
 
 namespace twrench {
 
-/// Another PATH while it lives.
+/// Sets PATH during its lifetime.
 class PathSetting {
  public:
   explicit PathSetting(const std::string& path) { setenv("PATH", path.c_str(), 1); }
@@ -27,7 +27,7 @@ class PathSetting {
   const std::string before_ = current();
 };
 
-/// An ffmpeg of the test's own, a shell script, before the real one in PATH; while it lives.
+/// Puts a substitute ffmpeg, a shell script, first in PATH during its lifetime.
 class StubFfmpeg {
  public:
   StubFfmpeg(const ScratchFolder& scratch, const std::string& script)

@@ -1,4 +1,4 @@
-// The ways to OpenGL held against each other: the same rasteriser draws the same through each.
+// Compares the OpenGL backends: the same rasteriser draws the same picture through each.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -11,7 +11,7 @@
 namespace twrench {
 namespace {
 
-/// Drawn in software through the back end, or nothing where it cannot be used.
+/// Draws in software through the backend; returns nothing if it is not usable.
 std::optional<Image> drawn_with(const gl::BackendChoice& choice, const Scene& scene) {
   try {
     const auto opened = gl::open_context(choice);
@@ -28,8 +28,7 @@ TEST(Backends, GiveTheSameImage) {
     const auto osmesa = drawn_with({gl::Backend::osmesa, {}}, scene);
     const auto egl = drawn_with({gl::Backend::egl, "software"}, scene);
     if (!osmesa || !egl) GTEST_SKIP() << "one of OSMesa and EGL's software cannot be used here";
-    // The thresholds of the golden images, which allow for another release of Mesa behind the
-    // other.
+    // The thresholds of the golden images, which allow for different releases of Mesa.
     const auto difference = compare(*osmesa, *egl, 4);
     ASSERT_TRUE(difference.has_value());
     EXPECT_LE(difference->share, 0.001);

@@ -35,7 +35,8 @@ TEST(Background, GoesFromDarkAboveToLighterBelow) {
 }
 
 TEST(Background, HasNoBands) {
-  // Rows a step of 8 bits apart or less differ in their mean by less than that step: dithered.
+  // Rows at most one 8-bit step apart differ in their mean by less than that step, because of
+  // dithering.
   const Image image = background(Look(), 1920, 1080);
   int equal = 0;
   for (int y = 300; y < 900; ++y) {

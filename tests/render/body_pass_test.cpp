@@ -18,7 +18,7 @@
 namespace twrench {
 namespace {
 
-/// What GL itself says of a program, with functions that only a test has use for.
+/// GL's own description of a program, through functions that only this test uses.
 class Reflection {
  public:
   Reflection(const gl::Context& context, GLuint program)
@@ -49,7 +49,7 @@ class Reflection {
   GLuint program_;
 };
 
-/// A metal, and a body that scatters: two shaders.
+/// A metal, and a body with a diffuse term: two shaders.
 class BodyPassTest : public testing::TestWithParam<float> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
@@ -75,7 +75,7 @@ TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
   EXPECT_EQ(count, 3);
 }
 
-// That each uniform that C++ sets is in the shader, Program::set itself sees to.
+// Program::set itself checks that each uniform set by C++ exists in the shader.
 TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   const gl::Framebuffer framebuffer(gl, 16, 16, 1, gl::ReadMode::at_once);
   framebuffer.draw_within({0, 0, 16, 16}, {0, 0, 16, 16});
@@ -93,7 +93,7 @@ TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
 
-/// Levels that a pixel of one picture differs by from that of another at most.
+/// The largest channel difference of a pixel between two pictures.
 int difference(const Image& a, const Image& b, std::size_t pixel) {
   int most = 0;
   for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) {
@@ -102,7 +102,7 @@ int difference(const Image& a, const Image& b, std::size_t pixel) {
   return most;
 }
 
-/// The pixels of a picture that lie four pixels or more within what is drawn.
+/// The pixels of a picture at least four pixels inside what is drawn.
 std::vector<std::size_t> within_outline(const Image& image) {
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t rows = static_cast<std::size_t>(image.height) - 4;

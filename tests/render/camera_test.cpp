@@ -20,7 +20,7 @@ Vector3d project(const Camera& camera, const Vector3d& point) {
   return clip.head<3>() / clip.w();
 }
 
-/// The largest |x| and |y|, in device coordinates, that the sphere of `radius` reaches.
+/// The largest |x| and |y| of the sphere of `radius`, in device coordinates.
 Vector2d reach(const Camera& camera, double radius) {
   Vector2d result(0, 0);
   for (int i = 0; i <= 180; ++i) {

@@ -60,7 +60,7 @@ TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
   const Layer early = drawn_layers(panel, at(scene, 24)).at(0);
   const Layer late = drawn_layers(panel, at(scene, 72)).at(0);
   const Area area = *scene.layout.components;
-  // The first plot of each row begins at the area's left edge; what is past at both times is alike.
+  // The first plot of each row begins at the area's left edge; the past at both times is the same.
   const int plot = area.width / 3;
   const int before = area.x - early.x;
   for (int y = 0; y < early.image.height; ++y) {
@@ -121,7 +121,7 @@ TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
   }
 }
 
-// No layout gives it such; where one did, memory was overwritten.
+// No layout produces such an area; where one did, memory was overwritten.
 TEST(ComponentPanel, IsCutOffAtThePicturesEdges) {
   const Area picture{0, 0, 200, 100};
   OverlayScene small(film(picture.width, picture.height));

@@ -6,7 +6,7 @@
 
 namespace twrench {
 
-/// What an element draws, when all its pixels are there.
+/// Returns what an element draws, once all its pixels have arrived.
 inline std::vector<Layer> drawn_layers(Element& element, const Moment& moment) {
   std::vector<Layer> layers;
   for (PendingLayer& layer : element.draw(moment)) layers.push_back(layer.get());

@@ -37,7 +37,7 @@ bool faces(const Mesh& mesh, const std::uint32_t* corners, const glm::vec3& eye)
                   eye - a) > 0;
 }
 
-/// The edges of triangles, each from its first end to its second, that have no partner.
+/// The directed edges of triangles that have no partner.
 std::set<Edge> borders(const std::vector<std::uint32_t>& indices) {
   std::set<Edge> result;
   for (std::size_t i = 0; i < indices.size(); i += 3) {
@@ -78,7 +78,7 @@ TEST(Facets, AreFewerOnTheSideAndTheSameAtTheOutline) {
                          mesh.indices.begin() + static_cast<std::ptrdiff_t>(side.begin),
                          facets.indices.begin()));
   const auto mesh_side = static_cast<std::ptrdiff_t>(side.begin);
-  std::set<Edge> lengthwise;  // between a vertex of the lower ring and the one over it
+  std::set<Edge> lengthwise;  // between a vertex of the lower ring and the one above it
   for (auto i = facets.indices.begin() + mesh_side; i != facets.indices.end(); i += 3) {
     for (const auto& [from, to] : {Edge(i[0], i[1]), {i[1], i[2]}, {i[2], i[0]}}) {
       const auto [low, high] = std::minmax(from, to);

@@ -1,5 +1,5 @@
-// Whole frames of a film, with what explains it, held against images that were looked at and found
-// right; see golden_test.cpp.
+// Complete frames with overlays, compared with images that were inspected and found correct; see
+// golden_test.cpp.
 #include <gtest/gtest.h>
 
 #include "gl/test_context.h"
@@ -45,7 +45,7 @@ TEST_P(GoldenFilm, IsDrawn) {
   scene.overlay.show = golden.show;
   scene.overlay.view = golden.view;
   scene.motion.omega = golden.omega;
-  scene.motion.method = "exact";  // whose frames do not hang on steps
+  scene.motion.method = "exact";  // its frames do not depend on steps
   scene.camera.elevation = golden.elevation;
   const Timeline timeline(scene, {golden.frame});
   const auto context = gl::make_test_context();

@@ -24,7 +24,7 @@ class FloorTest : public testing::Test {
     return PoseRenderer(*context, scene, features).draw(X);
   }
 
-  /// What the floor makes of the picture: the red of each pixel with it, less that without.
+  /// The effect of the floor: the red of each pixel with it, minus that without.
   std::vector<int> change(const Scene& scene, const Matrix3d& X) const {
     const Image with = drawn(scene, X, {Feature::floor});
     const Image without = drawn(scene, X, {});
@@ -42,7 +42,7 @@ class FloorTest : public testing::Test {
     return scene;
   }
 
-  /// Where the shadow on a white floor has its middle, column and row.
+  /// The centre of the shadow on a white floor, column and row.
   Eigen::Vector2d shadow(const Scene& scene, const Matrix3d& X) const {
     const std::vector<int> darker = change(scene, X);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -78,19 +78,19 @@ TEST_F(FloorTest, LeavesAFlatBackgroundItsColourAndShadesIt) {
 
 TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
   const Scene scene = white();
-  // The leg, which casts most of it, points to the right, or to the left.
+  // The leg, which casts most of it, points right, or left.
   const Eigen::Vector2d right = shadow(scene, Matrix3d::Identity());
   const Eigen::Vector2d left = shadow(scene, so3::exp(Vector3d(0, 3.14, 0)));
   EXPECT_GT(right.x(), left.x() + 5);
   EXPECT_GT(left.y(), 110);
-  // A small turn moves it by little: it neither jumps nor pumps.
+  // A small rotation moves it slightly: it neither jumps nor pulsates.
   const Eigen::Vector2d near = shadow(scene, so3::exp(Vector3d(0, 0.01, 0)));
   EXPECT_LT((near - right).norm(), 0.5);
 }
 
 TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
   Scene scene = white();
-  scene.overlay.view = View::quad;  // the body has the upper left quarter
+  scene.overlay.view = View::quad;  // the body is in the upper left quarter
   scene.camera.distance = 1.0;
   const std::vector<int> darker = change(scene, Matrix3d::Identity());
   const auto at = [&](int column, int row) {
@@ -114,7 +114,7 @@ TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   }
 }
 
-// Not with a ball for each of its radii, of which it is ten million long.
+// Not with a sphere per radius, of which its length is ten million.
 TEST_F(FloorTest, IsDrawnBelowAWire) {
   Scene scene = white();
   scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};

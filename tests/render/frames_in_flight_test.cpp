@@ -1,5 +1,5 @@
-// Frames that are begun before others are ended are the same, to the byte, as those drawn one after
-// the other and read at once; and so is what is read in bands as what is read whole.
+// Frames begun before others are completed are byte-identical to those drawn one by one and read at
+// once; and pixels read in bands equal those read as a whole.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Film {
   double orbit = 0;
 };
 
-/// The frame with what changed taken out of it: the still picture, if all else is as it was.
+/// The frame with its damaged areas restored: the static background, if the rest is unchanged.
 Image without_changes(const Frame& frame, const Image& still) {
   Image image = frame.image;
   const auto channels = static_cast<std::size_t>(image.channels);

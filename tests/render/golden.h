@@ -18,8 +18,8 @@ inline std::filesystem::path golden_path(const std::string& name) {
 }
 
 /// Mesa 22.3, 25.0 and 26.1 differ by one level of 255, and by 0.0001 in the mean; on labels, whose
-/// typeface differs too, by 9 and 0.004 (docs/platforms.md). Other drivers round a pixel in a
-/// thousand by a sample on an edge. Half a degree of pose moves the mean by more than this.
+/// font differs too, by 9 and 0.004 (docs/platforms.md). Other drivers round one edge pixel in a
+/// thousand by a sample. Half a degree of pose changes the mean by more than this.
 inline bool alike(const Image& a, const Image& b) {
   constexpr int threshold = 4;
   constexpr double allowed_share = 0.001;
@@ -31,8 +31,8 @@ inline bool alike(const Image& a, const Image& b) {
 /// Whether two images are close enough to count as the same.
 using Alike = bool (*)(const Image&, const Image&);
 
-/// Holds an image against the golden one of that name or, where TWRENCH_UPDATE_GOLDENS is set,
-/// writes it anew.
+/// Compares an image with the golden one of that name or, if TWRENCH_UPDATE_GOLDENS is set,
+/// replaces the golden image.
 inline void expect_golden(const std::string& name, const Image& actual, Alike close = alike) {
   namespace fs = std::filesystem;
   const fs::path path = golden_path(name);
@@ -42,7 +42,7 @@ inline void expect_golden(const std::string& name, const Image& actual, Alike cl
   }
   const Image golden = read_png(path);
   const auto difference = compare(actual, golden, 0);
-  if (difference) {  // for docs/platforms.md: --gtest_output=xml tells them
+  if (difference) {  // reported by --gtest_output=xml, for docs/platforms.md
     testing::Test::RecordProperty("largest", fmt::format("{:g}", difference->max));
     testing::Test::RecordProperty("mean", fmt::format("{:.4f}", difference->mean));
   }

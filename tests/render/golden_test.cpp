@@ -1,6 +1,5 @@
-// Frames held against images that were looked at and found right. An image that ought to change is
-// written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be looked at and committed with its
-// reason.
+// Frames compared with images that were inspected and found correct. To change an image, run
+// TWRENCH_UPDATE_GOLDENS=1 render_test, inspect the new image, and commit it with the reason.
 #include "render/golden.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +89,7 @@ class GoldenImage : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenImage, IsDrawn) { expect_golden(GetParam().name, drawn(GetParam(), GetParam().X)); }
 
-// What the thresholds must not let pass.
+// What the thresholds must detect.
 TEST_P(GoldenImage, SeesAWrongPose) {
   const Image golden = read_png(golden_path(GetParam().name));
   const Matrix3d& X = GetParam().X;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "canvas/error.h"
 #include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
@@ -155,7 +155,7 @@ TEST(Hud, LaysThePanelUnderAllItsWords) {
   }
 }
 
-/// Of a picture of another size, with the same motions.
+/// For a picture of another size with the same motions.
 Hud hud_in(OverlayScene& film, int width, int height) {
   film.scene.film.width = width;
   film.scene.film.height = height;
@@ -212,27 +212,24 @@ TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
 std::string refusal_of(const Scene& scene) {
   try {
     hud_of(OverlayScene(scene));
-  } catch (const UsageError& error) {
+  } catch (const MissingGlyph& error) {
     return error.what();
   }
   return "none";
 }
 
-TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
+TEST(Hud, NamesATitlesCharacterThatNoFontHas) {
+  const auto refusal_for = [](const std::string& character) {
+    return "title: contains the character " + character +
+           ", which neither the font nor the built-in sans can draw";
+  };
   Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
-  EXPECT_EQ(
-      refusal_of(scene),
-      "title: has the character U+E123, which neither the font nor the built-in sans can draw");
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+E123"));
   scene.title = "e\u0301 \u0628";
-  EXPECT_EQ(
-      refusal_of(scene),
-      "title: has the character U+0628, which neither the font nor the built-in sans can draw");
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+0628"));
   scene.title = "";
   scene.name = "\u65E5\u672C";
-  EXPECT_EQ(
-      refusal_of(scene),
-      "title: has the character U+65E5, which neither the font nor the built-in sans can draw")
-      << "the scene's name stands in for a title";
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+65E5")) << "the scene's name stands in for a title";
 }
 
 TEST(Hud, TakesTitlesOfManyTongues) {

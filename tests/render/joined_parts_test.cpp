@@ -59,7 +59,7 @@ TEST(JoinedParts, LeavesADiscThatIsWiderThanTheRodItSitsOn) {
   const auto parts = joined_parts(std::vector{cylinder(1, 8, {0, 0, 0}, Vector3d::UnitZ()),
                                               cylinder(3, 1, {0, 0, 4.5}, Vector3d::UnitZ())});
   EXPECT_EQ(length_of(parts[1]), 1);
-  EXPECT_NEAR(length_of(parts[0]), 8.5, 1e-12);  // the rod goes into the disc instead
+  EXPECT_NEAR(length_of(parts[0]), 8.5, 1e-12);  // the rod extends into the disc instead
 }
 
 }  // namespace

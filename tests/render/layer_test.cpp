@@ -58,7 +58,7 @@ TEST(LayerAround, EndsAtThePicturesEdges) {
   EXPECT_EQ(layer_around({30, 4, 3, 2}, 2, picture).image.pixels.size(), 0U);
 }
 
-// An assertion where those are on; else what is inside is laid, and nothing else is touched.
+// An assertion if enabled; otherwise the part inside is composited, and nothing else is touched.
 TEST(LayOverDeathTest, CutsOffWhatLeavesThePicture) {
   for (const auto& [x, y] : {std::pair(-1, 0), {2, 0}, {0, -1}, {0, 3}, {-9, -9}, {9, 9}}) {
     Image image(4, 3, 3);

@@ -11,7 +11,7 @@
 namespace twrench {
 namespace {
 
-/// Of all that a picture's may be, each beside each: from 1:1024 to 1024:1.
+/// Picture sides, combined with each other: from 1:1024 to 1024:1.
 constexpr int sides[]{16,  17,   20,   24,   33,   48,   64,   72,   90,   100,  135,
                       164, 180,  240,  270,  300,  360,  480,  540,  600,  728,  854,
                       996, 1000, 1080, 1280, 1600, 1920, 2160, 2400, 3840, 8192, 16384};
@@ -51,7 +51,7 @@ std::vector<Area> words_and_insets(const Layout& layout, View view) {
   return areas;
 }
 
-/// All that is not to be covered: the words, the insets, and the focus of each view.
+/// All areas that must not overlap: text, insets, and the focus of each view.
 std::vector<Area> all_areas(const Layout& layout, View view) {
   std::vector<Area> areas = words_and_insets(layout, view);
   for (const Layout::Pane& pane : layout.panes) areas.push_back(pane.focus);
@@ -63,7 +63,7 @@ std::vector<Area> all_areas(const Layout& layout, View view) {
   return areas;
 }
 
-/// Of each size, with all that takes room and with each choice of it.
+/// For each size, with all optional items and with each selection of them.
 void for_each_layout(View view, int compared,
                      const std::function<void(const Scene&, const Layout&)>& check) {
   constexpr Feature features[]{Feature::poinsot, Feature::sphere, Feature::components,
@@ -81,7 +81,7 @@ void for_each_layout(View view, int compared,
         scene.film.width = width;
         scene.film.height = height;
         check(scene, layout_of(scene));
-        if (testing::Test::HasFailure()) return;  // one says enough
+        if (testing::Test::HasFailure()) return;  // one failure is enough
       }
     }
   }

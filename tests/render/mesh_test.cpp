@@ -22,7 +22,7 @@ Vector3d vector(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 struct Case {
   std::string name;
   Shape shape;
-  double volume;  ///< of the shape as it is drawn, bevels included
+  double volume;  ///< of the shape as drawn, including bevels
   double area;
 };
 
@@ -31,7 +31,7 @@ void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 constexpr double tolerance = 5e-4;
 constexpr double bevel = 0.04;  // of all cases: their smallest half dimension is 1
 
-/// Pappus: what a bevel takes from a sharp rim, whose section is a square less a quarter disc.
+/// Pappus: a bevel removes from a sharp rim a ring whose section is a square minus a quarter disc.
 Case rounded_cylinder() {
   const double radius = 1;
   const double length = 8;
@@ -107,7 +107,7 @@ TEST_P(PartMesh, EnclosesTheVolumeAndHasTheAreaOfTheShape) {
   double area = 0;
   for (std::size_t i = 0; i < triangle_count(); ++i) {
     const auto [a, b, c] = corners(i);
-    volume += a.dot(b.cross(c)) / 6;  // the divergence theorem; positive if turned outward
+    volume += a.dot(b.cross(c)) / 6;  // divergence theorem; positive if the winding is outward
     area += (b - a).cross(c - a).norm() / 2;
   }
   EXPECT_NEAR(volume / GetParam().volume, 1, 1e-3);
@@ -121,8 +121,8 @@ TEST_P(PartMesh, HasUnitNormalsAlongItsTriangles) {
     const Vector3d facet = (b - a).cross(c - a).normalized();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d normal = vector(mesh.vertices[mesh.indices[3 * i + k]].normal);
-      // Within half a facet of the bevel, the coarsest: a quarter turn in five; on the balls at a
-      // box's corners half a facet's diagonal.
+      // Within half a facet of the bevel, the coarsest: a quarter turn in five; on the spheres at a
+      // box's corners half the diagonal of a facet.
       ASSERT_GT(normal.dot(facet), std::cos(0.223)) << "triangle " << i;
     }
   }
@@ -179,7 +179,8 @@ TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto& a = mesh.vertices[mesh.indices[i + k]].position;
         const auto& b = mesh.vertices[mesh.indices[i + (k + 1) % 3]].position;
-        ASSERT_GT(vector(0.5F * (a + b)).norm(), 2 - 2.1 * bound);  // diagonals of a facet: twice
+        // Diagonals of a facet: twice the bound.
+        ASSERT_GT(vector(0.5F * (a + b)).norm(), 2 - 2.1 * bound);
       }
     }
   }

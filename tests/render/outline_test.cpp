@@ -27,8 +27,8 @@ std::vector<std::pair<const char*, Mesh>> meshes() {
       {"wrench", body_mesh(joined_parts(t_wrench().body.parts), 0.01)}};
 }
 
-// An edge of a closed mesh is between one seen triangle and one that is not, or it is not of the
-// outline: so the outline has no ends.
+// An edge of a closed mesh lies between a front-facing and a back-facing triangle, or it is not on
+// the silhouette: so the silhouette has no ends.
 TEST(Outline, IsClosedLoops) {
   for (const auto& [name, mesh] : meshes()) {
     Outline outline(mesh);
@@ -53,7 +53,7 @@ TEST(Outline, OfASphereIsTheCircleOfTangents) {
     outline.find(eye, 30);
     const float distance = glm::length(eye);
     for (const FinVertex& corner : outline.fins()) {
-      // A facet's half size off the circle, at most.
+      // At most half the size of a facet off the circle.
       EXPECT_NEAR(glm::dot(corner.position, eye) / distance, radius * radius / distance, 0.13F);
       EXPECT_NEAR(glm::dot(corner.normal, corner.position), radius, 1e-4F);
     }

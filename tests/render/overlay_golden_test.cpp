@@ -1,6 +1,6 @@
-// What is laid over the body, without it, held against images that were looked at and found right.
-// An image that ought to change is written anew by TWRENCH_UPDATE_GOLDENS=1 render_test, to be
-// looked at and committed with its reason.
+// Overlays without the body, compared with images that were inspected and found correct. To change
+// an image, run TWRENCH_UPDATE_GOLDENS=1 render_test, inspect the new image, and commit it with the
+// reason.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -49,7 +49,7 @@ std::vector<OverlayGolden> goldens() {
           {"overlay-compare", compared},     {"overlay-compare-rows", in_rows}};
 }
 
-/// In the middle of the film, as its methods have it; then `change` is made.
+/// The frame state in the middle of the video, modified by `change`.
 Moment middle(const OverlayScene& film, const std::function<void(Instant&)>& change) {
   Moment moment = film.timeline.moment(0);
   for (std::size_t i = 0; i < moment.instants.size(); ++i) {
@@ -57,7 +57,7 @@ Moment middle(const OverlayScene& film, const std::function<void(Instant&)>& cha
     Instant& instant = moment.instants[i];
     instant.sample = take.whole[take.whole.size() / 2];
     instant.diagnostics = diagnose(take.body, take.initial_energy, instant.sample);
-    // Round-off is another number elsewhere.
+    // Round-off differs between machines.
     if (take.method->name == "exact") instant.diagnostics = {0, -1.2e-15, 3.4e-16, 0};
     if (take.method->name == "strang") instant.diagnostics.orthogonality_error = 0;
     if (take.method->name == "rk4") instant.diagnostics.orthogonality_error = 5e-15;
@@ -74,7 +74,8 @@ Image drawn(
   const auto& takes = film.timeline.takes();
   const Moment moment = middle(film, change);
   Image image(scene.film.width, scene.film.height, 3);
-  image.pixels.assign(image.pixels.size(), 110);  // what a panel darkens or brightens
+  // Visible through a panel that darkens or brightens it.
+  image.pixels.assign(image.pixels.size(), 110);
   const auto lay = [&](const std::vector<Layer>& layers) {
     for (const Layer& layer : layers) lay_over(image, layer);
   };
@@ -94,9 +95,9 @@ Image drawn(
   return image;
 }
 
-/// Releases of Cairo and of compilers round a coverage differently, by a few levels of 255; the
-/// outlines of Roboto 2 and Roboto 3, which releases of Debian have, differ at edges of letters by
-/// up to 61 (docs/platforms.md). One figure that is another changes a dozen pixels by far more.
+/// Releases of Cairo and of compilers round coverage differently, by a few levels of 255; the
+/// glyphs of Roboto 2 and Roboto 3, which releases of Debian have, differ at edges by up to 61
+/// (docs/platforms.md). A single changed digit changes a dozen pixels by far more.
 bool same_words(const Image& a, const Image& b) {
   constexpr int threshold = 80;
   constexpr double most_pixels = 6;
@@ -110,7 +111,7 @@ TEST_P(OverlayGoldenImage, IsDrawn) {
   expect_golden(GetParam().name, drawn(GetParam().scene), same_words);
 }
 
-// What the thresholds must not let pass.
+// What the thresholds must detect.
 TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
   const Image golden = read_png(golden_path(GetParam().name));
   EXPECT_FALSE(same_words(drawn(GetParam().scene, [](Instant& i) { i.sample.t += 0.1; }), golden));

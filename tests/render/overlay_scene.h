@@ -12,7 +12,7 @@
 
 namespace twrench {
 
-/// A film with words, and what its elements are made from.
+/// A scene with text, and everything its elements are created from.
 struct OverlayScene {
   explicit OverlayScene(const Scene& film, int frame = 0)
       : scene(film),

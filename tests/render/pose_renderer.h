@@ -6,20 +6,20 @@
 
 namespace twrench {
 
-/// The scene with nothing shown beside the body but that.
+/// Returns the scene with only these features besides the body.
 inline Scene showing(Scene scene, const std::set<Feature>& features) {
   scene.overlay.show = features;
   return scene;
 }
 
-/// Draws the body, bare or with some features, in any pose.
+/// Draws the body in any pose, bare or with some features.
 class PoseRenderer {
  public:
   PoseRenderer(gl::Context& context, const Scene& scene, const std::set<Feature>& features = {})
       : timeline_(showing(scene, features), {0}),
         renderer_(context, showing(scene, features), timeline_.takes()) {}
 
-  /// Where it is blurred, as if it moved on from X as it does from its first pose.
+  /// With motion blur, as if it moved on from X as it does from its first pose.
   Image draw(const Eigen::Matrix3d& X) {
     Moment moment = timeline_.moment(0);
     for (Eigen::Matrix3d& pose : moment.instants[0].blur) {

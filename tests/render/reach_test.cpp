@@ -33,7 +33,7 @@ TEST(Reach, HoldsTheMeshOfAnyPartClosely) {
       farthest = std::max(farthest, p.norm());
     }
     EXPECT_GE(reach(parts), farthest);
-    EXPECT_LT(reach(parts), farthest + 0.05);  // but for the bevel
+    EXPECT_LT(reach(parts), farthest + 0.05);  // except for the bevel
   }
 }
 

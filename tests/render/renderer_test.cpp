@@ -24,7 +24,7 @@ const std::uint8_t* pixel(const Image& image, int x, int y) {
                        static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels)];
 }
 
-/// The alpha of a transparent frame where `point`, in space, falls.
+/// The alpha of a transparent frame at `point` in space.
 int coverage_at(const PoseRenderer& renderer, const Image& image, const Vector3d& point) {
   const Eigen::Vector4d clip =
       renderer.camera().projection * renderer.camera().view * point.homogeneous();
@@ -68,9 +68,10 @@ TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
     const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
     const Image image = renderer.draw(X);
     for (const double y : {-3.9, 0.0, 3.9}) {
-      EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(-1, y, 0)), 255) << i;  // the handle's
+      // The handle's axis.
+      EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(-1, y, 0)), 255) << i;
     }
-    EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(3.9, 0, 0)), 255) << i;  // and leg's axis
+    EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(3.9, 0, 0)), 255) << i;  // the leg's axis
   }
 }
 
@@ -104,7 +105,7 @@ TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
 }
 
 TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
-  // A cylinder that turns about its own axis looks the same.
+  // A cylinder that rotates about its own axis looks the same.
   Scene scene = t_wrench();
   scene.body.parts = {cylinder(1, 6, {0, 0, 0}, Vector3d::UnitY())};
   PoseRenderer renderer(*context, scene);
@@ -122,7 +123,7 @@ TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
     const int alpha = image.pixels[i + 3];
     if (alpha == 255) darkest_inside = std::min<int>(darkest_inside, image.pixels[i]);
     if (alpha == 0 || alpha == 255) continue;
-    if (alpha < 16) continue;  // too few levels are left to tell the colour
+    if (alpha < 16) continue;  // too few levels to determine the colour
     ++partial;
     darkest_edge = std::min<int>(darkest_edge, image.pixels[i]);
   }
@@ -157,7 +158,7 @@ TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
 }
 
 TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
-  // As eq. (24) makes: grown past the frame, past the camera too.
+  // As eq. (24) produces: grown beyond the frame, and beyond the camera too.
   PoseRenderer renderer(*context, transparent());
   const Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
   EXPECT_EQ(coverage_at(renderer, large, Vector3d::Zero()), 255);

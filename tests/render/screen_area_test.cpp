@@ -17,7 +17,7 @@ constexpr Area pane{40, 20, 300, 200};
 constexpr int picture_height = 260;
 constexpr int band = 32;
 
-/// Clip coordinates of a place in the picture, in pixels from its top left.
+/// Clip coordinates of a position in the picture, in pixels from its top left.
 Eigen::Vector4f clip(const Vector2d& place, double w = 1) {
   const Vector2d share((place.x() - pane.x) / pane.width, (place.y() - pane.y) / pane.height);
   return (w * Eigen::Vector4d(2 * share.x() - 1, 1 - 2 * share.y(), 0, 1)).cast<float>();
@@ -32,7 +32,7 @@ bool overlap(const Area& a, const Area& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-/// The bar from `from` to `to`, `width` wide, as another shape.
+/// Adds the bar from `from` to `to`, `width` wide, as a separate shape.
 void add_bar(ScreenArea& screen, const Vector2d& from, const Vector2d& to, double width) {
   const Vector2d along = (to - from).normalized();
   const Vector2d half = 0.5 * width * Vector2d(-along.y(), along.x());
@@ -87,7 +87,7 @@ TEST(ScreenArea, HoldsEveryPointOfConvexShapesInBandsThatDoNotOverlap) {
     const auto bands = screen.bands(band);
     for (const auto& corners : shapes) {
       for (int i = 0; i < 50; ++i) {
-        Vector2d place = corners.front();  // a random one of the shape: mixed of its corners
+        Vector2d place = corners.front();  // a random point of the shape: a mixture of its corners
         for (const Vector2d& corner : corners) place += share(random) * (corner - place);
         if (!holds(pane, place)) continue;
         EXPECT_TRUE(std::ranges::any_of(bands, [&](const Area& a) { return holds(a, place); }))
@@ -111,7 +111,7 @@ TEST(ScreenArea, TakesOfEachBandNoMoreThanTheShapesDo) {
   const double across = 10 * std::sqrt(2.0), reach = 160 + across;  // of a bar along a row, of both
   double taken = 0;
   for (const Area& area : screen.bands(band)) {
-    // At most two bars and a gap too narrow to part them.
+    // At most two bars and a gap too narrow to separate them.
     EXPECT_LE(area.width, 2 * (band + across + 6) + 32);
     taken += 1.0 * area.width * area.height;
   }

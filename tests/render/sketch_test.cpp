@@ -114,12 +114,12 @@ TEST_F(SketchTest, ShowsTheNearSideOfAnEllipsoidOnly) {
   const auto& v = sketch.vertices();
   int facets = 0;
   for (std::size_t i = 0; i < sketch.indices().size(); i += 3) {
-    if (v[sketch.indices()[i]].edge.z < 1e5F) continue;  // of the fin along the outline
+    if (v[sketch.indices()[i]].edge.z < 1e5F) continue;  // of the edge quad along the silhouette
     ++facets;
     const Vector2d a = pixel(v[sketch.indices()[i]]), b = pixel(v[sketch.indices()[i + 1]]),
                    c = pixel(v[sketch.indices()[i + 2]]);
     const Vector2d ab = b - a, ac = c - a;
-    // The outline is drawn in by 0.75 pixels, and may so come inside the ring before it.
+    // The silhouette is shrunk by 0.75 pixels, and may thus come inside the previous ring.
     const double tucked = 0.75 * std::max(ab.norm(), ac.norm());
     EXPECT_LE(ab.x() * ac.y() - ab.y() * ac.x(), tucked) << "turned away";
   }

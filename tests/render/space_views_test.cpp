@@ -1,4 +1,4 @@
-// What the views show in space, held against the mechanics they are to show.
+// The contents of the views, compared with the mechanics they show.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -66,7 +66,7 @@ TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
   const Timeline timeline(scene, {0, 100, 300, 500, 900});
   const double radius = reach(visible_parts(scene.body));
   const BodyOverlay overlay(scene, timeline.takes()[0], radius);
-  const Vector3d up = timeline.takes()[0].body.momentum.normalized();
+  const Vector3d up = timeline.takes()[0].body.momentum().normalized();
   EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
   EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
   for (std::size_t i = 0; i < timeline.size(); ++i) {
@@ -102,7 +102,7 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     ASSERT_EQ(labels.size(), 1) << azimuth;
     EXPECT_EQ(labels[0].text, "L");
     EXPECT_LT((labels[0].anchor - pixel_of(camera, pane.area, tip)).norm(), 1e-9);
-    // Within the head, whose colour is that of L.
+    // Within the head, which has the colour of L.
     const Vector2d inside = pixel_of(camera, pane.area, 0.97 * tip);
     const Image picture = drawn_picture(view, moment);
     const auto x = static_cast<int>(inside.x()), y = static_cast<int>(inside.y());
@@ -139,7 +139,8 @@ TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
     const Sample sample = timeline.moment(i).instants[0].sample;
     const Vector3d place = view.place_of(sample);
     EXPECT_NEAR(place.norm(), 1, 1e-9);
-    // The wrench's axis of least moment, y, is up, and the intermediate one, x, to the viewer.
+    // The wrench's axis of least moment, y, points up, and the intermediate one, x, towards the
+    // viewer.
     EXPECT_GT(place.y() * sample.omega.y(), 0);
     EXPECT_GT(place.z() * sample.omega.x(), 0);
   }
@@ -200,7 +201,7 @@ TEST_F(SpaceViews, DrawEveryBody) {
     scene.body = {{}, odd.moments};
     scene.motion.omega = odd.omega;
     scene.motion.duration = 2;
-    scene.overlay.trail_length = 1e-9;  // of one point
+    scene.overlay.trail_length = 1e-9;  // a single point
     const Timeline timeline(scene, {0, 15});
     const Moment moment = timeline.moment(1);
     std::vector<std::unique_ptr<SpaceView>> views;

@@ -28,9 +28,9 @@ double contrast(const Color& a, const Color& b) {
   return (high + 0.05) / (low + 0.05);
 }
 
-/// The colour as it is seen with the three kinds of colour blindness, and without: linear RGB.
-/// Machado, Oliveira, Fernandes, "A Physiologically-based Model for Simulation of Color Vision
-/// Deficiency", IEEE TVCG 15 (2009), severity 1.0.
+/// Linear RGB as perceived with the three kinds of colour vision deficiency, and without. Machado,
+/// Oliveira, Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency",
+/// IEEE TVCG 15 (2009), severity 1.0.
 std::vector<Matrix3d> eyes() {
   Matrix3d protan, deutan, tritan;
   protan << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116,
@@ -53,7 +53,7 @@ Vector3d lab(const Vector3d& rgb) {
   return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
 }
 
-/// The CIE76 difference for the eye that sees the least; 2.3 is just noticed side by side.
+/// The CIE76 difference for the type of vision that sees the least; 2.3 is just noticeable.
 double distance(const Color& a, const Color& b) {
   double least = 1e9;
   for (const Matrix3d& eye : eyes()) {
@@ -62,7 +62,7 @@ double distance(const Color& a, const Color& b) {
   return least;
 }
 
-/// From the background's darkest to its brightest, the floor's light on it.
+/// From the background's darkest to its brightest colour, with the floor's light.
 std::vector<Color> grounds(const ThemeStyle& style) {
   const Color& below = style.backdrop.below;
   const Color light = style.floor ? style.floor->light : Color{0, 0, 0};
@@ -72,7 +72,7 @@ std::vector<Color> grounds(const ThemeStyle& style) {
            std::min(255, below.blue + light.blue)}};
 }
 
-/// The panel over a ground.
+/// The panel composited over a background.
 Color panel_on(const OverlayColors& colors, const Color& ground) {
   const auto over = [&](int panel, int behind) {
     return static_cast<int>(

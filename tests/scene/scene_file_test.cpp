@@ -126,7 +126,7 @@ TEST(SceneFile, MomentsAlone) {
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
 }
 
-// Not every whole number is a double; those that are not are rounded, as a number with a point is.
+// Not every integer is a double; others are rounded, as decimal numbers are.
 TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
   const Scene scene = parse_scene(
       "[body]\nmoments = [9007199254740993, 9223372036854775807, 9007199254740992]", "m.toml");
@@ -134,7 +134,7 @@ TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
             Vector3d(9007199254740992.0, 9223372036854775808.0, 9007199254740992.0));
 }
 
-// At the very limits of what a body is described by, its numbers are those of a body.
+// At the limits of its values, a body still has finite properties and a motion.
 TEST(SceneFile, WhatTheLimitsAllowHasAMotion) {
   for (const double length : {1e-9, 1e6}) {
     for (const double density : {1e-9, 1e6}) {
@@ -192,13 +192,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments = [1e-107, 1e-107, 1e-107]", "bad.toml:2: body.moments",
                 "must be at least 1e-60 and at most 1e+30"},
         Mistake{"[body]\nmoments = [1e30, 1e30, 1]", "bad.toml:2: body.moments",
-                "the greatest must be at most 1e+12 times the least"},
+                "the largest must be at most 1e+12 times the smallest"},
         Mistake{"[[part]]\nshape = 'sphere'\nradius = 1e-300\ndensity = 1",
                 "bad.toml:3: part[0].radius", "must be at least 1e-09 and at most 1000000"},
         Mistake{"[[part]]\nshape = 'cylinder'\nradius = 1e-9\nlength = 1e6\ndensity = 1",
-                "bad.toml:1: part", "the greatest must be at most 1e+12 times the least"},
+                "bad.toml:1: part", "the largest must be at most 1e+12 times the smallest"},
         Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nomega = [0, 1e-160, 0]",
-                "bad.toml:4: motion.omega", "is 1e-160 rad/s in all, but must be zero or at least"},
+                "bad.toml:4: motion.omega",
+                "has magnitude 1e-160 rad/s, but must be zero or at least"},
         Mistake{"title = 'x'", "part", "either"},
         Mistake{"[[part]]\nshape='sphere'\nradius=1\ndensity=1\n[body]\nmoments=[1,2,3]", "part",
                 "either"},
@@ -213,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "bad.toml:6: part[0].axis", "zero"},
         Mistake{"[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\naxis = [1,0,0]\n"
                 "rotation = [1,0,0]",
-                "bad.toml:6: part[0].rotation", "together"},
+                "bad.toml:6: part[0].rotation", "combined with axis"},
         Mistake{"part = 3", "bad.toml:1: part", "array of tables"},
         Mistake{"body = 3", "bad.toml:1: body", "table"},
         Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nmethod = 'rk5'", "bad.toml:4: motion.method",
@@ -221,20 +222,22 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nstep = 0", "bad.toml:4: motion.step", "is 0"},
         Mistake{"[body]\nmoments=[1,2,3]\n[motion]\nduration = -1", "motion.duration", "is -1"},
         Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640, 0]", "film.size", "is 0"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640.5, 360]", "film.size", "whole"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[film]\nsize = [640.5, 360]", "film.size", "integer"},
         Mistake{"[body]\nmoments=[1,2,3]\n[film]\nfps = true", "film.fps", "number"},
         Mistake{"[body]\nmoments=[1,2,3]\n[look]\ntheme = 'papper'", "look.theme", "'papper'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nview = 'quat'", "overlay.view", "'quat'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = ['hut']", "overlay.show", "'hut'"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = [1]", "overlay.show", "texts"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = 'hud'", "overlay.show", "texts"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = [1]", "overlay.show",
+                "array of strings"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\nshow = 'hud'", "overlay.show",
+                "array of strings"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = ['rk5']", "overlay.compare",
                 "'rk5'"},
         Mistake{"[body]\nmoments=[1,2,3]\n[overlay]\ncompare = "
                 "['rk4', 'rk4', 'rk4', 'rk4', 'rk4']",
                 "overlay.compare", "at most 4"},
         Mistake{"[body]\nmoments=[1,2,3]\n[look]\ncolor = 'pink'", "look.color", "'pink'"},
-        Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbackground = 7", "look.background", "text"},
+        Mistake{"[body]\nmoments=[1,2,3]\n[look]\nbackground = 7", "look.background", "string"},
         Mistake{"[body]\nmoments=[1,2,3]\n[camera]\nelevation = 2", "camera.elevation",
                 "at most 1.57"}));
 

@@ -1,5 +1,5 @@
-// Whether the estimate E of an embedded pair tells the truth: the true local error of the steps it
-// accepts, against the exact motion started anew where the step does.
+// The honesty of an embedded pair's error estimate E: it is compared with the true local error of
+// the accepted steps, relative to the exact motion restarted at each step.
 #include "study/estimate.h"
 
 #include <gtest/gtest.h>
@@ -17,16 +17,16 @@ namespace {
 using Eigen::Vector3d;
 
 EstimateQuality quality(const FreeBody& body, std::string_view method, double tolerance) {
-  const double speed = body.omega.norm();
+  const double speed = body.omega().norm();
   EstimateCheck check(body);
   visit_steps(body, find_method(method), {.step = 0.1 / speed, .tolerance = tolerance}, 20 / speed,
               [&](const OwnStep& step) { check.visit(step); });
   return check.quality();
 }
 
-// What is promised of a tolerance T: no accepted step is further off than 1.5 T, or than 8 T where
-// T is above 1e-9, for there the steps are long and E is a coarse estimate. Of 4000 random bodies
-// the worst were at 1.4 T and 6.2 T.
+// The promise for a tolerance T: no accepted step is off by more than 1.5 T, or than 8 T for T
+// above 1e-9, where steps are long and E is a coarse estimate. The worst of 4000 random bodies were
+// at 1.4 T and 6.2 T.
 double stated_factor(double tolerance) { return tolerance > 1e-9 ? 8.0 : 1.5; }
 
 TEST(Estimate, RkmkKeepsItsToleranceOnEveryReferenceCase) {
@@ -42,7 +42,7 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
   RandomBodies random;
   for (int n = 0; n < 300; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const FreeBody body(moments.asDiagonal(), omega);
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
       const double worst = quality(body, "rkmk45", tolerance).largest_error;
       EXPECT_LT(worst, stated_factor(tolerance) * tolerance) << tolerance << "\n"
@@ -52,7 +52,7 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
   }
 }
 
-// The last term bounds all that are dropped: the series keeps its tolerance with no factor at all.
+// The last term bounds all omitted ones: the series meets its tolerance without any factor.
 TEST(Estimate, TaylorKeepsItsTolerance) {
   constexpr double round_off = 1e-14;
   RandomBodies random;
@@ -60,21 +60,21 @@ TEST(Estimate, TaylorKeepsItsTolerance) {
   for (const ReferenceCase& c : reference_cases()) bodies.push_back(c.body);
   for (int n = 0; n < 300; ++n) {
     const Vector3d moments = random.moments();
-    bodies.push_back(free_body(moments.asDiagonal(), random.omega()));
+    bodies.push_back(FreeBody(moments.asDiagonal(), random.omega()));
   }
   for (const FreeBody& body : bodies) {
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
       EXPECT_LT(quality(body, "taylor", tolerance).largest_error, tolerance + round_off)
           << tolerance << "\n"
-          << body.inertia << "\n"
-          << body.omega;
+          << body.inertia() << "\n"
+          << body.omega();
     }
   }
 }
 
-// Both rows of the printed pair lack the same term, (h^3/12) omega x omega', which their difference
-// therefore cannot see: the true error is a thousand times what was asked for, and more the less is
-// asked for.
+// Both rows of the printed pair omit the same term, (h^3/12) omega x omega', which their difference
+// therefore cannot see: the true error is a thousand times the tolerance, and the ratio grows as
+// the tolerance decreases.
 TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
   const FreeBody wrench = reference_case("wrench-a").body;
   double before = 0;
@@ -96,7 +96,7 @@ double ratio(const FreeBody& body, std::string_view method, double h) {
 
 TEST(Estimate, RatioToTheTruthIsBoundedWithTheCorrectionAndGrowsAsOneOverStepSquaredWithout) {
   const Vector3d moments(0.6, 0.8, 1), momentum(1.8, 0.4, -0.9);
-  const FreeBody body = free_body(moments.asDiagonal(), momentum.cwiseQuotient(moments));
+  const FreeBody body(moments.asDiagonal(), momentum.cwiseQuotient(moments));
   for (const double h : {0.2, 0.1, 0.05, 0.025, 0.0125}) {
     EXPECT_GT(ratio(body, "rkmk45", h), 0.5) << h;
     EXPECT_LT(ratio(body, "rkmk45", h), 1.5) << h;

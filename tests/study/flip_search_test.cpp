@@ -27,7 +27,7 @@ TEST(FlipSearch, FindsTheExactInstantsOnTheExactMotion) {
   RandomBodies random;
   for (int n = 0; n < 100; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body = free_body(moments.asDiagonal(), omega);
+    const FreeBody body(moments.asDiagonal(), omega);
     const ExactMotion motion(body);
     const double end = 20 / omega.norm();
     const std::vector<double> predicted = motion.flip_times(end);
@@ -50,18 +50,18 @@ TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
 }
 
 TEST(FlipSearch, DoesNotCountTheStart) {
-  // omega along the intermediate axis is zero at t = 0 and positive after it.
-  const FreeBody body = free_body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
+  // omega along the intermediate axis is zero at t = 0 and positive afterwards.
+  const FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
   const std::vector<double> predicted = ExactMotion(body).flip_times(30);
   const std::vector<double> seen = flips_seen(body, "exact", 0.01, 30);
   ASSERT_EQ(seen.size(), predicted.size());
   EXPECT_NEAR(seen[0], predicted[0], 1e-12);
 }
 
-// I = (3, 5, 9), L = (0, 2, 0.01), steps of 0.1 s: flips are 59.0554 s apart. Known from elsewhere
-// to the digits that stand here.
+// I = (3, 5, 9), L = (0, 2, 0.01), steps of 0.1 s: flips are 59.0554 s apart. Known independently
+// to the digits given here.
 TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
-  const FreeBody body = free_body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
+  const FreeBody body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
   EXPECT_NEAR(ExactMotion(body).flips()->interval, 59.055443523193, 1e-9);
   const auto intervals = [&](std::string_view method) {
     const std::vector<double> times = flips_seen(body, method, 0.1, 360);

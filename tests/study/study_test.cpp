@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "motion/reference.h"
 #include "study/ladder.h"
 
@@ -23,12 +24,12 @@ TEST(Study, SeesTheOrderOfEveryMethod) {
   plan.tolerances = tolerance_ladder();
   for (const Method& method : methods()) plan.methods.push_back(&method);
   for (const MethodStudy& m : study(wrench(), plan).methods) {
-    if (m.method->order == 0 || m.method->order > 8) {  // none, or too steep to be seen
+    if (m.method->order.value_or(9) > 8) {  // none, or too steep to measure
       EXPECT_FALSE(m.order);
       continue;
     }
     ASSERT_TRUE(m.order) << m.method->name;
-    EXPECT_NEAR(*m.order, m.method->order, 0.25) << m.method->name;
+    EXPECT_NEAR(*m.order, *m.method->order, 0.25) << m.method->name;
   }
 }
 
@@ -100,8 +101,30 @@ TEST(Study, ARefusedStepIsARunWithItsReason) {
   EXPECT_EQ(result.methods[1].runs[1].failure, "");
 }
 
+TEST(Study, RefusesAPlanThatCannotBe) {
+  const auto refused = [](const StudyPlan& plan) -> std::string {
+    try {
+      study(wrench(), plan);
+    } catch (const UsageError& error) {
+      return error.quantity();
+    }
+    return "nothing";
+  };
+  StudyPlan plan = plan_for({"rk4", "rkmk45"}, 1);
+  plan.duration = 0;
+  EXPECT_EQ(refused(plan), "duration");
+  plan.duration = 1;
+  plan.steps = {0.1, -0.1};
+  EXPECT_EQ(refused(plan), "step");
+  plan.steps = {};
+  EXPECT_EQ(refused(plan), "steps");
+  plan.steps = {0.1};
+  plan.tolerances = {1e-16};
+  EXPECT_EQ(refused(plan), "tolerance");
+}
+
 TEST(Study, ABodyAtRestHasNoErrorAndNoFlips) {
-  const FreeBody rest = free_body(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
+  const FreeBody rest(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
   StudyPlan plan = plan_for({"rk4", "rkmk45", "euler"}, 10);
   const Study result = study(rest, plan);
   EXPECT_FALSE(result.flips);

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "motion/free_body.h"
+#include "motion/method.h"
+
+namespace twrench {
+
+/// The smallest meaningful tolerance: the error estimate E of a step is a difference of two
+/// rotations, each known to a few 1e-16.
+inline constexpr double least_tolerance = 1e-15;
+
+/// How long the steps are.
+struct StepControl {
+  /// Step size in s of a fixed-step method; initial step size of an adaptive one, limited to 0.9 of
+  /// a revolution of the body.
+  double step = 0.01;
+  /// Error tolerance of adaptive methods: the bound on the estimate E of each step.
+  double tolerance = 1e-10;
+  /// Maximum number of steps of a trajectory, so that a mistake ends with an error instead of
+  /// hanging.
+  std::int64_t max_steps = 50'000'000;
+};
+
+/// An accepted step of a method.
+struct OwnStep {
+  double t;                       ///< s, where it begins
+  double length;                  ///< s
+  Eigen::Matrix3d before, after;  ///< X at both ends
+  double error;                   ///< Error estimate E of an adaptive method; otherwise 0.
+};
+
+/// Goes along a motion from t = 0, in the way that its method has: by steps, from series to series,
+/// or at once.
+class Propagator {
+ public:
+  virtual ~Propagator() = default;
+  Propagator() = default;
+  Propagator(const Propagator&) = delete;
+  Propagator& operator=(const Propagator&) = delete;
+
+  /// The sample at t, s. Throws UsageError where t is not finite or lies before the last of its own
+  /// steps, and MotionError.
+  virtual Sample sample_at(double t) = 0;
+
+  /// The next of the method's own steps; the closed form, which has none, goes in steps of
+  /// `control.step`. Throws MotionError.
+  virtual OwnStep next_step() = 0;
+
+  /// s, where the last of its own steps ends.
+  virtual double t() const = 0;
+
+  virtual std::int64_t steps() const = 0;        ///< so far, rejected ones too
+  virtual std::int64_t evaluations() const = 0;  ///< of omega, so far
+};
+
+enum class Direction { forward, backward };
+
+/// Throws OutOfRange for a step, a tolerance or a number of steps that cannot be.
+std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& method,
+                                            const StepControl& control,
+                                            Direction direction = Direction::forward);
+
+}  // namespace twrench

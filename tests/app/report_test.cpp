@@ -1,0 +1,101 @@
+#include "app/report.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "canvas/error.h"
+#include "figure/gnuplot.h"
+#include "gl/error.h"
+#include "motion/error.h"
+#include "movie/error.h"
+
+namespace twrench {
+namespace {
+
+using testing::HasSubstr;
+
+struct Said {
+  ExitCode code;
+  std::string text;
+};
+
+template <typename Thrown>
+Said report_of(const Thrown& thrown) {
+  const CLI::App app;
+  testing::internal::CaptureStderr();
+  ExitCode code{};
+  try {
+    throw thrown;
+  } catch (...) {
+    code = report_current_exception(app);
+  }
+  return {code, testing::internal::GetCapturedStderr()};
+}
+
+TEST(Report, EachKindOfErrorHasItsExitCode) {
+  using enum ExitCode;
+  EXPECT_EQ(report_of(UsageError("a", "b")).code, usage);
+  EXPECT_EQ(report_of(OutOfRange("a", "b", {2, 0, 1})).code, usage);
+  EXPECT_EQ(report_of(MotionError("a", "b", MotionError::Reason::diverged)).code, usage);
+  EXPECT_EQ(report_of(OverwriteError("a", "b")).code, usage);
+  EXPECT_EQ(report_of(FilmSizeError("a", "b", 2, 2)).code, usage);
+  EXPECT_EQ(report_of(MissingGlyph("a", "b", U'x')).code, usage);
+  EXPECT_EQ(report_of(gl::GlError("a", "b")).code, no_gl);
+  EXPECT_EQ(report_of(EncoderError("a", "b")).code, encoder);
+  EXPECT_EQ(report_of(FigureError("a", "b")).code, encoder);
+  EXPECT_EQ(report_of(FileError("a", "b")).code, file);
+  EXPECT_EQ(report_of(FramesError("a", "b", FramesError::Reason::missing)).code, file);
+  EXPECT_EQ(report_of(std::runtime_error("a")).code, internal);
+}
+
+TEST(Report, IsALineAndARemedyBelow) {
+  EXPECT_EQ(report_of(UsageError("--fps", "is 0", "give more")).text,
+            "twrench: error: --fps: is 0\n  give more\n");
+  EXPECT_EQ(report_of(UsageError("--fps", "is 0")).text, "twrench: error: --fps: is 0\n");
+}
+
+TEST(Report, RemediesOfMotionsNameTheOptions) {
+  using enum MotionError::Reason;
+  const auto remedy = [](MotionError::Reason reason) {
+    return remedy_for(MotionError("method rk4", "why", reason));
+  };
+  EXPECT_EQ(remedy(step_too_long), "take a shorter --step");
+  EXPECT_THAT(remedy(diverged), HasSubstr("a shorter --step, or a method"));
+  EXPECT_EQ(remedy(too_many_steps), "take a longer --step or a shorter --duration");
+  EXPECT_EQ(remedy(out_of_steps), "take a larger --tolerance or a shorter --duration");
+  EXPECT_THAT(remedy(step_underflow), HasSubstr("a larger --tolerance"));
+  EXPECT_THAT(remedy(too_many_flips), HasSubstr("a shorter --duration"));
+}
+
+TEST(Report, RemediesOfFramesNameTheOptions) {
+  using enum FramesError::Reason;
+  const auto remedy = [](FramesError::Reason reason) {
+    return remedy_for(FramesError("cannot encode f", "why", reason, {3, 4, 5}));
+  };
+  EXPECT_THAT(remedy(no_manifest), HasSubstr("the folder that twrench render"));
+  EXPECT_THAT(remedy(contradictory), HasSubstr("--overwrite"));
+  EXPECT_THAT(remedy(missing), HasSubstr("--resume or with --frames"));
+  EXPECT_THAT(remedy(missing), HasSubstr("--allow-missing"));
+  EXPECT_EQ(remedy(altered), "render it again: --resume --frames 3-5");
+}
+
+TEST(Report, RemediesOfOpenGlNameTheOptions) {
+  using enum gl::GlError::Reason;
+  EXPECT_EQ(remedy_for(gl::GlError("a", "b", "install it")), "install it");
+  EXPECT_EQ(remedy_for(gl::GlError("a", "b", "install it, or use EGL", no_osmesa)),
+            "install it, or use EGL: --backend egl");
+  EXPECT_EQ(remedy_for(gl::GlError("a", "b", {}, egl_device_refused)),
+            "choose another --egl-device, or --backend");
+}
+
+TEST(Report, OtherRemediesThatTakeAnOptionNameIt) {
+  EXPECT_EQ(remedy_for(FilmSizeError("a", "b", 642, 482)),
+            "use --size 642x482, or --no-video for the frames alone");
+  EXPECT_THAT(remedy_for(MissingGlyph("title", "b", U'x')), HasSubstr("--font FILE"));
+  EXPECT_THAT(remedy_for(OverwriteError("v.mp4", "b")), HasSubstr("--overwrite replaces it"));
+  EXPECT_EQ(remedy_for(OverwriteError("v.mp4", "b", "rename it")), "rename it");
+}
+
+}  // namespace
+}  // namespace twrench

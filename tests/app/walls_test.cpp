@@ -1,0 +1,61 @@
+// What the libraries must not know of: the command line's options and the process's exit codes.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Arguments of other programs.
+constexpr std::array foreign{"\"--default-settings\""};  // gnuplot's, without a user's ~/.gnuplot
+
+struct Match {
+  std::string file, text;
+};
+
+/// What matches in the sources of all libraries, line by line.
+std::vector<Match> matches_in_libraries(const std::regex& pattern) {
+  std::vector<Match> matches;
+  std::size_t files = 0;
+  const fs::path src = fs::path(TWRENCH_TESTS_DIR).parent_path() / "src";
+  for (const auto& entry : fs::recursive_directory_iterator(src)) {
+    const std::string name = fs::relative(entry.path(), src).string();
+    const std::string extension = entry.path().extension().string();
+    if (name.starts_with("app/") || (extension != ".cpp" && extension != ".h")) continue;
+    ++files;
+    std::ifstream source(entry.path());
+    for (std::string line; std::getline(source, line);) {
+      for (std::sregex_iterator i(line.begin(), line.end(), pattern), end; i != end; ++i) {
+        matches.push_back({name, i->str()});
+      }
+    }
+  }
+  EXPECT_GT(files, 100U);
+  return matches;
+}
+
+TEST(Walls, NoLibraryNamesAnOption) {
+  const std::regex literal("\"([^\"\\\\]|\\\\.)*\"");
+  const std::regex option("(^|[^-\\w])--[a-z]");
+  for (const auto& [file, text] : matches_in_libraries(literal)) {
+    if (std::ranges::find(foreign, text) != foreign.end()) continue;
+    EXPECT_FALSE(std::regex_search(text, option)) << file << ": " << text;
+  }
+}
+
+TEST(Walls, NoLibraryKnowsAnExitCode) {
+  for (const auto& [file, text] : matches_in_libraries(std::regex("ExitCode|exit_code"))) {
+    ADD_FAILURE() << file << ": " << text;
+  }
+}
+
+}  // namespace
+}  // namespace twrench
