@@ -4,7 +4,7 @@
 
 namespace twrench {
 
-/// A text has a character that the font lacks.
+/// A text has a character that neither the font nor its fallback can draw.
 class MissingGlyph : public InvalidArgument {
  public:
   MissingGlyph(const std::string& quantity, const std::string& why, char32_t character)

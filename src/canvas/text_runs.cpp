@@ -7,8 +7,10 @@
 #include <memory>
 #include <new>
 #include <numeric>
-#include <span>
 #include <string>
+
+#include "canvas/font_choice.h"
+#include "canvas/unicode.h"
 
 namespace twrench {
 namespace {
@@ -63,15 +65,6 @@ BidiOrder bidi_order(const std::vector<FriBidiChar>& text) {
   return order;
 }
 
-hb_script_t script_of(hb_codepoint_t character) {
-  return hb_unicode_script(hb_unicode_funcs_get_default(), character);
-}
-
-/// By characters of many scripts.
-bool is_shared(hb_script_t script) {
-  return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN;
-}
-
 /// The script of each character; those that many scripts share have that of the letters before
 /// them.
 std::vector<hb_script_t> scripts_of(const std::vector<hb_codepoint_t>& text) {
@@ -84,158 +77,6 @@ std::vector<hb_script_t> scripts_of(const std::vector<hb_codepoint_t>& text) {
     script = own;
   }
   return scripts;
-}
-
-hb_unicode_general_category_t category_of(hb_codepoint_t character) {
-  return hb_unicode_general_category(hb_unicode_funcs_get_default(), character);
-}
-
-bool is_mark(hb_codepoint_t character) {
-  switch (category_of(character)) {
-    case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
-    case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
-    case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// A joiner, a soft hyphen or the like: HarfBuzz leaves them out where the font has none.
-bool is_unseen(hb_codepoint_t character) {
-  return category_of(character) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
-}
-
-bool is_opening(hb_codepoint_t character) {
-  const auto category = category_of(character);
-  return category == HB_UNICODE_GENERAL_CATEGORY_OPEN_PUNCTUATION ||
-         category == HB_UNICODE_GENERAL_CATEGORY_INITIAL_PUNCTUATION;
-}
-
-bool is_closing(hb_codepoint_t character) {
-  const auto category = category_of(character);
-  return category == HB_UNICODE_GENERAL_CATEGORY_CLOSE_PUNCTUATION ||
-         category == HB_UNICODE_GENERAL_CATEGORY_FINAL_PUNCTUATION;
-}
-
-/// A letter, a digit or a sign, with the marks on it.
-struct Cluster {
-  std::span<const hb_codepoint_t> characters;
-  const Font* font;  ///< null as long as none is chosen
-};
-
-std::vector<Cluster> clusters_of(std::span<const hb_codepoint_t> text) {
-  std::vector<Cluster> clusters;
-  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
-    end = begin + 1;
-    while (end < text.size() && (is_mark(text[end]) || is_unseen(text[end]))) ++end;
-    clusters.push_back({text.subspan(begin, end - begin), nullptr});
-  }
-  return clusters;
-}
-
-/// How many of the characters the font has up to the first that it lacks, as they are or as what
-/// they compose.
-std::size_t count_in(const Font& font, std::span<const hb_codepoint_t> characters) {
-  hb_codepoint_t composed = 0;
-  for (std::size_t i = 0; i < characters.size(); ++i) {
-    hb_codepoint_t both = 0;
-    if (hb_unicode_compose(hb_unicode_funcs_get_default(), composed, characters[i], &both) != 0 &&
-        font.has(both)) {
-      composed = both;
-    } else if (font.has(characters[i]) || is_unseen(characters[i])) {
-      composed = characters[i];
-    } else {
-      return i;
-    }
-  }
-  return characters.size();
-}
-
-/// Shares a text out between a font and its fallback, as visual_runs() says.
-class FontChoice {
- public:
-  FontChoice(std::span<const hb_codepoint_t> text, const Font& font)
-      : font_(font), clusters_(clusters_of(text)) {
-    choose_for_letters_and_digits();
-    choose_for_opening_brackets();
-    choose_for_other_signs();
-  }
-
-  /// One for each character.
-  std::vector<const Font*> fonts() const {
-    std::vector<const Font*> fonts;
-    for (const auto& [characters, font] : clusters_) {
-      const Font* other = other_than(font);
-      const std::size_t count = count_in(*font, characters);
-      for (std::size_t i = 0; i < characters.size(); ++i) {
-        const bool strange = i >= count && !font->has(characters[i]) && other->has(characters[i]);
-        fonts.push_back(strange ? other : font);
-      }
-    }
-    return fonts;
-  }
-
- private:
-  const Font* other_than(const Font* font) const {
-    return font == &font_ ? font_.fallback() : &font_;
-  }
-
-  void choose(Cluster& cluster, const Font* preferred) {
-    const Font* other = other_than(preferred);
-    const bool more =
-        count_in(*other, cluster.characters) > count_in(*preferred, cluster.characters);
-    cluster.font = more ? other : preferred;
-  }
-
-  void choose_for_letters_and_digits() {
-    for (Cluster& cluster : clusters_) {
-      const hb_codepoint_t first = cluster.characters.front();
-      if (first >= U'0' && first <= U'9') {
-        choose(cluster, &font_.digits());
-      } else if (!is_shared(script_of(first))) {
-        choose(cluster, &font_);
-      }
-    }
-  }
-
-  void choose_for_opening_brackets() {
-    const Font* after = &font_;
-    for (auto cluster = clusters_.rbegin(); cluster != clusters_.rend(); ++cluster) {
-      if (cluster->font != nullptr) {
-        after = cluster->font;
-      } else if (is_opening(cluster->characters.front())) {
-        choose(*cluster, after);
-      }
-    }
-  }
-
-  void choose_for_other_signs() {
-    const auto first = std::ranges::find_if(clusters_, [](const Cluster& c) { return c.font; });
-    const Font* before = first == clusters_.end() ? &font_ : first->font;
-    std::vector<const Font*> open;  // the fonts of brackets that are not closed yet
-    for (Cluster& cluster : clusters_) {
-      const hb_codepoint_t sign = cluster.characters.front();
-      if (is_opening(sign)) {
-        open.push_back(cluster.font);
-      } else if (is_closing(sign) && !open.empty()) {
-        choose(cluster, open.back());
-        open.pop_back();
-      } else if (cluster.font != nullptr) {
-        before = cluster.font;
-      } else {
-        choose(cluster, before);
-      }
-    }
-  }
-
-  const Font& font_;
-  std::vector<Cluster> clusters_;
-};
-
-std::vector<const Font*> fonts_of(const std::vector<hb_codepoint_t>& text, const Font& font) {
-  if (font.fallback() == nullptr) return std::vector<const Font*>(text.size(), &font);
-  return FontChoice(text, font).fonts();
 }
 
 }  // namespace
@@ -270,7 +111,7 @@ StyledText shortened(const StyledText& text, std::size_t length) {
 std::vector<TextRun> visual_runs(const StyledText& text, const Font& font) {
   const BidiOrder order = bidi_order(text.characters);
   const std::vector<hb_script_t> scripts = scripts_of(text.characters);
-  const std::vector<const Font*> fonts = fonts_of(text.characters, font);
+  const std::vector<const Font*> fonts = choose_fonts(text.characters, font);
   const auto same = [&](std::size_t a, std::size_t b) {
     return fonts[a] == fonts[b] && text.styles[a] == text.styles[b] && scripts[a] == scripts[b] &&
            order.levels[a] == order.levels[b];

@@ -35,10 +35,8 @@ struct TextRun {
 };
 
 /// The text's runs from left to right, by the Unicode Bidirectional Algorithm (UAX #9); the line's
-/// own direction is that of its first letter. What the font lacks is taken from its fallback: a
-/// letter with all its marks where the fallback has them, the digits all together, and spaces and
-/// signs that both fonts have go with the letters or digits before them, but brackets and quotation
-/// marks with those after the opening one.
+/// own direction is that of its first letter. What the font lacks is of its fallback, as
+/// choose_fonts() says.
 std::vector<TextRun> visual_runs(const StyledText& text, const Font& font);
 
 }  // namespace twrench

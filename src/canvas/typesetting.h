@@ -27,7 +27,7 @@ struct Line {
 /// as wide and do not jitter, and so does U+2007, the blank of a digit; U+2009, which parts
 /// thousands, is thin in every font. Raised and lowered digits and signs (x², 10⁻³, ω₁) are made
 /// from the font's plain ones, so that all are there and alike. What the font lacks is taken from
-/// its fallback, as visual_runs() says.
+/// its fallback, as choose_fonts() says.
 Line typeset(const Font& font, std::string_view utf8);
 
 /// The same or, where that is wider than `width` em, its beginning with an ellipsis; nothing where

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "canvas/font_bytes.h"
-
 namespace twrench {
 namespace {
 
@@ -91,55 +89,6 @@ TEST(VisualRuns, AreOfOneScriptAndStyle) {
   EXPECT_THAT(scripts, ElementsAre(HB_SCRIPT_CYRILLIC, HB_SCRIPT_LATIN, HB_SCRIPT_DEVANAGARI))
       << "signs go with the letters beside them";
   EXPECT_EQ(visual_runs(styled("a10b²"), sans.regular).size(), 4U);
-}
-
-/// For each character of the text `f` where it is set in a font of `own` characters, `s` where the
-/// sans stands in.
-std::string fonts(std::u32string_view own, std::string_view utf8) {
-  const Typeface sans = load_typeface("sans");
-  const Font font = Font(many_scripts_file(own), "F").with_fallback(sans.regular);
-  const StyledText text = styled(utf8);
-  std::string fonts(text.characters.size(), '?');
-  for (const TextRun& run : visual_runs(text, font)) {
-    const char sign = run.font == &font ? 'f' : run.font == font.fallback() ? 's' : '?';
-    std::fill(fonts.begin() + static_cast<std::ptrdiff_t>(run.begin),
-              fonts.begin() + static_cast<std::ptrdiff_t>(run.end), sign);
-  }
-  return fonts;
-}
-
-TEST(VisualRunsWithFallback, StandsInForWhatTheFontLacks) {
-  EXPECT_EQ(fonts(U"abc", "abcd"), "fffs");
-  EXPECT_EQ(fonts(U"س", "aسb"), "sfs");
-  EXPECT_EQ(fonts(U"س", "क"), "f") << "neither has it";
-  EXPECT_EQ(fonts(U"س", ""), "");
-}
-
-TEST(VisualRunsWithFallback, HasSpacesAndSignsOfTheFontBesideThem) {
-  EXPECT_EQ(fonts(U"سل ,-", "ab, cd - سل, سل"), "sssssssssffffff");
-  EXPECT_EQ(fonts(U"سل ", "سل, ab"), "ffsfss") << "the one that has it";
-  EXPECT_EQ(fonts(U"س ,", ", ab س"), "sssssf") << "before the first letter";
-  EXPECT_EQ(fonts(U"س-", "- -"), "fsf") << "no letters";
-}
-
-TEST(VisualRunsWithFallback, HasBothBracketsOfOneFont) {
-  EXPECT_EQ(fonts(U"سل ()«»", "سل (ab) «سل»"), "fffsssssffff");
-  EXPECT_EQ(fonts(U"سل ()", "ab (سل) ab"), "sssfffffss");
-  EXPECT_EQ(fonts(U"س()1234567890", "(a 1) (س a)"), "sssfssffssf");
-}
-
-TEST(VisualRunsWithFallback, DoesNotPartALetterFromItsMarks) {
-  EXPECT_EQ(fonts(U"xy", "x\u0301y"), "ssf") << "the sans has both";
-  EXPECT_EQ(fonts(U"x\u0301", "x\u0301"), "ff");
-  EXPECT_EQ(fonts(U"eé", "e\u0301"), "ff") << "composed";
-  EXPECT_EQ(fonts(U"e\u0301", "é"), "f") << "decomposed";
-  EXPECT_EQ(fonts(U"سل", "سل\u0301س"), "ffsf") << "but none has both";
-  EXPECT_EQ(fonts(U"سل", "س\u200Dل\u20D7"), "ffff") << "a joiner, and what neither has";
-}
-
-TEST(VisualRunsWithFallback, HasAllDigitsOfOneFont) {
-  EXPECT_EQ(fonts(U"a012345678", "a10.8"), "fssss");
-  EXPECT_EQ(fonts(U"0123456789.", "10.8ab 1²"), "ffffsssff");
 }
 
 }  // namespace

@@ -218,21 +218,18 @@ std::string refusal_of(const Scene& scene) {
   return "none";
 }
 
-TEST(Hud, NamesATitlesCharacterThatTheFontLacks) {
+TEST(Hud, NamesATitlesCharacterThatNoFontHas) {
+  const auto refusal_for = [](const std::string& character) {
+    return "title: contains the character " + character +
+           ", which neither the font nor the built-in sans can draw";
+  };
   Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
-  EXPECT_EQ(refusal_of(scene),
-            "title: contains the character U+E123, which neither the font nor the built-in sans "
-            "can draw");
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+E123"));
   scene.title = "e\u0301 \u0628";
-  EXPECT_EQ(refusal_of(scene),
-            "title: contains the character U+0628, which neither the font nor the built-in sans "
-            "can draw");
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+0628"));
   scene.title = "";
   scene.name = "\u65E5\u672C";
-  EXPECT_EQ(
-      refusal_of(scene),
-      "title: contains the character U+65E5, which neither the font nor the built-in sans can draw")
-      << "the scene's name stands in for a title";
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+65E5")) << "the scene's name stands in for a title";
 }
 
 TEST(Hud, TakesTitlesOfManyTongues) {
