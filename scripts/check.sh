@@ -37,6 +37,9 @@ step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer"
 "${launcher[@]}" scripts/build.sh --tests asan
 run_tests asan
 
+step "The library of the dynamics: alone, installed, and used from outside, static and shared"
+scripts/library.sh
+
 step "The core's tests that look for values nothing has set, under valgrind"
 scripts/valgrind.sh --quick
 
