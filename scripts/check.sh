@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
-# UndefinedBehaviorSanitizer, the tests that look for uninitialised values under valgrind, and three
-# minutes of scripts/torture.sh.
+# UndefinedBehaviorSanitizer, the library built alone and used from outside, the tests that look for
+# uninitialised values under valgrind, and three minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
