@@ -151,7 +151,7 @@ void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing
     const std::size_t next = done + begun.size();
     if (next == frames.size()) return false;
     const Timed timed(times.draw);
-    begun.push_back(drawing.begin(frames[next]));
+    begun.push_back(drawing.begin(next));
     return true;
   };
   for (;;) {

@@ -40,8 +40,8 @@ struct Picture {
 
 /// How frames are drawn.
 struct Drawing {
-  /// Begins a frame; get() of the result completes it.
-  std::function<std::future<Picture>(const FrameRecord&)> begin;
+  /// Begins the frame with that index; get() of the result completes it.
+  std::function<std::future<Picture>(std::size_t index)> begin;
   /// How many frames are begun before the oldest is completed.
   std::size_t ahead = 0;
   /// Takes back an image when all stages have finished with it, on the last stage's thread; may be

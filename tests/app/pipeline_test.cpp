@@ -35,17 +35,16 @@ Manifest manifest_of(int count) {
 }
 
 /// A picture that identifies its frame.
-Picture picture_of(const FrameRecord& frame) {
+Picture picture_of(std::size_t frame) {
   Picture picture{Image(16, 16, 3)};
-  picture.image.pixels[0] = static_cast<std::uint8_t>(frame.frame);
+  picture.image.pixels[0] = static_cast<std::uint8_t>(frame);
   return picture;
 }
 
 /// Draws frames with `draw` when they are completed.
-Drawing drawing(std::function<Picture(const FrameRecord&)> draw = picture_of,
-                std::size_t ahead = 0) {
-  return {[draw = std::move(draw)](const FrameRecord& frame) {
-            return std::async(std::launch::deferred, draw, std::cref(frame));
+Drawing drawing(std::function<Picture(std::size_t)> draw = picture_of, std::size_t ahead = 0) {
+  return {[draw = std::move(draw)](std::size_t frame) {
+            return std::async(std::launch::deferred, draw, frame);
           },
           ahead};
 }
@@ -109,11 +108,11 @@ TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
 TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
   for (const std::size_t ahead : {0U, 1U, 3U}) {
     std::size_t begun = 0, ended = 0;
-    const Drawing counted{[&](const FrameRecord& frame) {
-                            EXPECT_EQ(frame.frame, static_cast<int>(begun));
+    const Drawing counted{[&](std::size_t frame) {
+                            EXPECT_EQ(frame, begun);
                             ++begun;
-                            return std::async(std::launch::deferred, [&] {
-                              EXPECT_EQ(frame.frame, static_cast<int>(ended));
+                            return std::async(std::launch::deferred, [&, frame] {
+                              EXPECT_EQ(frame, ended);
                               ++ended;
                               EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
                               return picture_of(frame);
@@ -127,9 +126,9 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
 
 TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
   FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
-  const auto draw = [](const FrameRecord& frame) {
+  const auto draw = [](std::size_t frame) {
     Picture picture = picture_of(frame);
-    picture.is_new = frame.frame % 2 == 0;
+    picture.is_new = frame % 2 == 0;
     return picture;
   };
   run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_);
@@ -141,8 +140,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
   for (const std::size_t ahead : {0U, 2U}) {
     const auto frames_folder = folder_ / std::to_string(ahead);
     FrameSequence sequence(frames_folder, manifest_of(count));
-    const auto draw = [](const FrameRecord& frame) {
-      if (frame.frame == 7) throw gl::GlError("drawing", "lost");
+    const auto draw = [](std::size_t frame) {
+      if (frame == 7) throw gl::GlError("drawing", "lost");
       return picture_of(frame);
     };
     EXPECT_THROW(
@@ -157,7 +156,7 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
 TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
   FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
   int drawn = 0;
-  const auto draw = [&](const FrameRecord& frame) {
+  const auto draw = [&](std::size_t frame) {
     // Renamed, because that is atomic: other threads write there while a removal would proceed.
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return picture_of(frame);

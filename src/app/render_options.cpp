@@ -1,0 +1,109 @@
+#include "app/render_options.h"
+
+#include <algorithm>
+#include <map>
+
+#include "app/arguments.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+#include "system/processors.h"
+
+namespace twrench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
+  using enum gl::Backend;
+  const std::map<std::string, gl::Backend> names{
+      {"auto", automatic}, {"osmesa", osmesa}, {"egl", egl}};
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&choice, names](const std::string& name) { choice.backend = names.at(name); },
+          "OpenGL backend: auto, osmesa or egl")
+      ->check(one_of("--backend", {"auto", "osmesa", "egl"}))
+      ->type_name("NAME")
+      ->default_str("auto");
+  command.add_option("--egl-device", choice.egl_device, "EGL device: its number, or software")
+      ->type_name("N");
+}
+
+}  // namespace
+
+RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
+  scene.add_motion_options();
+  add_picture_options(scene);
+  video.add_to(command, "out/SCENE.mp4");
+  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames (default: out/SCENE/)")
+      ->type_name("DIR");
+  command
+      .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
+      ->type_name("RANGE");
+  command
+      .add_option_function<std::string>(
+          "--shard",
+          [this](const std::string& text) {
+            shard = parse_shard(text);
+            no_video = true;
+          },
+          "draw part i of n of the frames into a folder shared by all n; no video (see encode)")
+      ->type_name("i/n");
+  command.add_flag("--no-video", no_video, "write PNG frames only");
+  command.add_flag("--no-frames", no_frames, "write the video only");
+  add_backend_options(command, backend);
+  command.add_option("--jobs", jobs, "threads that compress frames (default: half the processors)")
+      ->type_name("N");
+  Progress::add_option(command, progress);
+  auto* const keeps = command.add_flag(
+      "--resume", resume, "keep existing frames that are intact and belong to this video");
+  command
+      .add_flag("--overwrite", overwrite, "replace frames and videos of other scenes or settings")
+      ->excludes(keeps);
+  command
+      .add_flag("--timing{text}", timing,
+                "report how long each stage was busy; --timing=json for programs")
+      ->check(one_of("--timing", {"text", "json"}));
+}
+
+void RenderOptions::require_consistent() const {
+  if (no_video && no_frames) {
+    throw InvalidArgument("render", "--no-video and --no-frames together leave nothing to write");
+  }
+  if (no_video && !video.output.empty()) {
+    throw InvalidArgument(
+        "render", "with --no-video or --shard, no video is written to --output",
+        "once all frames are drawn: twrench encode FRAMES_DIR -o " + video.output);
+  }
+  if (!no_video) video.require_free_output(progress);
+  if (backend.backend == gl::Backend::osmesa && backend.egl_device) {
+    throw InvalidArgument("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
+  }
+}
+
+fs::path RenderOptions::video_path(const Scene& of) const {
+  return video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
+}
+
+fs::path RenderOptions::frames_folder(const Scene& of) const {
+  return frames_dir.empty() ? fs::path("out") / of.name : fs::path(frames_dir);
+}
+
+VideoFormat RenderOptions::video_format(const Scene& of) const {
+  return {of.film.width,       of.film.height,     of.film.fps, video.container(video_path(of)),
+          of.look.transparent, video.is_streamed()};
+}
+
+Reuse RenderOptions::reuse() const {
+  if (overwrite) return Reuse::overwrite;
+  return resume ? Reuse::resume : Reuse::none;
+}
+
+/// Drawing and the encoder use the other half of the processors: more jobs would only compete with
+/// them for time and cache.
+int RenderOptions::job_count() const {
+  if (jobs.empty()) return std::max(1, static_cast<int>(processor_count() / 2));
+  return limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
+}
+
+}  // namespace twrench
