@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
-#include <twrench/motion/taylor.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
+#include "motion/taylor_motion.h"
 
 namespace twrench {
 namespace {
