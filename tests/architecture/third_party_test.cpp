@@ -29,7 +29,7 @@ TEST(ThirdParty, ListsEachLibraryThatIsCompiledIn) {
 
 // The packages of fonts are those from which the build takes what it embeds.
 TEST(ThirdParty, ListsEachFontOfTheBuild) {
-  const std::string dependencies = file_text(project_folder() / "cmake/Dependencies.cmake");
+  const std::string dependencies = file_text(project_folder() / "cmake/RenderDependencies.cmake");
   const std::regex package("fonts-[a-z0-9-]+");
   std::set<std::string> packages;
   for (std::sregex_iterator match(dependencies.begin(), dependencies.end(), package), end;
