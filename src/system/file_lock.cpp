@@ -10,7 +10,7 @@ namespace twrench {
 
 bool lock_file(const Descriptor& file, int operation) {
   using namespace std::chrono_literals;
-  const auto end = std::chrono::steady_clock::now() + 1s;
+  const auto end = std::chrono::steady_clock::now() + 3s;
   while (::flock(file.get(), operation | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
     if (errno != EWOULDBLOCK) return true;
