@@ -8,7 +8,6 @@
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
-#include <twrench/motion/taylor.h>
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
@@ -21,6 +20,8 @@
 #include <numbers>
 #include <random>
 #include <string>
+
+#include "motion/taylor_motion.h"
 
 namespace twrench {
 namespace {
