@@ -11,6 +11,7 @@ scripts/setup.sh coverage
 left_out=-*OfTheLargest*:*WithoutEnd*
 left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns
+left_out+=:*WhereverItIsCompressed
 of_the_motion='*'
 programs=(
   base_test system_test math_test body_test motion_test study_test plot_test scene_test timeline_test
