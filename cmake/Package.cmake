@@ -1,4 +1,4 @@
-# Installs the library of the dynamics, for find_package(twrench) and for pkg-config.
+# Installs the library of the dynamics, for find_package(twrench) and for pkg-config, and the licences.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -24,3 +24,4 @@ endif()
 file(RELATIVE_PATH twrench_pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/twrench.pc.in twrench.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD-PARTY.md TYPE DOC)

@@ -36,11 +36,12 @@ std::vector<std::uint8_t> with_checksums(const std::uint8_t* data, std::size_t s
 
 void decode(std::span<const std::uint8_t> file) {
   try {
-    const Image image = decode_png(file, "input");
+    const image::Image image = image::decode_png(file, "input");
     require(image.pixels.size() == image.row_bytes() * static_cast<std::size_t>(image.height),
             "as many pixels as it says");
-    require(decode_png(encode_png(image), "written").pixels == image.pixels, "read back");
-  } catch (const FileError&) {
+    require(image::decode_png(image::encode_png(image), "written").pixels == image.pixels,
+            "read back");
+  } catch (const system::FileError&) {
   }
 }
 

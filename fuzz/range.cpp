@@ -11,20 +11,22 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace twrench;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  is_manifest_name(text);
+  video::is_manifest_name(text);
   try {
-    const Shard shard = parse_shard(text);
-    require(parse_shard(format_shard(shard)) == shard, "a shard is read back");
-    require(is_manifest_name(manifest_file_name(shard)), "its manifest is known by its name");
+    const video::Shard shard = video::parse_shard(text);
+    require(video::parse_shard(video::format_shard(shard)) == shard, "a shard is read back");
+    require(video::is_manifest_name(video::manifest_file_name(shard)),
+            "its manifest is known by its name");
   } catch (const InvalidArgument&) {
   }
   constexpr int frame_count = 100'000;  // small, for many inputs per second
   try {
-    const std::vector<int> frames = parse_frame_range(text, frame_count);
+    const std::vector<int> frames = video::parse_frame_range(text, frame_count);
     require(!frames.empty(), "a range selects a frame");
     require(std::ranges::adjacent_find(frames, std::greater_equal{}) == frames.end(), "ascending");
     require(frames.front() >= 0 && frames.back() < frame_count, "within the film");
-    require(parse_frame_range(format_frame_range(frames), frame_count) == frames, "read back");
+    require(video::parse_frame_range(video::format_frame_range(frames), frame_count) == frames,
+            "read back");
   } catch (const InvalidArgument&) {
   }
   return 0;

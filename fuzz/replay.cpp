@@ -22,7 +22,7 @@ std::vector<Bytes> read_corpus(const std::filesystem::path& folder) {
   std::ranges::sort(paths);
   constexpr std::size_t longest = 1 << 20;
   std::vector<Bytes> corpus;
-  for (const auto& path : paths) corpus.push_back(twrench::read_file(path, longest));
+  for (const auto& path : paths) corpus.push_back(twrench::system::read_file(path, longest));
   return corpus;
 }
 

@@ -12,11 +12,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace twrench;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const Scene scene = parse_scene(text, "input.toml");
+    const scene::Scene scene = scene::parse_scene(text, "input.toml");
     require(scene.frame_count() >= 1, "a film has a frame");
-    mass_properties(scene.body);
-    visible_parts(scene.body);
-    scene_json(scene).dump();
+    scene::mass_properties(scene.body);
+    scene::visible_parts(scene.body);
+    scene::scene_json(scene).dump();
   } catch (const InvalidArgument&) {
   }
   return 0;

@@ -25,6 +25,8 @@ for shared in OFF ON; do
   cmake --build "$build"
   [[ $testing == OFF ]] || ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"
   cmake --install "$build" >/dev/null
+  [[ -s $build-installed/share/doc/twrench/LICENSE ]] ||
+    die "the licence was not installed" "see $build-installed"
 
   cmake -S tests/library -B "$build-user" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_PREFIX_PATH="$build-installed" -DCOMPONENTS=dynamics >/dev/null

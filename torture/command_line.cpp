@@ -121,8 +121,8 @@ std::string CommandLine::value(const std::string& option, const std::string& oth
 
 OptionTable read_option_table() {
   CLI::App app;
-  ExitCode code{};
-  add_commands(app, code);
+  app::ExitCode code{};
+  app::add_commands(app, code);
   OptionTable table;
   for (const CLI::App* command : app.get_subcommands({})) {
     auto& options = table[command->get_name()];

@@ -41,11 +41,12 @@ bool is_manifest(const std::string& path) { return fs::path(path).filename() == 
 /// Why the manifest does not match the frames next to it; empty if it does.
 std::string objection_to_manifest(const fs::path& path) {
   try {
-    const auto bytes = read_file(path, std::size_t{1} << 26U);
+    const auto bytes = system::read_file(path, std::size_t{1} << 26U);
     const auto manifest = nlohmann::json::parse(bytes.begin(), bytes.end());
     for (const auto& frame : manifest.at("frames")) {
       const fs::path file = path.parent_path() / frame.at("file").get<std::string>();
-      if (sha256_hex(read_file(file, std::size_t{1} << 26U)) != frame.at("sha256")) {
+      if (system::sha256_hex(system::read_file(file, std::size_t{1} << 26U)) !=
+          frame.at("sha256")) {
         return file.filename().string() + " is not what the manifest tells of";
       }
     }
@@ -100,15 +101,16 @@ std::vector<Scenario> all_scenarios(const fs::path& twrench, const fs::path& scr
 }
 
 void furnish_scenarios(const fs::path& folder, const fs::path& twrench) {
-  write_file_atomically(folder / "scene.toml",
-                        "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 2\n");
+  system::write_file_atomically(folder / "scene.toml",
+                                "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 2\n");
   make(folder, twrench, film({"--frames-dir", "frames", "--no-video"}));
   make(folder, twrench, film({"--frames-dir", "part", "--no-video", "--frames", "0-2"}));
   make(folder, twrench, other_film({"--frames-dir", "old", "-o", "old.mp4"}));
   fs::copy_file(folder / "frames/frame_000000.png", folder / "a.png");
   fs::copy_file(folder / "frames/frame_000005.png", folder / "b.png");
   fs::copy_file(folder / "frames/frame_000001.png", folder / "old.png");
-  for (const char* name : {"old.csv", "old.json"}) write_file_atomically(folder / name, "old\n");
+  for (const char* name : {"old.csv", "old.json"})
+    system::write_file_atomically(folder / name, "old\n");
 }
 
 std::vector<std::string> faults_in_files(const Course& course, const fs::path& folder) {

@@ -33,7 +33,7 @@ using Words = std::vector<std::string>;
 
 std::string text_of(const fs::path& path) {
   if (!fs::exists(path)) return {};
-  const auto bytes = read_file(path, std::size_t{1} << 24U);
+  const auto bytes = system::read_file(path, std::size_t{1} << 24U);
   return {bytes.begin(), bytes.end()};
 }
 

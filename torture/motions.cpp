@@ -23,7 +23,7 @@
 
 #include "motion/taylor_motion.h"
 
-namespace twrench {
+namespace twrench::torture {
 namespace {
 
 using Eigen::Matrix3d;
@@ -142,7 +142,8 @@ double complementary_parameter(const Vector3d& I, const Vector3d& mu) {
   return std::isfinite(ratio) ? std::min(1.0, std::abs(ratio)) : 0;
 }
 
-Condition condition_of(const Case& c, const FreeBody& body, const ExactMotion& exact) {
+Condition condition_of(const Case& c, const motion::FreeBody& body,
+                       const motion::ExactMotion& exact) {
   const Vector3d I = body.principal().moments / body.principal().moments[0];
   const Vector3d w = body.principal().axes.transpose() * c.omega / c.omega.stableNorm();
   // |omega| <= G/I_1 at all times, and <= sqrt(2T/I_1).
@@ -192,9 +193,9 @@ class Trial {
   }
 
   void run() {
-    const FreeBody body(case_.moments.asDiagonal(), case_.omega);
-    const ExactMotion exact(body);
-    const Sample sample = exact.at(case_.t);
+    const motion::FreeBody body(case_.moments.asDiagonal(), case_.omega);
+    const motion::ExactMotion exact(body);
+    const motion::Sample sample = exact.at(case_.t);
     const Condition condition = condition_of(case_, body, exact);
     expect_conserved(body, sample);
     expect_flips(body, exact, condition);
@@ -204,7 +205,7 @@ class Trial {
   }
 
   /// Only round-off, for any t: docs/exact.md promises 6e-15 for the energy.
-  void expect_conserved(const FreeBody& body, const Sample& sample) {
+  void expect_conserved(const motion::FreeBody& body, const motion::Sample& sample) {
     const Vector3d& I = case_.moments;
     const Matrix3d& X = sample.X;
     expect_within("|X^T X - Id|", (X.transpose() * X - Matrix3d::Identity()).norm(), 4e-15);
@@ -218,7 +219,8 @@ class Trial {
   }
 
   /// At the predicted times, omega's intermediate component vanishes.
-  void expect_flips(const FreeBody& body, const ExactMotion& exact, const Condition& condition) {
+  void expect_flips(const motion::FreeBody& body, const motion::ExactMotion& exact,
+                    const Condition& condition) {
     const auto flips = exact.flips();
     if (!flips || !(std::abs(case_.t) < 100 * flips->interval)) return;
     double before = 0;
@@ -234,7 +236,7 @@ class Trial {
 
   /// Compares with Taylor series in more digits: docs/exact.md promises 2e-15 per radian. The
   /// series starts from |omega| of about 1, to which the motion is scaled by a power of two.
-  void expect_reference(const Sample& sample, const Condition& condition) {
+  void expect_reference(const motion::Sample& sample, const Condition& condition) {
     using Quad = boost::multiprecision::cpp_bin_float_quad;
     const double speed = std::exp2(std::floor(std::log2(case_.omega.stableNorm())));
     if (!(speed > 0)) return;
@@ -248,9 +250,9 @@ class Trial {
     // Each flip multiplies the reference's own rounding errors by at most 1/mc, or by exp(lambda
     // t): 64 bits have 11 to spare, 113 bits 60.
     if (condition.mc > 0.01 && std::numeric_limits<long double>::digits >= 64) {
-      hold_against(TaylorMotion<long double, 22>(case_.moments, case_.omega / speed));
+      hold_against(motion::TaylorMotion<long double, 22>(case_.moments, case_.omega / speed));
     } else if (condition.angle <= 40) {
-      hold_against(TaylorMotion<Quad, 36>(case_.moments, case_.omega / speed));
+      hold_against(motion::TaylorMotion<Quad, 36>(case_.moments, case_.omega / speed));
     }
   }
 
@@ -259,31 +261,34 @@ class Trial {
   /// covers that. A needle's steps, of a few I_1/G, are short and many: 1e-14 each. Near the
   /// separatrix the energy, known to a few eps, determines the time of the next flip: that error is
   /// 1/mc times larger.
-  void expect_taylor(const FreeBody& body, const Sample& sample, const Condition& condition) {
+  void expect_taylor(const motion::FreeBody& body, const motion::Sample& sample,
+                     const Condition& condition) {
     const double units =
         std::abs(body.momentum().stableNorm() / body.principal().moments[0] * case_.t);
     const double bound = (1e-12 * condition.angle + 5e-15 * units) / std::max(condition.mc, 1e-300);
     // A needle that rotates end over end takes too many steps.
     if (bound > 0.1 || units > 4e4) return;
     const std::array<double, 1> times{case_.t};
-    const Sample other =
-        integrate(body, find_method("taylor"), {.tolerance = 1e-15}, times).samples[0];
+    const motion::Sample other =
+        motion::integrate(body, motion::find_method("taylor"), {.tolerance = 1e-15}, times)
+            .samples[0];
     expect_within("X against taylor", (sample.X - other.X).norm(), bound);
   }
 
   /// Must return numbers or an error.
-  void try_another_method(const FreeBody& body) {
-    const auto all = methods();
-    const Method& method =
+  void try_another_method(const motion::FreeBody& body) {
+    const auto all = motion::methods();
+    const motion::Method& method =
         all[static_cast<std::size_t>(random_.below(static_cast<int>(all.size())))];
-    const StepControl control{
+    const motion::StepControl control{
         .step = std::clamp(random_.magnitude(-2, 1) / case_.omega.stableNorm(), 1e-15, 1e6),
         .tolerance = random_.magnitude(-15, 0),
         .max_steps = 2000};
     const std::array<double, 1> times{std::clamp(case_.t, -1e9, 1e9)};
     try {
-      const Sample sample = integrate(body, method, control, times).samples[0];
-      const Diagnostics d = diagnose(body, energy(body.inertia(), body.omega()), sample);
+      const motion::Sample sample = motion::integrate(body, method, control, times).samples[0];
+      const motion::Diagnostics d =
+          motion::diagnose(body, motion::energy(body.inertia(), body.omega()), sample);
       const bool finite = sample.X.allFinite() && sample.omega.allFinite() &&
                           std::isfinite(d.energy) && std::isfinite(d.energy_drift) &&
                           std::isfinite(d.orthogonality_error) && std::isfinite(d.momentum_error);
@@ -291,7 +296,7 @@ class Trial {
         fault(fmt::format("{} with step {:.17g} and tolerance {:.17g} is not finite", method.name,
                           control.step, control.tolerance));
       }
-    } catch (const MotionError&) {
+    } catch (const motion::MotionError&) {
     }
   }
 
@@ -322,7 +327,7 @@ int run_one(std::uint64_t seed, std::uint64_t number) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::torture
 
 int main(int argc, char** argv) {
   if (argc != 3 && argc != 4) {
@@ -330,6 +335,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::uint64_t seed = std::strtoull(argv[2], nullptr, 10);
-  if (argc == 4) return twrench::run_one(seed, std::strtoull(argv[3], nullptr, 10));
-  return twrench::run(std::strtod(argv[1], nullptr), seed);
+  if (argc == 4) return twrench::torture::run_one(seed, std::strtoull(argv[3], nullptr, 10));
+  return twrench::torture::run(std::strtod(argv[1], nullptr), seed);
 }

@@ -34,7 +34,7 @@
 #include "scene/scene_json.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
+namespace twrench::torture {
 namespace {
 
 using Eigen::Vector3d;
@@ -71,30 +71,31 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-Color random_color(Dice& dice) {
+scene::Color random_color(Dice& dice) {
   const int red = dice.whole(0, 255), green = dice.whole(0, 255);
   return {red, green, dice.whole(0, 255)};
 }
 
-Part random_part(Dice& dice, double size) {
+body::Part random_part(Dice& dice, double size) {
   const double least = dice.chance(0.1) ? 1e-4 : 0.02;  // wires, needles and sheets too
   const auto length = [&] { return size * dice.spread(least, 2); };
   const auto lengths = [&] {
     const double x = length(), y = length();
     return Vector3d(x, y, length());
   };
-  Shape shape;
+  body::Shape shape;
   switch (dice.whole(0, 2)) {
     case 0: {
       const double radius = length();
-      shape = Cylinder{radius, length()};
+      shape = body::Cylinder{radius, length()};
       break;
     }
     case 1:
-      shape = Box{lengths()};
+      shape = body::Box{lengths()};
       break;
     default:
-      shape = Ellipsoid{dice.chance(0.3) ? Vector3d(Vector3d::Constant(length())) : lengths()};
+      shape =
+          body::Ellipsoid{dice.chance(0.3) ? Vector3d(Vector3d::Constant(length())) : lengths()};
   }
   const double density = dice.spread(0.1, 20);
   const Vector3d position = size * dice.vector(-1.5, 1.5);
@@ -104,8 +105,8 @@ Part random_part(Dice& dice, double size) {
   return {shape, density, position, so3::exp(turn)};
 }
 
-Body random_body(Dice& dice) {
-  Body body;
+scene::Body random_body(Dice& dice) {
+  scene::Body body;
   if (dice.chance(0.15)) {
     const double x = dice.spread(0.01, 1), y = dice.spread(0.01, 1), z = dice.spread(0.01, 1);
     body.moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
@@ -117,15 +118,15 @@ Body random_body(Dice& dice) {
   return body;
 }
 
-Motion random_motion(Dice& dice) {
-  Motion motion;
+scene::Motion random_motion(Dice& dice) {
+  scene::Motion motion;
   const double speed = dice.spread(0.1, 100);
   const double kind = dice.uniform(0, 1);
   motion.omega = speed * (kind < 0.1   ? Vector3d(Vector3d::Unit(dice.whole(0, 2)))
                           : kind < 0.2 ? Vector3d(1, 1e-3, 1e-3)
                                        : dice.vector(-1, 1));
   if (dice.chance(0.05)) motion.omega.setZero();
-  motion.method = dice.pick(methods()).name;
+  motion.method = dice.pick(motion::methods()).name;
   motion.control.step = dice.spread(0.003, 0.1) / speed;
   motion.control.tolerance = dice.spread(1e-12, 1e-4);
   motion.duration = dice.spread(1, 100) / speed;
@@ -133,8 +134,8 @@ Motion random_motion(Dice& dice) {
 }
 
 /// Usually about 10^5 pixels with any aspect ratio, sometimes as long as possible.
-Film random_film(Dice& dice, const Motion& motion) {
-  Film film;
+scene::Film random_film(Dice& dice, const scene::Motion& motion) {
+  scene::Film film;
   const bool extreme = dice.chance(0.15);
   const double area = dice.spread(400, 300'000);
   const double aspect = extreme ? dice.spread(0.01, 100) : dice.spread(0.2, 5);
@@ -148,9 +149,10 @@ Film random_film(Dice& dice, const Motion& motion) {
   return film;
 }
 
-Look random_look(Dice& dice) {
-  Look look;
-  look.theme = dice.pick(std::array{Theme::studio, Theme::paper, Theme::space});
+scene::Look random_look(Dice& dice) {
+  scene::Look look;
+  look.theme =
+      dice.pick(std::array{scene::Theme::studio, scene::Theme::paper, scene::Theme::space});
   look.samples = dice.pick(std::array{1, 1, 1, 2, 4});
   look.motion_blur = dice.chance(0.3) ? dice.whole(2, 4) : 1;
   const double kind = dice.uniform(0, 1);
@@ -162,8 +164,8 @@ Look random_look(Dice& dice) {
   return look;
 }
 
-CameraPath random_camera(Dice& dice) {
-  CameraPath camera;
+scene::CameraPath random_camera(Dice& dice) {
+  scene::CameraPath camera;
   camera.azimuth = dice.uniform(-10, 10);
   if (dice.chance(0.5)) camera.elevation = dice.uniform(-1, 1) * std::numbers::pi / 2;
   if (dice.chance(0.05)) camera.elevation = std::copysign(std::numbers::pi / 2, camera.azimuth);
@@ -173,21 +175,22 @@ CameraPath random_camera(Dice& dice) {
   return camera;
 }
 
-Overlay random_overlay(Dice& dice, const Motion& motion) {
-  using enum Feature;
+scene::Overlay random_overlay(Dice& dice, const scene::Motion& motion) {
+  using enum scene::Feature;
   constexpr std::array all{floor,  axes, momentum,   omega,  trail,  plane,
                            labels, hud,  components, sphere, poinsot};
-  Overlay overlay;
+  scene::Overlay overlay;
   overlay.view =
-      dice.pick(std::array{View::wrench, View::wrench, View::momentum, View::poinsot, View::quad});
+      dice.pick(std::array{scene::View::wrench, scene::View::wrench, scene::View::momentum,
+                           scene::View::poinsot, scene::View::quad});
   const double share = dice.pick(std::array{0.0, 0.5, 0.9, 1.0});
   overlay.show.clear();
-  for (const Feature feature : all) {
+  for (const scene::Feature feature : all) {
     if (dice.chance(share)) overlay.show.insert(feature);
   }
-  if (overlay.view == View::wrench && dice.chance(0.3)) {
+  if (overlay.view == scene::View::wrench && dice.chance(0.3)) {
     const int count = dice.whole(1, 4);
-    for (int i = 0; i < count; ++i) overlay.compare.emplace_back(dice.pick(methods()).name);
+    for (int i = 0; i < count; ++i) overlay.compare.emplace_back(dice.pick(motion::methods()).name);
   }
   if (dice.chance(0.2)) overlay.trail_point = dice.vector(-10, 10);
   if (dice.chance(0.3)) overlay.trail_length = motion.duration * dice.spread(1e-3, 10);
@@ -221,8 +224,8 @@ std::string random_title(Dice& dice) {
   return title;
 }
 
-Scene random_scene(Dice& dice) {
-  Scene scene;
+scene::Scene random_scene(Dice& dice) {
+  scene::Scene scene;
   scene.name = "torture";
   scene.title = random_title(dice);
   scene.body = random_body(dice);
@@ -248,8 +251,8 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw std::logic_error(what);
 }
 
-void check(const Frame& frame, const Scene& scene) {
-  const Image& image = frame.image;
+void check(const image::Frame& frame, const scene::Scene& scene) {
+  const image::Image& image = frame.image;
   require(image.width == scene.film.width && image.height == scene.film.height,
           "the picture has another size than its film");
   require(image.channels == (scene.look.transparent ? 4 : 3) &&
@@ -263,24 +266,24 @@ void check(const Frame& frame, const Scene& scene) {
 }
 
 /// Draws some frames of the scene as the program does, each of them twice.
-void draw(const Scene& scene, Dice& dice) {
+void draw(const scene::Scene& scene, Dice& dice) {
   const auto opened = gl::open_context({});
-  const Timeline timeline(scene, random_frames(dice, scene.frame_count()));
-  Renderer renderer(*opened.context, scene, timeline.solutions());
+  const timeline::Timeline timeline(scene, random_frames(dice, scene.frame_count()));
+  render::Renderer renderer(*opened.context, scene, timeline.solutions());
   std::vector<std::vector<std::uint8_t>> drawn;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    Frame frame = renderer.draw(timeline.frame_state(i));
+    image::Frame frame = renderer.draw(timeline.frame_state(i));
     check(frame, scene);
     drawn.push_back(frame.image.pixels);
     if (i > 0) renderer.reuse(std::move(frame));
   }
-  StaticBands bands;
+  image::StaticBands bands;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    Frame frame = renderer.draw(timeline.frame_state(i));
+    image::Frame frame = renderer.draw(timeline.frame_state(i));
     require(frame.image.pixels == drawn[i], "a frame is another when it is drawn again");
     if (i == 0) {
-      require(scene.look.transparent ||
-                  encode_png(frame.image, {frame.damage, bands}) == encode_png(frame.image),
+      require(scene.look.transparent || image::encode_png(frame.image, {frame.damage, bands}) ==
+                                            image::encode_png(frame.image),
               "a frame's file depends on what is known of the frames beside it");
     }
     renderer.reuse(std::move(frame));
@@ -292,7 +295,7 @@ enum class Outcome { drawn, refused, fault };
 /// Expected errors are not faults, except those that report one.
 Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>& refusals) {
   Dice dice(seed, number);
-  const Scene scene = random_scene(dice);
+  const scene::Scene scene = random_scene(dice);
   std::string what;
   try {
     draw(scene, dice);
@@ -300,18 +303,19 @@ Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>
   } catch (const std::exception& error) {
     what = error.what();
     const bool is_refusal = dynamic_cast<const InvalidArgument*>(&error) != nullptr ||
-                            dynamic_cast<const MotionError*>(&error) != nullptr;
+                            dynamic_cast<const motion::MotionError*>(&error) != nullptr;
     if (is_refusal) {
       ++refusals[what.substr(0, what.find(':'))];
       return Outcome::refused;
     }
   }
-  fmt::print("\nscenes: fault: seed {} case {}: {}\n{}\n", seed, number, what,
-             scene_json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print(
+      "\nscenes: fault: seed {} case {}: {}\n{}\n", seed, number, what,
+      scene::scene_json(scene).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   return Outcome::fault;
 }
 
-int torture(double seconds, std::uint32_t seed, std::optional<std::uint32_t> only) {
+int run(double seconds, std::uint32_t seed, std::optional<std::uint32_t> only) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   std::map<Outcome, int> outcomes;
@@ -329,7 +333,7 @@ int torture(double seconds, std::uint32_t seed, std::optional<std::uint32_t> onl
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::torture
 
 int main(int count, char** words) {
   if (count != 3 && count != 4) {
@@ -337,6 +341,6 @@ int main(int count, char** words) {
     return 2;
   }
   const auto number = [&](int i) { return static_cast<std::uint32_t>(std::stoul(words[i])); };
-  return twrench::torture(std::stod(words[1]), number(2),
+  return twrench::torture::run(std::stod(words[1]), number(2),
                           count == 4 ? std::optional(number(3)) : std::nullopt);
 }

@@ -21,8 +21,9 @@ Entry entry_at(const fs::path& path) {
   } else if (fs::is_regular_file(status)) {
     const auto size = fs::file_size(path);
     try {
-      entry.content =
-          size > longest_read ? std::to_string(size) : sha256_hex(read_file(path, longest_read));
+      entry.content = size > longest_read
+                          ? std::to_string(size)
+                          : system::sha256_hex(system::read_file(path, longest_read));
     } catch (const std::exception&) {
       entry.content = std::to_string(size);
     }
@@ -46,7 +47,8 @@ std::map<std::string, std::string> frame_digests(const fs::path& folder) {
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(folder, missing)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), longest_read));
+    if (name.starts_with("frame_"))
+      found[name] = system::sha256_hex(system::read_file(entry.path(), longest_read));
   }
   return found;
 }

@@ -33,7 +33,7 @@ struct Block {
 };
 
 /// One channel of the reference's pixels for one pixel of a frame.
-Block block(const Image& reference, int x, int y, int channel) {
+Block block(const image::Image& reference, int x, int y, int channel) {
   int sum = 0, low = 255, high = 0;
   for (int j = 0; j < times; ++j) {
     for (int i = 0; i < times; ++i) {
@@ -53,10 +53,10 @@ void run(const fs::path& folder, const std::vector<fs::path>& others) {
   double count = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".png") continue;
-    const Image reference = read_png(entry.path());
-    std::vector<Image> images;
+    const image::Image reference = image::read_png(entry.path());
+    std::vector<image::Image> images;
     for (const fs::path& other : others) {
-      images.push_back(read_png(other / entry.path().filename()));
+      images.push_back(image::read_png(other / entry.path().filename()));
       if (images.back().width * times != reference.width || images.back().channels != 3 ||
           images.back().height * times != reference.height || reference.channels != 3) {
         throw InvalidArgument(other.string(),

@@ -11,8 +11,8 @@
 namespace twrench {
 namespace {
 
-Scene full_scene() {
-  Scene scene = load_scene("dzhanibekov");
+scene::Scene full_scene() {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
   scene.film.width = 1920;
   scene.film.height = 1080;
   return scene;
@@ -25,19 +25,19 @@ Eigen::Matrix3d pose(int frame) {
   return so3::exp(Eigen::Vector3d(0.11 * frame, 0.05 * frame, 0.3));
 }
 
-const Image& frame() {
-  static const Image image = [] {
+const image::Image& frame() {
+  static const image::Image image = [] {
     const auto opened = context();
-    return PoseRenderer(*opened.context, full_scene()).draw(pose(7));
+    return render::PoseRenderer(*opened.context, full_scene()).draw(pose(7));
   }();
   return image;
 }
 
 void Draw(benchmark::State& state) {
   const auto opened = context();
-  Scene scene = full_scene();
+  scene::Scene scene = full_scene();
   scene.look.samples = static_cast<int>(state.range(0));
-  PoseRenderer renderer(*opened.context, scene);
+  render::PoseRenderer renderer(*opened.context, scene);
   int i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(pose(++i)).pixels.data());
 }
@@ -52,7 +52,7 @@ BENCHMARK(Draw)
 void Open(benchmark::State& state) {
   for (auto _ : state) {
     const auto opened = context();
-    PoseRenderer renderer(*opened.context, full_scene());
+    render::PoseRenderer renderer(*opened.context, full_scene());
     benchmark::DoNotOptimize(renderer.draw(pose(0)).pixels.data());
   }
 }
@@ -60,16 +60,16 @@ BENCHMARK(Open)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPU
 
 void Background(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(background(full_scene().look, 1920, 1080).pixels.data());
+    benchmark::DoNotOptimize(render::background(full_scene().look, 1920, 1080).pixels.data());
 }
 BENCHMARK(Background)->Unit(benchmark::kMillisecond);
 
 /// A square in the middle with that fraction of the frame.
 void ConvertToYuv(benchmark::State& state) {
-  Yuv420 yuv(1920, 1080);
+  image::Yuv420 yuv(1920, 1080);
   const int percent = static_cast<int>(state.range(0));
   const int width = 192 * percent / 10;
-  const Area area{(1920 - width) / 2, 0, width, 1080};
+  const image::Area area{(1920 - width) / 2, 0, width, 1080};
   for (auto _ : state) {
     yuv.update(frame(), area);
     benchmark::DoNotOptimize(yuv.bytes().data());
@@ -79,7 +79,7 @@ BENCHMARK(ConvertToYuv)->ArgName("percent")->Arg(20)->Arg(100)->Unit(benchmark::
 
 void EncodePng(benchmark::State& state) {
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(frame()).size();
+  for (auto _ : state) bytes = image::encode_png(frame()).size();
   state.counters["kB"] = static_cast<double>(bytes) / 1e3;
 }
 BENCHMARK(EncodePng)->Unit(benchmark::kMillisecond);

@@ -10,7 +10,9 @@ namespace twrench {
 namespace {
 
 /// Tumbling about its intermediate axis.
-FreeBody tumbler() { return FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02}); }
+motion::FreeBody tumbler() {
+  return motion::FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02});
+}
 
 void exponential(benchmark::State& state) {
   Eigen::Vector3d u(0.01, -0.02, 0.03);
@@ -22,10 +24,10 @@ void exponential(benchmark::State& state) {
 BENCHMARK(exponential);
 
 void step(benchmark::State& state, const char* name) {
-  const FreeBody body = tumbler();
-  const Method& method = find_method(name);
+  const motion::FreeBody body = tumbler();
+  const motion::Method& method = motion::find_method(name);
   Eigen::Matrix3d X = Eigen::Matrix3d::Identity();
-  for (auto _ : state) X = take_step(body, method, X, 0.01).X;
+  for (auto _ : state) X = motion::take_step(body, method, X, 0.01).X;
   benchmark::DoNotOptimize(X);
 }
 BENCHMARK_CAPTURE(step, rk4, "rk4");
@@ -34,9 +36,9 @@ BENCHMARK_CAPTURE(step, rkmk45, "rkmk45");
 
 /// A step as a trajectory takes it.
 void taylor_step(benchmark::State& state) {
-  const FreeBody body = tumbler();
-  TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
-  TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum());
+  const motion::FreeBody body = tumbler();
+  motion::TaylorSeries series(body, std::get<motion::Taylor>(motion::find_method("taylor").scheme));
+  motion::TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum());
   for (auto _ : state) {
     series.expand(at);
     at = series.at(series.max_step(1e-10));
@@ -46,8 +48,8 @@ void taylor_step(benchmark::State& state) {
 BENCHMARK(taylor_step);
 
 void taylor_sample(benchmark::State& state) {
-  const FreeBody body = tumbler();
-  TaylorSeries series(body, std::get<Taylor>(find_method("taylor").scheme));
+  const motion::FreeBody body = tumbler();
+  motion::TaylorSeries series(body, std::get<motion::Taylor>(motion::find_method("taylor").scheme));
   series.expand(series.state_of(Eigen::Matrix3d::Identity(), body.momentum()));
   double t = 0;
   for (auto _ : state) {
@@ -58,7 +60,7 @@ void taylor_sample(benchmark::State& state) {
 BENCHMARK(taylor_sample);
 
 void exact_sample(benchmark::State& state) {
-  const ExactMotion motion(tumbler());
+  const motion::ExactMotion motion(tumbler());
   double t = 0;
   for (auto _ : state) benchmark::DoNotOptimize(motion.at(t += 0.01));
 }
@@ -66,8 +68,8 @@ BENCHMARK(exact_sample);
 
 /// The cost of initialisation.
 void exact_set_up(benchmark::State& state) {
-  const FreeBody body = tumbler();
-  for (auto _ : state) benchmark::DoNotOptimize(ExactMotion(body));
+  const motion::FreeBody body = tumbler();
+  for (auto _ : state) benchmark::DoNotOptimize(motion::ExactMotion(body));
 }
 BENCHMARK(exact_set_up);
 

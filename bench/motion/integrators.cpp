@@ -96,10 +96,11 @@ void print(const Problem& problem, const std::vector<Score>& scores) {
 
 /// The exact result is the 25-digit reference if it has that time, otherwise the closed form.
 Problem problem(const std::string& name, double t_end) {
-  const ReferenceCase reference = reference_case(name);
-  const auto end = std::ranges::find(reference.samples, t_end, &Sample::t);
+  const motion::ReferenceCase reference = motion::reference_case(name);
+  const auto end = std::ranges::find(reference.samples, t_end, &motion::Sample::t);
   const bool known = end != reference.samples.end();
-  return {name, reference.body, t_end, known ? end->X : ExactMotion(reference.body).at(t_end).X};
+  return {name, reference.body, t_end,
+          known ? end->X : motion::ExactMotion(reference.body).at(t_end).X};
 }
 
 void compare(const Problem& problem, int rounds) {

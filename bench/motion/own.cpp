@@ -9,19 +9,19 @@
 namespace twrench::bench {
 namespace {
 
-Candidate candidate(const Method& method) {
+Candidate candidate(const motion::Method& method) {
   return {"twrench", std::string(method.name), method.adaptive() ? tolerances() : step_counts(),
           [&method](const Problem& problem, double parameter) -> Eigen::Matrix3d {
-            StepControl control{.step = 0.1};
+            motion::StepControl control{.step = 0.1};
             if (method.adaptive()) {
-              control.tolerance = std::max(parameter, min_tolerance);
+              control.tolerance = std::max(parameter, motion::min_tolerance);
             } else {
               control.step = problem.t_end / parameter;
             }
             const double times[] = {problem.t_end};
             try {
-              return integrate(problem.body, method, control, times).samples[0].X;
-            } catch (const MotionError&) {  // a step too long for the method
+              return motion::integrate(problem.body, method, control, times).samples[0].X;
+            } catch (const motion::MotionError&) {  // a step too long for the method
               return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
             }
           }};
@@ -31,7 +31,7 @@ Candidate candidate(const Method& method) {
 
 std::vector<Candidate> own_candidates() {
   std::vector<Candidate> list;
-  for (const Method& method : methods()) {
+  for (const motion::Method& method : motion::methods()) {
     if (method.order.value_or(0) > 2) list.push_back(candidate(method));
   }
   return list;

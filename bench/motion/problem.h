@@ -14,7 +14,7 @@ namespace twrench::bench {
 /// A motion whose end is known. The inertia is diagonal; X(0) = Id.
 struct Problem {
   std::string name;
-  FreeBody body;
+  motion::FreeBody body;
   double t_end;           ///< Duration in s.
   Eigen::Matrix3d X_end;  ///< The exact attitude at the end.
 };
@@ -59,7 +59,7 @@ struct VelocityForm {
   static constexpr const char* name = "omega, q";
   using State = std::array<double, size>;
 
-  explicit VelocityForm(const FreeBody& body)
+  explicit VelocityForm(const motion::FreeBody& body)
       : start{body.omega()[0], body.omega()[1], body.omega()[2], 1} {
     const Eigen::Vector3d I = body.inertia().diagonal();
     euler = {(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]};
@@ -83,7 +83,7 @@ struct MomentumForm {
   static constexpr const char* name = "q, L";
   using State = std::array<double, size>;
 
-  explicit MomentumForm(const FreeBody& body) : start{1, 0, 0, 0} {
+  explicit MomentumForm(const motion::FreeBody& body) : start{1, 0, 0, 0} {
     const Eigen::Vector3d I = body.inertia().diagonal();
     for (std::size_t i = 0; i < 3; ++i) {
       L[i] = body.momentum()[static_cast<int>(i)];

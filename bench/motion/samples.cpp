@@ -29,17 +29,19 @@ struct Sampler {
 };
 
 Sampler own(const char* name) {
-  return {fmt::format("twrench {}", name),
-          [name](const Problem& problem, const std::vector<double>& times, double tolerance) {
-            const StepControl control{.tolerance = std::max(tolerance, min_tolerance)};
-            const Method& method = find_method(name);
-            Attitudes result;
-            result.reserve(times.size());
-            for (const Sample& s : integrate(problem.body, method, control, times).samples) {
-              result.push_back(s.X);
-            }
-            return result;
-          }};
+  return {
+      fmt::format("twrench {}", name),
+      [name](const Problem& problem, const std::vector<double>& times, double tolerance) {
+        const motion::StepControl control{.tolerance = std::max(tolerance, motion::min_tolerance)};
+        const motion::Method& method = motion::find_method(name);
+        Attitudes result;
+        result.reserve(times.size());
+        for (const motion::Sample& s :
+             motion::integrate(problem.body, method, control, times).samples) {
+          result.push_back(s.X);
+        }
+        return result;
+      }};
 }
 
 /// `make` takes a tolerance and returns a stepper with dense output.
@@ -125,7 +127,7 @@ void compare_samples(const Problem& problem, int rounds) {
   std::vector<double> times;
   for (int i = 0; i <= count; ++i) times.push_back(problem.t_end * i / count);
   Attitudes truth;
-  const ExactMotion motion(problem.body);
+  const motion::ExactMotion motion(problem.body);
   for (const double t : times) truth.push_back(motion.at(t).X);
 
   fmt::print("\n{}: {} samples up to t = {} s, each within {} of the truth\n", problem.name, count,

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -67,4 +67,4 @@ std::function<std::string(const std::string&)> one_of(const std::string& what,
   };
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::app {
 
 // Conversions of command-line arguments to values. Each throws InvalidArgument about `what`, the
 // option. Numbers use '.' whatever the locale; the caller checks ranges.
@@ -25,4 +25,4 @@ Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 std::function<std::string(const std::string&)> one_of(const std::string& what,
                                                       std::vector<std::string> names);
 
-}  // namespace twrench
+}  // namespace twrench::app

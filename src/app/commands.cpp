@@ -9,7 +9,7 @@
 #include "app/usage.h"
 #include "app/version.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 constexpr const char* exit_codes =
@@ -52,4 +52,4 @@ void require_known_command(const CLI::App& app, const std::string& word) {
   throw unknown_name("command", word, names);
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

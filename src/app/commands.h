@@ -4,7 +4,7 @@
 
 #include "app/exit_code.h"
 
-namespace twrench {
+namespace twrench::app {
 
 // Each adds one command, whose callback does the work and throws an Error on failure.
 void add_render(CLI::App& app);
@@ -25,4 +25,4 @@ void add_commands(CLI::App& app, ExitCode& code);
 /// command.
 void require_known_command(const CLI::App& app, const std::string& word);
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -11,7 +11,7 @@
 #include "scene/limits.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -22,20 +22,21 @@ struct Options {
 };
 
 ExitCode compare_files(const Options& options) {
-  for (const std::string& input : {options.a, options.b}) require_not_input(options.diff, input);
-  const int threshold =
-      limits::check_whole({0, 255}, "--threshold", parse_number(options.threshold, "--threshold"));
-  const double allowed =
-      limits::check(limits::fraction, "--share", parse_number(options.share, "--share"));
-  const DeepImage a = read_deep_png(options.a), b = read_deep_png(options.b);
-  const std::optional<Difference> difference = compare(a, b, threshold);
+  for (const std::string& input : {options.a, options.b})
+    system::require_not_input(options.diff, input);
+  const int threshold = scene::limits::check_whole({0, 255}, "--threshold",
+                                                   parse_number(options.threshold, "--threshold"));
+  const double allowed = scene::limits::check(scene::limits::fraction, "--share",
+                                              parse_number(options.share, "--share"));
+  const image::DeepImage a = image::read_deep_png(options.a), b = image::read_deep_png(options.b);
+  const std::optional<image::Difference> difference = image::compare(a, b, threshold);
   if (!difference) {
     write_output("-", fmt::format("different: {}x{} with {} channels, and {}x{} with {}\n", a.width,
                                   a.height, a.channels, b.width, b.height, b.channels));
     return ExitCode::answer_is_no;
   }
   if (!options.diff.empty()) {
-    write_file_atomically(options.diff, encode_png(difference_image(a, b)));
+    system::write_file_atomically(options.diff, image::encode_png(image::difference_image(a, b)));
   }
   const bool alike = difference->share <= allowed;
   write_output("-", fmt::format("{}: max {:.6g} mean {:.6f} of 255, {:.6f} of the pixels over {}\n",
@@ -67,4 +68,4 @@ void add_compare(CLI::App& app, ExitCode& code) {
   command->callback([options, &code] { code = compare_files(*options); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

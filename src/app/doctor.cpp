@@ -21,7 +21,7 @@
 #include "video/encoder.h"
 #include "video/error.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 /// The result of one check of the machine.
@@ -68,7 +68,8 @@ std::vector<Finding> examine_backends() {
 
 /// The first line that ffmpeg prints without arguments.
 std::string ffmpeg_version() {
-  auto ffmpeg = start_program<EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
+  auto ffmpeg =
+      system::start_program<video::EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
   ffmpeg.wait();
   const std::string& said = ffmpeg.error_output();
   const std::string line = said.substr(0, said.find('\n'));
@@ -76,14 +77,14 @@ std::string ffmpeg_version() {
 }
 
 std::string figure_formats() {
-  for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) require_gnuplot(path);
+  for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) plot::require_gnuplot(path);
   return "writes SVG, PDF and PNG";
 }
 
 /// Checks that a file can be created in the folder or, if it does not exist yet, at its location.
 std::string try_to_write_in(const std::string& folder) {
-  const PendingFile trial(existing_folder(folder) / "trial");  // removed again
-  return format_bytes(static_cast<double>(free_space(folder))) + " free";
+  const system::PendingFile trial(system::existing_folder(folder) / "trial");  // removed again
+  return system::format_bytes(static_cast<double>(system::free_space(folder))) + " free";
 }
 
 struct Diagnosis {
@@ -109,35 +110,38 @@ struct Diagnosis {
 };
 
 Diagnosis diagnose() {
-  constexpr VideoFormat usual{1920, 1080, 60, Container::mp4, false};
+  constexpr video::VideoFormat usual{1920, 1080, 60, video::Container::mp4, false};
   Diagnosis diagnosis;
   diagnosis.backends = examine_backends();
   diagnosis.encoder.push_back(examine("ffmpeg", "videos", &ffmpeg_version));
-  const auto encoder = [&](const char* name, const char* use, Container container, bool alpha) {
-    VideoFormat format = usual;
+  const auto encoder = [&](const char* name, const char* use, video::Container container,
+                           bool alpha) {
+    video::VideoFormat format = usual;
     format.container = container;
     format.transparent = alpha;
     return examine(fmt::format("ffmpeg's {}", name), use, [format] {
-      require_encoder(format);
+      video::require_encoder(format);
       return "encoded a test video";
     });
   };
-  diagnosis.encoder.push_back(encoder("libx264", "H.264 video in MP4", Container::mp4, false));
+  diagnosis.encoder.push_back(
+      encoder("libx264", "H.264 video in MP4", video::Container::mp4, false));
   diagnosis.disk.push_back(examine("disk",
                                    "frames and videos in out/; -o and --frames-dir choose "
                                    "other folders",
                                    [] { return try_to_write_in("out"); }));
   diagnosis.others.push_back(
-      encoder("libvpx-vp9", "video in WebM, optionally with alpha", Container::webm, true));
-  diagnosis.others.push_back(encoder("prores_ks", "video with alpha in MOV", Container::mov, true));
+      encoder("libvpx-vp9", "video in WebM, optionally with alpha", video::Container::webm, true));
+  diagnosis.others.push_back(
+      encoder("prores_ks", "video with alpha in MOV", video::Container::mov, true));
   diagnosis.others.push_back(examine("fonts", "text in the picture", [] {
-    for (const char* name : {"sans", "mono"}) load_typeface(name);
+    for (const char* name : {"sans", "mono"}) canvas::load_typeface(name);
     return "sans and mono, built in";
   }));
   diagnosis.others.push_back(
       examine("gnuplot", "plot and study --plot; videos do not need it", &figure_formats));
   diagnosis.others.push_back(examine("processors", "drawing and compressing in parallel",
-                                     [] { return fmt::format("{}", processor_count()); }));
+                                     [] { return fmt::format("{}", system::processor_count()); }));
   return diagnosis;
 }
 
@@ -194,4 +198,4 @@ void add_doctor(CLI::App& app, ExitCode& code) {
   });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

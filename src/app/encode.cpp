@@ -8,7 +8,7 @@
 #include "video/encode_frames.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -21,16 +21,17 @@ struct Options {
 
 void encode(const Options& options) {
   options.film.require_free_output(options.progress);
-  const VideoOutput output{options.film.output, options.film.container(options.film.output),
-                           options.overwrite};
+  const video::VideoOutput output{options.film.output, options.film.container(options.film.output),
+                                  options.overwrite};
   Progress progress(options.progress);
-  const std::vector<int> left_out = encode_frames(
-      options.folder, output, options.allow_missing ? Missing::leave_out : Missing::refuse,
+  const std::vector<int> left_out = video::encode_frames(
+      options.folder, output,
+      options.allow_missing ? video::Missing::leave_out : video::Missing::refuse,
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;
   progress.warn(fmt::format("{}: the video lacks the missing frames {}", options.film.output,
-                            brief_frame_range(left_out)));
+                            video::brief_frame_range(left_out)));
 }
 
 }  // namespace
@@ -53,4 +54,4 @@ void add_encode(CLI::App& app) {
       [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

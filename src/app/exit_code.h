@@ -1,6 +1,6 @@
 #pragma once
 
-namespace twrench {
+namespace twrench::app {
 
 /// What the process reports to its caller; the contract of the command line.
 enum class ExitCode : int {
@@ -15,4 +15,4 @@ enum class ExitCode : int {
   terminated = 143,   ///< by SIGTERM; likewise
 };
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -8,14 +8,14 @@
 #include "system/error.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 /// Throws if the run would destroy frames without permission.
 void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
-                       const Shard& shard, Reuse reuse) {
+                       const video::Shard& shard, Reuse reuse) {
   if (objection.empty() || reuse == Reuse::overwrite) return;
-  throw OverwriteError(
+  throw system::OverwriteError(
       folder.string(), objection,
       shard.is_whole()
           ? "use --overwrite to replace them, or --frames-dir to choose another folder"
@@ -25,8 +25,8 @@ void refuse_to_destroy(const std::filesystem::path& folder, const std::string& o
 
 }  // namespace
 
-FramesOutput::FramesOutput(std::filesystem::path folder, Manifest film, std::vector<int> frames,
-                           Reuse reuse)
+FramesOutput::FramesOutput(std::filesystem::path folder, video::Manifest film,
+                           std::vector<int> frames, Reuse reuse)
     : folder_(std::move(folder)),
       film_(std::move(film)),
       frames_(std::move(frames)),
@@ -38,32 +38,33 @@ FramesOutput::FramesOutput(std::filesystem::path folder, Manifest film, std::vec
 std::size_t FramesOutput::count_without_file() const {
   return static_cast<std::size_t>(std::ranges::count_if(frames_, [&](int frame) {
     std::error_code failed;
-    return !std::filesystem::exists(folder_ / frame_file_name(frame), failed);
+    return !std::filesystem::exists(folder_ / video::frame_file_name(frame), failed);
   }));
 }
 
-FrameSequence& FramesOutput::open() {
-  const auto number = [](const FrameRecord& record) { return record.frame; };
+video::FrameSequence& FramesOutput::open() {
+  const auto number = [](const video::FrameRecord& record) { return record.frame; };
   std::vector<int> told;
   std::ranges::transform(earlier_.own_records(), std::back_inserter(told), number);
   std::vector<int> range;
-  std::ranges::set_union(parse_frame_range(film_.range, max_frame_count), told,
+  std::ranges::set_union(video::parse_frame_range(film_.range, video::max_frame_count), told,
                          std::back_inserter(range));
-  film_.range = format_frame_range(range);
-  sequence_ = std::make_unique<FrameSequence>(folder_, film_);  // locks the folder
+  film_.range = video::format_frame_range(range);
+  sequence_ = std::make_unique<video::FrameSequence>(folder_, film_);  // locks the folder
   for (const auto& manifest : earlier_.foreign_manifests()) {
     std::error_code gone;  // another shard may have removed it first
     std::filesystem::remove(manifest, gone);
   }
-  for (const FrameRecord& record : earlier_.own_records()) sequence_->keep(record, record.sha256);
+  for (const video::FrameRecord& record : earlier_.own_records())
+    sequence_->keep(record, record.sha256);
   return *sequence_;
 }
 
-std::optional<FrameRecord> FramesOutput::kept(const FrameRecord& wanted) {
+std::optional<video::FrameRecord> FramesOutput::kept(const video::FrameRecord& wanted) {
   if (reuse_ != Reuse::resume) return std::nullopt;
   auto record = earlier_.intact(wanted);
   if (record) sequence_->keep(wanted, record->sha256);
   return record;
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

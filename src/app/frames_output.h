@@ -9,7 +9,7 @@
 #include "video/earlier_run.h"
 #include "video/frame_sequence.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// What a run may do with existing frames.
 enum class Reuse {
@@ -25,7 +25,8 @@ class FramesOutput {
   /// whole range that was asked for; `frames` are those that this run draws.
   /// Throws OverwriteError where the run would write over frames that it does not know to be of the
   /// same film.
-  FramesOutput(std::filesystem::path folder, Manifest film, std::vector<int> frames, Reuse reuse);
+  FramesOutput(std::filesystem::path folder, video::Manifest film, std::vector<int> frames,
+               Reuse reuse);
 
   /// Returns how many of the frames have no file yet.
   std::size_t count_without_file() const;
@@ -33,21 +34,21 @@ class FramesOutput {
   /// Begins to write. The manifest keeps its earlier records of the same video, so that a run
   /// killed at its start loses nothing; records of another video are dropped, as its frames are.
   /// Throws FileError.
-  FrameSequence& open();
+  video::FrameSequence& open();
 
   /// With `resume`, returns the record of a frame that need not be drawn because it is intact, and
   /// keeps it.
-  std::optional<FrameRecord> kept(const FrameRecord& wanted);
+  std::optional<video::FrameRecord> kept(const video::FrameRecord& wanted);
 
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
-  Manifest film_;
+  video::Manifest film_;
   std::vector<int> frames_;
   Reuse reuse_;
-  EarlierRun earlier_;
-  std::unique_ptr<FrameSequence> sequence_;  ///< Set by open().
+  video::EarlierRun earlier_;
+  std::unique_ptr<video::FrameSequence> sequence_;  ///< Set by open().
 };
 
-}  // namespace twrench
+}  // namespace twrench::app

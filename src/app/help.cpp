@@ -8,7 +8,7 @@
 
 #include "app/output.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using Options = std::vector<const CLI::Option*>;
@@ -92,4 +92,4 @@ void add_help(CLI::App& app) {
   });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

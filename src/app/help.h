@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace twrench {
+namespace twrench::app {
 
 /// Formats --help independently of the CLI11 release, with each option, its value and its default.
 class Help : public CLI::FormatterBase {
@@ -15,4 +15,4 @@ class Help : public CLI::FormatterBase {
 /// Adds `twrench help [COMMAND]`, which prints the same as --help.
 void add_help(CLI::App& app);
 
-}  // namespace twrench
+}  // namespace twrench::app

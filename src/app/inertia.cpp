@@ -10,7 +10,7 @@
 #include "app/output.h"
 #include "app/scene_options.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -29,7 +29,7 @@ std::string matrix(const Eigen::Matrix3d& m) {
   return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
 }
 
-std::string text(const Scene& scene, const MassProperties& body) {
+std::string text(const scene::Scene& scene, const body::MassProperties& body) {
   const std::string mass =
       std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
   return fmt::format(
@@ -49,7 +49,7 @@ nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
   return {numbers(m.row(0)), numbers(m.row(1)), numbers(m.row(2))};
 }
 
-std::string json(const Scene& scene, const MassProperties& body) {
+std::string json(const scene::Scene& scene, const body::MassProperties& body) {
   nlohmann::ordered_json document{{"scene", scene.name}};
   document["mass"] = body.mass;  // NaN, if only moments are given, becomes null
   document["centre_of_mass"] = numbers(body.centre_of_mass);
@@ -74,11 +74,11 @@ void add_inertia(CLI::App& app) {
       ->capture_default_str();
   command->callback([options] {
     options->scene.require_not_input(options->output);
-    const Scene scene = options->scene.scene();
-    const MassProperties body = mass_properties(scene.body);
+    const scene::Scene scene = options->scene.scene();
+    const body::MassProperties body = scene::mass_properties(scene.body);
     write_output(options->output,
                  options->format == "text" ? text(scene, body) : json(scene, body));
   });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -6,14 +6,14 @@
 #include "app/output.h"
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::app {
 
 void add_methods(CLI::App& app) {
   CLI::App* command = app.add_subcommand("methods", "List the integration methods");
   command->footer("Example: twrench methods");
   command->callback([] {
     std::string text;
-    for (const Method& m : methods()) {
+    for (const motion::Method& m : motion::methods()) {
       const std::string order = m.exact() ? "exact  " : fmt::format("order {}", m.order.value());
       text += fmt::format("{:<19}{}  {}; {}\n", m.name, order, m.summary, m.source);
     }
@@ -26,11 +26,11 @@ void add_scenes(CLI::App& app) {
   command->footer("Example: twrench scenes");
   command->callback([] {
     std::string text;
-    for (const std::string& name : builtin_scene_names()) {
-      text += fmt::format("{:<12} {}\n", name, load_scene(name).title);
+    for (const std::string& name : scene::builtin_scene_names()) {
+      text += fmt::format("{:<12} {}\n", name, scene::load_scene(name).title);
     }
     write_output("-", text);
   });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -17,29 +17,29 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 } catch (const CLI::Success& request) {
   std::ostringstream text;
   app.exit(request, text, text);
-  twrench::write_output("-", text.str());
+  twrench::app::write_output("-", text.str());
 } catch (const CLI::ParseError& error) {
-  throw twrench::usage_error(app, error);
+  throw twrench::app::usage_error(app, error);
 }
 
-twrench::ExitCode run(int argc, char** argv) {
+twrench::app::ExitCode run(int argc, char** argv) {
   CLI::App app("Turn a rigid body's equations of motion into a film", "twrench");
-  twrench::ExitCode code = twrench::ExitCode::done;
+  twrench::app::ExitCode code = twrench::app::ExitCode::done;
   try {
-    twrench::add_commands(app, code);
-    twrench::require_known_command(app, argc > 1 ? argv[1] : "-");
-    parse(app, twrench::words_for_parser(argc, argv));
+    twrench::app::add_commands(app, code);
+    twrench::app::require_known_command(app, argc > 1 ? argv[1] : "-");
+    parse(app, twrench::app::words_for_parser(argc, argv));
     return code;
   } catch (...) {
-    return twrench::report_current_exception(app);
+    return twrench::app::report_current_exception(app);
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  twrench::prepare_process();
+  twrench::app::prepare_process();
   return static_cast<int>(run(argc, argv));
 } catch (...) {  // there is not enough memory to report it
-  twrench::end_at_once();
+  twrench::app::end_at_once();
 }

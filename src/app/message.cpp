@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Range {
@@ -75,4 +75,4 @@ void warn(const std::string& text, bool as_json) {
   say("twrench: warning: {}\n", text);
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace twrench {
+namespace twrench::app {
 
 /// Returns the text on one line and safe for a terminal: control characters, invisible characters
 /// that reorder or hide others, and invalid UTF-8 become \n, \x1b, \u202e. The result is for
@@ -44,4 +44,4 @@ void say(fmt::format_string<T...> format, const T&... values) {
 /// Writes a warning: plain text, or with `as_json` a JSON object on one line.
 void warn(const std::string& text, bool as_json = false);
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -6,7 +6,7 @@
 
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::app {
 
 Output::Output(const std::string& path) {
   if (path != "-") file_.emplace(path);
@@ -21,14 +21,14 @@ void Output::write(std::string_view text) {
 void Output::finish() {
   pass_on();
   if (file_) return file_->commit();
-  if (std::fflush(stdout) != 0) throw file_error("cannot write standard output", errno);
+  if (std::fflush(stdout) != 0) throw system::file_error("cannot write standard output", errno);
 }
 
 void Output::pass_on() {
   if (file_) {
     file_->write({reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()});
   } else if (std::fwrite(waiting_.data(), 1, waiting_.size(), stdout) != waiting_.size()) {
-    throw file_error("cannot write standard output", errno);
+    throw system::file_error("cannot write standard output", errno);
   }
   waiting_.clear();
 }
@@ -39,4 +39,4 @@ void write_output(const std::string& path, std::string_view text) {
   output.finish();
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

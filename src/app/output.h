@@ -7,7 +7,7 @@
 #include "system/error.h"
 #include "system/pending_file.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// Writes a command's data to a file, atomically, or to standard output for "-". Data is written in
 /// pieces, so that it is never held in memory as a whole.
@@ -26,11 +26,11 @@ class Output {
  private:
   void pass_on();
 
-  std::optional<PendingFile> file_;  ///< Empty for standard output.
-  std::string waiting_;              ///< Small pieces are written together.
+  std::optional<system::PendingFile> file_;  ///< Empty for standard output.
+  std::string waiting_;                      ///< Small pieces are written together.
 };
 
 /// Writes data that is already complete. Throws FileError.
 void write_output(const std::string& path, std::string_view text);
 
-}  // namespace twrench
+}  // namespace twrench::app

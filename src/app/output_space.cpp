@@ -6,7 +6,7 @@
 #include "system/disk_space.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 /// Bytes, in floating point because the largest possible requests exceed integers.
@@ -24,14 +24,14 @@ struct Shortage {
 /// Returns the first location with too little room, if any.
 std::optional<Shortage> find_shortage(const PlannedOutput& output, const Need& need) {
   const bool shared = output.frames_folder && output.film &&
-                      on_same_disk(*output.frames_folder, output.film->parent_path());
+                      system::on_same_disk(*output.frames_folder, output.film->parent_path());
   if (output.frames_folder) {
-    const auto free = static_cast<double>(free_space(*output.frames_folder));
+    const auto free = static_cast<double>(system::free_space(*output.frames_folder));
     const double needed = need.frames + (shared ? need.film : 0);
     if (needed > free) return Shortage{*output.frames_folder, free, needed};
   }
   if (output.film) {
-    const auto free = static_cast<double>(free_space(output.film->parent_path()));
+    const auto free = static_cast<double>(system::free_space(output.film->parent_path()));
     if (need.film > free) return Shortage{*output.film, free, need.film};
   }
   return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<Shortage> find_shortage(const PlannedOutput& output, const Need& n
 
 }  // namespace
 
-void require_space(const PlannedOutput& output, const std::function<Image()>& draw_one) {
+void require_space(const PlannedOutput& output, const std::function<image::Image()>& draw_one) {
   const auto new_frames = static_cast<double>(output.new_frames);
   const auto film_frames = static_cast<double>(output.film_frames);
   constexpr double png_bytes_a_pixel = 4.1;  // uncompressed RGBA with filter and block headers
@@ -47,14 +47,15 @@ void require_space(const PlannedOutput& output, const std::function<Image()>& dr
   const Need bound{new_frames * output.frame_pixels * png_bytes_a_pixel,
                    film_frames * output.frame_pixels * film_bytes_a_pixel};
   if (!find_shortage(output, bound)) return;
-  const auto png = static_cast<double>(encode_png(draw_one()).size());
+  const auto png = static_cast<double>(image::encode_png(draw_one()).size());
   const Need estimate{1.25 * png * new_frames, 0.1 * png * film_frames};
   if (const auto shortage = find_shortage(output, estimate)) {
-    throw FileError("cannot write " + shortage->path.string(),
-                    fmt::format("{} are free, but the run needs an estimated {}",
-                                format_bytes(shortage->free), format_bytes(shortage->needed)),
-                    "free some space, or choose another disk, a smaller --size or fewer --frames");
+    throw system::FileError(
+        "cannot write " + shortage->path.string(),
+        fmt::format("{} are free, but the run needs an estimated {}",
+                    system::format_bytes(shortage->free), system::format_bytes(shortage->needed)),
+        "free some space, or choose another disk, a smaller --size or fewer --frames");
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

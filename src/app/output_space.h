@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// What a run will write.
 struct PlannedOutput {
@@ -29,6 +29,6 @@ struct PlannedOutput {
 /// drawn; the estimate is then that every PNG is a quarter larger, and the video a tenth of the
 /// PNGs. (Measured with the default scene: no frame is a quarter larger than the mean, and the
 /// video is a fiftieth.)
-void require_space(const PlannedOutput& output, const std::function<Image()>& draw_one);
+void require_space(const PlannedOutput& output, const std::function<image::Image()>& draw_one);
 
-}  // namespace twrench
+}  // namespace twrench::app

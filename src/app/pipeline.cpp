@@ -12,22 +12,23 @@
 #include "system/bounded_queue.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct DrawnFrame {
-  const FrameRecord* record;
-  std::shared_ptr<const Picture> picture;
+/// A frame and its record, on the way through the stages.
+struct Entry {
+  const video::FrameRecord* record;
+  std::shared_ptr<const image::Frame> frame;
 };
 
-/// Shares the picture, and returns it to its owner when the last user releases it.
-std::shared_ptr<const Picture> lent(Picture picture,
-                                    const std::function<void(Picture)>& give_back) {
-  if (!give_back) return std::make_shared<const Picture>(std::move(picture));
-  return {new Picture(std::move(picture)), [&give_back](Picture* returned) {
-            give_back(std::move(*std::unique_ptr<Picture>(returned)));
+/// Shares the frame, and returns it to its owner when the last user releases it.
+std::shared_ptr<const image::Frame> lent(image::Frame frame,
+                                         const std::function<void(image::Frame)>& give_back) {
+  if (!give_back) return std::make_shared<const image::Frame>(std::move(frame));
+  return {new image::Frame(std::move(frame)), [&give_back](image::Frame* returned) {
+            give_back(std::move(*std::unique_ptr<image::Frame>(returned)));
           }};
 }
 
@@ -39,16 +40,16 @@ class Pipeline {
       start_stages();
     } catch (const std::system_error& error) {
       close();  // the threads already started end and are joined
-      throw FileError("cannot start a thread", error.code().message(),
-                      "use fewer --jobs, or raise the limit on processes (ulimit -u)");
+      throw system::FileError("cannot start a thread", error.code().message(),
+                              "use fewer --jobs, or raise the limit on processes (ulimit -u)");
     }
   }
 
   /// Returns false if a stage has failed, so that drawing more is pointless.
-  bool pass_on(const DrawnFrame& frame) {
-    const bool compress = outputs_.sequence != nullptr && frame.picture->is_new;
-    return (!compress || to_compress_.push(frame)) &&
-           (outputs_.encoder == nullptr || to_encode_.push(frame));
+  bool pass_on(const Entry& entry) {
+    const bool compress = outputs_.sequence != nullptr && entry.frame->is_new;
+    return (!compress || to_compress_.push(entry)) &&
+           (outputs_.encoder == nullptr || to_encode_.push(entry));
   }
 
   /// Lets the stages complete the frames in flight, and rethrows the first error.
@@ -90,36 +91,27 @@ class Pipeline {
   }
 
   void compress() {
-    while (const auto frame = to_compress_.pop()) {
+    while (const auto entry = to_compress_.pop()) {
       std::vector<std::uint8_t> png;
       {
         const Timed timed(times_.compress);
-        const auto& [image, is_new, damage] = *frame->picture;
-        png = damage ? encode_png(image, {*damage, static_bands_}) : encode_png(image);
+        png = image::encode_png(entry->frame->image, {entry->frame->damage, static_bands_});
       }
       const Timed timed(times_.write);
-      outputs_.sequence->write(*frame->record, png);
+      outputs_.sequence->write(*entry->record, png);
       note_first();
     }
   }
 
   void encode() {
-    while (const auto frame = to_encode_.pop()) {
+    while (const auto entry = to_encode_.pop()) {
       {
         const Timed timed(times_.convert);
-        convert(*frame->picture);
+        outputs_.encoder->convert(entry->frame->image, entry->frame->damage);
       }
       const Timed timed(times_.encode);
       outputs_.encoder->write_converted();
       if (outputs_.sequence == nullptr) note_first();
-    }
-  }
-
-  void convert(const Picture& picture) const {
-    if (picture.damage) {
-      outputs_.encoder->convert(picture.image, *picture.damage);
-    } else {
-      outputs_.encoder->convert(picture.image);
     }
   }
 
@@ -131,9 +123,9 @@ class Pipeline {
 
   const Outputs& outputs_;
   StageTimes& times_;
-  StaticBands static_bands_;
-  BoundedQueue<DrawnFrame> to_compress_;
-  BoundedQueue<DrawnFrame> to_encode_{4};
+  image::StaticBands static_bands_;
+  system::BoundedQueue<Entry> to_compress_;
+  system::BoundedQueue<Entry> to_encode_{4};
   std::atomic_flag first_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
@@ -142,10 +134,10 @@ class Pipeline {
 
 }  // namespace
 
-void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
+void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, Progress& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
-  std::deque<std::future<Picture>> begun;  // The frames from `done` on.
+  std::deque<std::future<image::Frame>> begun;  // The frames from `done` on.
   std::size_t done = 0;
   const auto begin_next = [&] {
     const std::size_t next = done + begun.size();
@@ -158,16 +150,16 @@ void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing
     while (begun.size() <= drawing.ahead && begin_next()) {
     }
     if (begun.empty()) break;
-    std::shared_ptr<const Picture> picture;
+    std::shared_ptr<const image::Frame> frame;
     {
       const Timed timed(times.draw);
-      picture = lent(begun.front().get(), drawing.reuse);
+      frame = lent(begun.front().get(), drawing.reuse);
       begun.pop_front();
     }
-    if (!pipeline.pass_on({&frames[done], std::move(picture)})) break;
+    if (!pipeline.pass_on({&frames[done], std::move(frame)})) break;
     progress.update(static_cast<int>(++done), static_cast<int>(frames.size()));
   }
   pipeline.finish();
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -4,49 +4,38 @@
 #include <cstddef>
 #include <functional>
 #include <future>
-#include <optional>
 #include <vector>
 
 #include "app/progress.h"
 #include "app/timing.h"
-#include "image/image.h"
+#include "image/frame.h"
 #include "system/error.h"
 #include "video/encoder.h"
 #include "video/frame_sequence.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// Where and how drawn frames are written.
 struct Outputs {
   /// PNG files, or null.
-  FrameSequence* sequence = nullptr;
+  video::FrameSequence* sequence = nullptr;
   /// The video, or null.
-  VideoEncoder* encoder = nullptr;
+  video::VideoEncoder* encoder = nullptr;
   /// Number of threads that compress PNG files.
   int jobs = 1;
   /// Start of the command, for measuring the time to the first frame.
   std::chrono::steady_clock::time_point start{};
 };
 
-/// A frame's image, and whether it is new: one kept from an earlier run already has its file.
-struct Picture {
-  /// The frame's pixels.
-  Image image;
-  /// Whether it was drawn in this run.
-  bool is_new = true;
-  /// The damaged areas, relative to the video's static background; nothing if unknown.
-  std::optional<std::vector<Area>> damage = std::nullopt;
-};
-
 /// How frames are drawn.
 struct Drawing {
   /// Begins the frame with that index; get() of the result completes it.
-  std::function<std::future<Picture>(std::size_t index)> begin;
+  std::function<std::future<image::Frame>(std::size_t index)> begin;
   /// How many frames are begun before the oldest is completed.
   std::size_t ahead = 0;
-  /// Takes back an image when all stages have finished with it, on the last stage's thread; may be
+  /// Takes back a frame when all stages have finished with it, on the last stage's thread; may be
   /// empty.
-  std::function<void(Picture)> reuse = {};
+  std::function<void(image::Frame)> reuse = {};
 };
 
 /// Draws `frames` in sequence on this thread while other threads compress and write earlier frames
@@ -55,7 +44,7 @@ struct Drawing {
 ///
 /// The first error of any stage ends the run after the frames in flight, and is thrown. Throws
 /// FileError if a thread cannot be started.
-void run_pipeline(const std::vector<FrameRecord>& frames, const Drawing& drawing,
+void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, Progress& progress, StageTimes& times);
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -11,7 +11,7 @@
 #include "app/scene_options.h"
 #include "plot/attitude_plot.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -25,7 +25,7 @@ struct Options {
 };
 
 /// Enough times for smooth curves, but no more than a plot can show.
-std::vector<double> plot_times(const Scene& scene) {
+std::vector<double> plot_times(const scene::Scene& scene) {
   constexpr double a_turn = 60.0, fewest = 600.0, most = 20'000.0;
   const double turns = scene.motion.duration * scene.motion.omega.norm() / (2 * std::numbers::pi);
   const double count = std::clamp(std::ceil(a_turn * turns), fewest, most);
@@ -36,15 +36,15 @@ std::vector<double> plot_times(const Scene& scene) {
   return times;
 }
 
-AttitudeCurve curve_of(const Scene& scene) {
-  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const Method& method = find_method(scene.motion.method);
-  AttitudeCurve curve;
+plot::AttitudeCurve curve_of(const scene::Scene& scene) {
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const motion::Method& method = motion::find_method(scene.motion.method);
+  plot::AttitudeCurve curve;
   curve.title = scene.title.empty() ? scene.name : scene.title;
-  curve.samples = integrate(body, method, scene.motion.control, plot_times(scene)).samples;
-  const ExactMotion motion(body);
+  curve.samples = motion::integrate(body, method, scene.motion.control, plot_times(scene)).samples;
+  const motion::ExactMotion motion(body);
   const auto flips = motion.flips();
-  if (flips && flips->swing > std::numbers::pi / 2) {
+  if (flips && flips->turns_over()) {
     curve.flips = motion.flip_times(scene.motion.duration);
   }
   return curve;
@@ -52,10 +52,11 @@ AttitudeCurve curve_of(const Scene& scene) {
 
 void plot(const Options& options) {
   options.scenes.require_not_input(options.output);
-  require_gnuplot(options.output);
-  std::vector<AttitudeCurve> curves;
-  for (const Scene& scene : options.scenes.scenes()) curves.push_back(curve_of(scene));
-  draw_plot(options.output, options.overlay ? column_panels(curves) : nine_panels(curves));
+  plot::require_gnuplot(options.output);
+  std::vector<plot::AttitudeCurve> curves;
+  for (const scene::Scene& scene : options.scenes.scenes()) curves.push_back(curve_of(scene));
+  plot::draw_plot(options.output,
+                  options.overlay ? plot::column_panels(curves) : plot::nine_panels(curves));
 }
 
 }  // namespace
@@ -74,4 +75,4 @@ void add_plot(CLI::App& app) {
   command->callback([options] { plot(*options); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -13,7 +13,7 @@
 #include "app/report.h"
 #include "system/termination.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 /// Opens closed standard streams in a way that still makes their use fail: otherwise a file could
@@ -76,16 +76,16 @@ void prepare_process() {
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   // If the parent ignores it, exit statuses of children are lost.
   static_cast<void>(std::signal(SIGCHLD, SIG_DFL));
-  end_on_termination_signals(
+  system::end_on_termination_signals(
       [](const auto& message) { return static_cast<int>(report_termination(message)); });
 }
 
 void end_at_once() noexcept {
-  TerminationMessage unused;
-  take_termination_actions(unused);
+  system::TerminationMessage unused;
+  system::take_termination_actions(unused);
   write_error("twrench: error: ");
   write_reason();
   ::_exit(static_cast<int>(ExitCode::internal));
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace twrench {
+namespace twrench::app {
 
 /// Prepares the process so that all failures can be reported: opens missing standard streams,
 /// handles signals in order, and makes failed writes return errors instead of raising signals. Call
@@ -12,4 +12,4 @@ void prepare_process();
 /// allocates no memory.
 [[noreturn]] void end_at_once() noexcept;
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -14,7 +14,7 @@
 #include "app/arguments.h"
 #include "app/message.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -139,7 +139,7 @@ void Progress::note(const std::string& text) const {
 
 void Progress::warn(const std::string& text) {
   finish();
-  twrench::warn(text, style_ == Style::json);
+  twrench::app::warn(text, style_ == Style::json);
 }
 
 void Progress::summarize(const Summary& summary) {
@@ -158,4 +158,4 @@ void Progress::finish() {
   if (open_.exchange(false)) say("\n");
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

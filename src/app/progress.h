@@ -10,7 +10,7 @@
 
 #include "system/termination.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// The result of a run, for its last line.
 struct Summary {
@@ -72,7 +72,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_;
   std::atomic<bool> open_ = false;  ///< Whether a bar's line is unfinished.
-  const TerminationAction end_of_line_{[this](TerminationMessage&) { finish(); }};
+  const system::TerminationAction end_of_line_{[this](system::TerminationMessage&) { finish(); }};
 };
 
 /// Returns a bar followed by `figures`, as wide as fits a terminal of that many columns, padded
@@ -80,4 +80,4 @@ class Progress {
 /// no room.
 std::string bar_line(double share, const std::string& figures, int columns);
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -4,7 +4,7 @@
 #include "app/progress.h"
 #include "app/render_job.h"
 
-namespace twrench {
+namespace twrench::app {
 
 void add_render(CLI::App& app) {
   CLI::App* command =
@@ -17,4 +17,4 @@ void add_render(CLI::App& app) {
       [options] { Progress::tell_failure_of([&] { render_film(*options); }, options->progress); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

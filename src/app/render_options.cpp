@@ -4,11 +4,11 @@
 #include <map>
 
 #include "app/arguments.h"
-#include "app/picture_options.h"
 #include "app/progress.h"
+#include "scene/limits.h"
 #include "system/processors.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
 
 RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
   scene.add_motion_options();
-  add_picture_options(scene);
+  scene.add_picture_options();
   video.add_to(command, "out/SCENE.mp4");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames (default: out/SCENE/)")
       ->type_name("DIR");
@@ -44,7 +44,7 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
       .add_option_function<std::string>(
           "--shard",
           [this](const std::string& text) {
-            shard = parse_shard(text);
+            shard = video::parse_shard(text);
             no_video = true;
           },
           "draw part i of n of the frames into a folder shared by all n; no video (see encode)")
@@ -81,15 +81,15 @@ void RenderOptions::require_consistent() const {
   }
 }
 
-fs::path RenderOptions::video_path(const Scene& of) const {
+fs::path RenderOptions::video_path(const scene::Scene& of) const {
   return video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
 }
 
-fs::path RenderOptions::frames_folder(const Scene& of) const {
+fs::path RenderOptions::frames_folder(const scene::Scene& of) const {
   return frames_dir.empty() ? fs::path("out") / of.name : fs::path(frames_dir);
 }
 
-VideoFormat RenderOptions::video_format(const Scene& of) const {
+video::VideoFormat RenderOptions::video_format(const scene::Scene& of) const {
   return {of.film.width,       of.film.height,     of.film.fps, video.container(video_path(of)),
           of.look.transparent, video.is_streamed()};
 }
@@ -102,8 +102,8 @@ Reuse RenderOptions::reuse() const {
 /// Drawing and the encoder use the other half of the processors: more jobs would only compete with
 /// them for time and cache.
 int RenderOptions::job_count() const {
-  if (jobs.empty()) return std::max(1, static_cast<int>(processor_count() / 2));
-  return limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
+  if (jobs.empty()) return std::max(1, static_cast<int>(system::processor_count() / 2));
+  return scene::limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

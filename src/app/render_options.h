@@ -11,7 +11,7 @@
 #include "video/encoder.h"
 #include "video/shard.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// The options of `render`.
 struct RenderOptions {
@@ -22,9 +22,9 @@ struct RenderOptions {
   void require_consistent() const;
 
   /// The video file; "-" for standard output.
-  std::filesystem::path video_path(const Scene& of) const;
-  std::filesystem::path frames_folder(const Scene& of) const;
-  VideoFormat video_format(const Scene& of) const;
+  std::filesystem::path video_path(const scene::Scene& of) const;
+  std::filesystem::path frames_folder(const scene::Scene& of) const;
+  video::VideoFormat video_format(const scene::Scene& of) const;
   /// Whether the video is a file.
   bool writes_video_file() const { return !no_video && !video.is_streamed(); }
   /// What to do with frames that are there.
@@ -36,7 +36,7 @@ struct RenderOptions {
   VideoOptions video;
   std::string frames_dir;
   std::string range;
-  Shard shard;
+  video::Shard shard;
   bool no_video = false;
   bool no_frames = false;
   bool resume = false;
@@ -47,4 +47,4 @@ struct RenderOptions {
   std::string progress = "auto";
 };
 
-}  // namespace twrench
+}  // namespace twrench::app

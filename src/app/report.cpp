@@ -19,7 +19,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 ExitCode report(ExitCode code, const std::string& message, const std::string& remedy = {}) {
@@ -28,37 +28,37 @@ ExitCode report(ExitCode code, const std::string& message, const std::string& re
   return code;
 }
 
-std::string remedy_for(MotionError::Reason reason) {
+std::string remedy_for_motion(motion::MotionError::Reason reason) {
   switch (reason) {
-    case MotionError::Reason::step_too_long:
+    case motion::MotionError::Reason::step_too_long:
       return "take a shorter --step";
-    case MotionError::Reason::diverged:
+    case motion::MotionError::Reason::diverged:
       return "take a shorter --step, or a method that stays on SO(3)";
-    case MotionError::Reason::too_many_steps:
+    case motion::MotionError::Reason::too_many_steps:
       return "take a longer --step or a shorter --duration";
-    case MotionError::Reason::out_of_steps:
+    case motion::MotionError::Reason::out_of_steps:
       return "take a larger --tolerance or a shorter --duration";
-    case MotionError::Reason::step_underflow:
+    case motion::MotionError::Reason::step_underflow:
       return "take a larger --tolerance, or a slower motion";
-    case MotionError::Reason::too_many_flips:
+    case motion::MotionError::Reason::too_many_flips:
       break;
   }
   return "give a shorter --duration";
 }
 
-std::string remedy_for_frames(const FramesError& error) {
+std::string remedy_for_frames(const video::FramesError& error) {
   switch (error.reason()) {
-    case FramesError::Reason::no_manifest:
+    case video::FramesError::Reason::no_manifest:
       return "name the folder that twrench render wrote its frames to";
-    case FramesError::Reason::contradictory:
+    case video::FramesError::Reason::contradictory:
       return "render again with --overwrite what is not wanted, or remove its manifest";
-    case FramesError::Reason::missing:
+    case video::FramesError::Reason::missing:
       return "render them, by the same command with --resume or with --frames; or leave them out: "
              "--allow-missing";
-    case FramesError::Reason::altered:
+    case video::FramesError::Reason::altered:
       break;
   }
-  return "render it again: --resume --frames " + format_frame_range(error.frames());
+  return "render it again: --resume --frames " + video::format_frame_range(error.frames());
 }
 
 std::string remedy_for_gl(const gl::GlError& error) {
@@ -81,8 +81,8 @@ const Kind* as(const Error& error) {
 
 ExitCode exit_code_of(const Error& error) {
   if (as<gl::GlError>(error)) return ExitCode::no_gl;
-  if (as<EncoderError>(error) || as<PlotError>(error)) return ExitCode::encoder;
-  return as<FileError>(error) ? ExitCode::file : ExitCode::usage;
+  if (as<video::EncoderError>(error) || as<plot::PlotError>(error)) return ExitCode::encoder;
+  return as<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
 }
 
 ExitCode report(const Error& error) {
@@ -100,7 +100,7 @@ std::string remedy_for_memory(const CLI::App& app) {
 }
 
 /// The FileError for a system error that no code of ours expected.
-FileError refused(const std::system_error& error) {
+system::FileError refused(const std::system_error& error) {
   const int number = error.code().value();
   if (error.code() == std::errc::resource_unavailable_try_again) {
     return {"cannot start a thread", error.code().message(),
@@ -108,7 +108,8 @@ FileError refused(const std::system_error& error) {
   }
   const auto* at = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
   const bool has_path = at != nullptr && !at->path1().empty();
-  return file_error(has_path ? "cannot use " + at->path1().string() : "cannot continue", number);
+  return system::file_error(has_path ? "cannot use " + at->path1().string() : "cannot continue",
+                            number);
 }
 
 bool is_of_the_system(const std::system_error& error) {
@@ -121,14 +122,15 @@ bool is_of_the_system(const std::system_error& error) {
 std::string remedy_for(const Error& error) {
   if (const auto* gl = as<gl::GlError>(error)) return remedy_for_gl(*gl);
   if (!error.remedy().empty()) return error.remedy();
-  if (const auto* motion = as<MotionError>(error)) return remedy_for(motion->reason());
-  if (const auto* frames = as<FramesError>(error)) return remedy_for_frames(*frames);
-  if (const auto* size = as<FilmSizeError>(error)) {
+  if (const auto* motion = as<motion::MotionError>(error))
+    return remedy_for_motion(motion->reason());
+  if (const auto* frames = as<video::FramesError>(error)) return remedy_for_frames(*frames);
+  if (const auto* size = as<video::FilmSizeError>(error)) {
     return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),
                        size->height());
   }
-  if (as<OverwriteError>(error)) return "--overwrite replaces it, --output names another";
-  if (as<MissingGlyph>(error)) {
+  if (as<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (as<canvas::MissingGlyph>(error)) {
     return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
            "none";
   }
@@ -150,9 +152,9 @@ ExitCode report_current_exception(const CLI::App& app) {
   }
 }
 
-ExitCode report_termination(const TerminationMessage& message) {
+ExitCode report_termination(const system::TerminationMessage& message) {
   return report(message.signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated,
                 message.error, message.remedy);
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

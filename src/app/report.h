@@ -7,7 +7,7 @@
 #include "app/exit_code.h"
 #include "system/termination.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// What a user of the command line can do about it: the error's own remedy or, where that takes an
 /// option, which; may be empty.
@@ -19,6 +19,6 @@ std::string remedy_for(const Error& error);
 ExitCode report_current_exception(const CLI::App& app);
 
 /// Prints, in the same way, that a signal ends the program, and returns its exit code.
-ExitCode report_termination(const TerminationMessage& message);
+ExitCode report_termination(const system::TerminationMessage& message);
 
-}  // namespace twrench
+}  // namespace twrench::app

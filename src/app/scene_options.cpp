@@ -1,19 +1,25 @@
 #include "app/scene_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "app/arguments.h"
 #include "app/message.h"
 #include "app/progress.h"
+#include "scene/fields.h"
+#include "scene/limits.h"
+#include "scene/names.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 constexpr int most_scenes = 16;
 
 /// A moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
-void warn_of_unreal_moments(const Scene& scene, bool as_json) {
+void warn_of_unreal_moments(const scene::Scene& scene, bool as_json) {
   if (!scene.body.moments) return;
   const Eigen::Vector3d& moments = *scene.body.moments;
   constexpr double round_off = 1e-12;
@@ -24,8 +30,45 @@ void warn_of_unreal_moments(const Scene& scene, bool as_json) {
        as_json);
 }
 
-std::string format_vector(const Eigen::Vector3d& v) {
-  return fmt::format("{},{},{}", v.x(), v.y(), v.z());
+/// The numbers of a vector as a JSON array.
+template <typename Vector>
+nlohmann::ordered_json array_of(const Vector& v) {
+  return std::vector<double>(v.begin(), v.end());
+}
+
+/// Converts the text of an option to the form of a field.
+nlohmann::ordered_json parse_value(scene::Field::Kind kind, const std::string& text,
+                                   const std::string& option) {
+  using Kind = scene::Field::Kind;
+  switch (kind) {
+    case Kind::number:
+    case Kind::integer:
+      return parse_number(text, option);
+    case Kind::vector:
+      return array_of(parse_vector(text, option));
+    case Kind::size:
+      return array_of(parse_size(text, option));
+    case Kind::text:
+      return text;
+    case Kind::texts:
+      return parse_words(text);
+  }
+  return {};
+}
+
+/// The default of a field as help shows it.
+std::string default_text(const scene::Field& field) {
+  const nlohmann::ordered_json value = field.get(scene::Scene());
+  if (value.is_null()) return field.otherwise;
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return fmt::format("{}", value.get<double>());
+  return fmt::format("{}", fmt::join(value.get<std::vector<double>>(),
+                                     field.kind == scene::Field::Kind::size ? "x" : ","));
+}
+
+/// Whether a field changes the motion or when it is sampled, rather than only the picture.
+bool determines_motion(const scene::Field& field) {
+  return field.table == "motion" || field.key == "fps" || field.key == "speed";
 }
 
 }  // namespace
@@ -39,80 +82,86 @@ SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
 CLI::Option* SceneOptions::add(const std::string& name, const std::string& value,
                                const std::string& help, Override apply) {
   const auto remember = [this, apply = std::move(apply)](const std::string& text) {
-    overrides_.emplace_back([=](Scene& scene) { apply(scene, text); });
+    overrides_.emplace_back([=](scene::Scene& scene) { apply(scene, text); });
   };
   return command_.add_option_function<std::string>(name, remember, help)->type_name(value);
 }
 
-void SceneOptions::add_number(const std::string& name, const std::string& value,
-                              const std::string& help, const limits::Limit& limit,
-                              std::function<double&(Scene&)> target) {
-  Scene defaults;
-  const std::string otherwise = fmt::format("{}", target(defaults));
-  add(name, value, help, [=, target = std::move(target)](Scene& scene, const std::string& text) {
-    target(scene) = limits::check(limit, name, parse_number(text, name));
-  })->default_str(otherwise);
+void SceneOptions::add_field(const scene::Field& field) {
+  std::string name = "--" + field.key;
+  std::ranges::replace(name, '_', '-');
+  add(name, field.placeholder, field.help,
+      [&field, name](scene::Scene& scene, const std::string& text) {
+        field.set(scene, parse_value(field.kind, text, name), name);
+      })
+      ->default_str(default_text(field));
 }
 
 void SceneOptions::add_flag(const std::string& name, const std::string& help,
-                            std::function<void(Scene&)> apply) {
+                            std::function<void(scene::Scene&)> apply) {
   command_.add_flag_callback(
       name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help);
 }
 
 void SceneOptions::add_inertia_option() {
   add("--inertia", "A,B,C", "replace the body by its principal moments of inertia, g cm^2",
-      [](Scene& scene, const std::string& text) {
+      [](scene::Scene& scene, const std::string& text) {
         scene.body.parts.clear();
-        scene.body.moments = limits::check_moments(
-            "--inertia",
-            limits::check(limits::moment, "--inertia", parse_vector(text, "--inertia")));
+        scene.body.moments = scene::limits::check_moments(
+            "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
+                                              parse_vector(text, "--inertia")));
       });
 }
 
 void SceneOptions::add_motion_options() {
-  add("--omega", "X,Y,Z", "initial angular velocity in body axes, rad/s",
-      [](Scene& scene, const std::string& text) {
-        scene.motion.omega = limits::check_omega("--omega", parse_vector(text, "--omega"));
-      })
-      ->default_str(format_vector(Scene().motion.omega));
+  for (const scene::Field& field : scene::fields()) {
+    if (determines_motion(field)) add_field(field);
+  }
   add_inertia_option();
-  add("--method", "NAME", "integration method (see twrench methods)",
-      [](Scene& scene, const std::string& text) {
-        scene.motion.method = find_method(text, "--method").name;
-      })
-      ->default_str(Scene().motion.method);
-  add_number("--step", "H", "step size, s; initial step size of adaptive methods", limits::step,
-             [](Scene& s) -> double& { return s.motion.control.step; });
-  add_number("--tolerance", "T", "error tolerance per step of adaptive methods", limits::tolerance,
-             [](Scene& s) -> double& { return s.motion.control.tolerance; });
-  add_number("--duration", "S", "duration of the motion, s", limits::duration,
-             [](Scene& s) -> double& { return s.motion.duration; });
-  add_number("--fps", "N", "frames (and output samples) per second", limits::fps,
-             [](Scene& s) -> double& { return s.film.fps; });
-  add_number("--speed", "F", "seconds of motion per second of video", limits::speed,
-             [](Scene& s) -> double& { return s.film.speed; });
+}
+
+void SceneOptions::add_picture_options() {
+  for (const scene::Field& field : scene::fields()) {
+    if (!determines_motion(field) && field.key != "show") add_field(field);
+  }
+  // Declared in this order, so that --show adds to --bare.
+  add_flag("--bare", "show only the body; --show adds to it",
+           [](scene::Scene& scene) { scene.overlay.show.clear(); });
+  add("--show", "LIST", fmt::format("show also: {}", fmt::join(scene::feature_names(), ", ")),
+      [](scene::Scene& scene, const std::string& text) {
+        for (const std::string& word : parse_words(text)) {
+          scene.overlay.show.insert(scene::feature_of(word, "--show"));
+        }
+      });
+  add("--hide", "LIST", "hide items of the same list",
+      [](scene::Scene& scene, const std::string& text) {
+        for (const std::string& word : parse_words(text)) {
+          scene.overlay.show.erase(scene::feature_of(word, "--hide"));
+        }
+      });
 }
 
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
-  for (const std::string& name : names_) twrench::require_not_input(output, name);
-  for (const Scene& scene : load()) twrench::require_not_input(output, scene.overlay.font);
+  for (const std::string& name : names_) twrench::system::require_not_input(output, name);
+  for (const scene::Scene& scene : load())
+    twrench::system::require_not_input(output, scene.overlay.font);
 }
 
-std::vector<Scene> SceneOptions::load() const {
-  std::vector<Scene> scenes;
+std::vector<scene::Scene> SceneOptions::load() const {
+  std::vector<scene::Scene> scenes;
   for (const std::string& name : names_) {
-    Scene scene = load_scene(name);
+    scene::Scene scene = scene::load_scene(name);
     for (const auto& override_value : overrides_) override_value(scene);
     scenes.push_back(std::move(scene));
   }
   return scenes;
 }
 
-std::vector<Scene> SceneOptions::scenes() const {
-  std::vector<Scene> scenes = load();
-  for (const Scene& scene : scenes) warn_of_unreal_moments(scene, Progress::is_json(command_));
+std::vector<scene::Scene> SceneOptions::scenes() const {
+  std::vector<scene::Scene> scenes = load();
+  for (const scene::Scene& scene : scenes)
+    warn_of_unreal_moments(scene, Progress::is_json(command_));
   return scenes;
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "scene/limits.h"
+#include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// Footer for the help of commands with scene options.
 inline constexpr const char* about_defaults =
@@ -20,8 +20,6 @@ inline constexpr const char* about_defaults =
 /// as the command.
 class SceneOptions {
  public:
-  using Override = std::function<void(Scene&, const std::string& text)>;
-
   /// How many scenes the command accepts.
   enum class Count { one, several };
 
@@ -30,40 +28,43 @@ class SceneOptions {
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
-  /// Adds an option whose text changes the scene. `apply` throws InvalidArgument about the option's
-  /// name. Set the default_str of the result to the default shown in the help.
-  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
-                   Override apply);
-  /// Adds a numeric option within `limit`, stored where `target` points.
-  void add_number(const std::string& name, const std::string& value, const std::string& help,
-                  const limits::Limit& limit, std::function<double&(Scene&)> target);
-
-  /// Adds a flag that changes the scene.
-  void add_flag(const std::string& name, const std::string& help,
-                std::function<void(Scene&)> apply);
+  /// Adds an option for each other field of a scene, and --bare, --show and --hide.
+  void add_picture_options();
 
   /// Adds only --inertia.
   void add_inertia_option();
 
   /// Returns the scene with all overrides applied. Throws as load_scene() does, and
   /// InvalidArgument. Warns on standard error about moments that no real body has.
-  Scene scene() const { return scenes().front(); }
+  scene::Scene scene() const { return scenes().front(); }
 
   /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a
   /// scene.
   void require_not_input(const std::filesystem::path& output) const;
 
   /// Returns all scenes, each as scene() does.
-  std::vector<Scene> scenes() const;
+  std::vector<scene::Scene> scenes() const;
 
  private:
+  using Override = std::function<void(scene::Scene&, const std::string& text)>;
+
+  /// Adds an option whose text changes the scene. `apply` throws InvalidArgument about the option's
+  /// name. Set the default_str of the result to the default shown in the help.
+  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
+                   Override apply);
+  /// Adds the option that sets a field, named after its key.
+  void add_field(const scene::Field& field);
+  /// Adds a flag that changes the scene.
+  void add_flag(const std::string& name, const std::string& help,
+                std::function<void(scene::Scene&)> apply);
+
   /// Loads the scenes without warnings.
-  std::vector<Scene> load() const;
+  std::vector<scene::Scene> load() const;
 
   CLI::App& command_;
   std::vector<std::string> names_{"dzhanibekov"};
   /// In the order of the options' definition.
-  std::vector<std::function<void(Scene&)>> overrides_;
+  std::vector<std::function<void(scene::Scene&)>> overrides_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::app

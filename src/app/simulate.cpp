@@ -13,8 +13,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "scene/limits.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -29,13 +30,13 @@ struct Options {
 /// Every 1/fps from 0 to the duration, both ends included.
 class RegularTimes {
  public:
-  explicit RegularTimes(const Scene& scene)
+  explicit RegularTimes(const scene::Scene& scene)
       : duration_(scene.motion.duration), fps_(scene.film.fps) {
     const double whole = std::floor(duration_ * fps_);
-    if (whole > limits::max_frames) {
+    if (whole > scene::limits::max_frames) {
       throw InvalidArgument("simulate",
                             fmt::format("there would be {} samples, but at most {} are allowed",
-                                        whole, limits::max_frames),
+                                        whole, scene::limits::max_frames),
                             "use a shorter --duration, a lower --fps, or --times");
     }
     regular_ = static_cast<std::size_t>(whole) + 1;
@@ -55,17 +56,17 @@ class RegularTimes {
 
 std::vector<double> times_asked_for(const Options& options) {
   std::vector<double> times = parse_numbers(options.times, "--times");
-  for (const double t : times) limits::check({-1e9, 1e9}, "--times", t);
+  for (const double t : times) scene::limits::check({-1e9, 1e9}, "--times", t);
   return times;
 }
 
 /// The text before, between and after the samples, and that of a sample.
 struct Format {
   std::string before, between, after;
-  std::function<std::string(const Sample&, const Diagnostics&)> row;
+  std::function<std::string(const motion::Sample&, const motion::Diagnostics&)> row;
 };
 
-std::string csv_row(const Sample& s, const Diagnostics& d) {
+std::string csv_row(const motion::Sample& s, const motion::Diagnostics& d) {
   std::string text = fmt::format("{:.17g}", s.t);
   const auto out = std::back_inserter(text);
   for (int i = 0; i < 9; ++i) fmt::format_to(out, ",{:.17g}", s.X(i / 3, i % 3));
@@ -83,7 +84,7 @@ Format csv() {
 }
 
 /// Indented to its depth in the document.
-std::string json_row(const Sample& s, const Diagnostics& d) {
+std::string json_row(const motion::Sample& s, const motion::Diagnostics& d) {
   std::vector<double> X;
   for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));
   const nlohmann::ordered_json row{{"t", s.t},
@@ -101,7 +102,7 @@ std::string json_row(const Sample& s, const Diagnostics& d) {
   return text;
 }
 
-Format json(const Scene& scene) {
+Format json(const scene::Scene& scene) {
   using Json = nlohmann::ordered_json;
   const Json document{
       {"scene", scene.name}, {"method", scene.motion.method}, {"samples", Json::array()}};
@@ -112,25 +113,26 @@ Format json(const Scene& scene) {
 
 void simulate(const Options& options) {
   options.scene.require_not_input(options.output);
-  const Scene scene = options.scene.scene();
-  const Method& method = find_method(scene.motion.method);
-  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const double start = energy(body.inertia(), scene.motion.omega);
+  const scene::Scene scene = options.scene.scene();
+  const motion::Method& method = motion::find_method(scene.motion.method);
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const double start = motion::energy(body.inertia(), scene.motion.omega);
   const Format format = options.format == "csv" ? csv() : json(scene);
   Output output(options.output);
   output.write(format.before);
   bool first = true;
-  const auto write = [&](const Sample& sample) {
+  const auto write = [&](const motion::Sample& sample) {
     if (!first) output.write(format.between);
     first = false;
-    output.write(format.row(sample, diagnose(body, start, sample)));
+    output.write(format.row(sample, motion::diagnose(body, start, sample)));
   };
   if (options.times.empty()) {
     const RegularTimes times(scene);
-    visit_samples(body, method, scene.motion.control, times.size(), times, write);
+    motion::visit_samples(body, method, scene.motion.control, times.size(), times, write);
   } else {
     const std::vector<double> times = times_asked_for(options);
-    std::ranges::for_each(integrate(body, method, scene.motion.control, times).samples, write);
+    std::ranges::for_each(motion::integrate(body, method, scene.motion.control, times).samples,
+                          write);
   }
   output.write(format.after);
   output.finish();
@@ -157,4 +159,4 @@ void add_simulate(CLI::App& app) {
   command->callback([options] { simulate(*options); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -14,8 +14,9 @@
 #include "app/study_report.h"
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
+#include "scene/limits.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 struct Options {
@@ -30,39 +31,40 @@ struct Options {
   std::string plot;
 };
 
-std::vector<const Method*> chosen_methods(const Options& options, const Scene& scene) {
-  std::vector<const Method*> chosen;
+std::vector<const motion::Method*> chosen_methods(const Options& options,
+                                                  const scene::Scene& scene) {
+  std::vector<const motion::Method*> chosen;
   if (!options.methods.empty()) {
     for (const std::string& name : parse_words(options.methods)) {
-      chosen.push_back(&find_method(name, "--methods"));
+      chosen.push_back(&motion::find_method(name, "--methods"));
     }
   } else if (options.app.count("--method") > 0) {
-    chosen.push_back(&find_method(scene.motion.method));
+    chosen.push_back(&motion::find_method(scene.motion.method));
   } else {
-    for (const Method& method : methods()) chosen.push_back(&method);
+    for (const motion::Method& method : motion::methods()) chosen.push_back(&method);
   }
   return chosen;
 }
 
 /// Returns the given list, or the value of option `single` if given, or `ladder`.
 std::vector<double> rungs(const Options& options, const std::string& name, const std::string& list,
-                          const limits::Limit& limit, const std::string& single, double value,
-                          std::vector<double> ladder) {
+                          const scene::limits::Limit& limit, const std::string& single,
+                          double value, std::vector<double> ladder) {
   if (list.empty()) return options.app.count(single) > 0 ? std::vector{value} : std::move(ladder);
   std::vector<double> values = parse_numbers(list, name);
-  for (const double v : values) limits::check(limit, name, v);
+  for (const double v : values) scene::limits::check(limit, name, v);
   std::ranges::sort(values, std::greater<>());
   return values;
 }
 
-StudyPlan plan_of(const Options& options, const Scene& scene) {
-  const Motion& motion = scene.motion;
-  StudyPlan plan;
+study::StudyPlan plan_of(const Options& options, const scene::Scene& scene) {
+  const scene::Motion& motion = scene.motion;
+  study::StudyPlan plan;
   plan.methods = chosen_methods(options, scene);
-  plan.steps = rungs(options, "--steps", options.steps, limits::step, "--step", motion.control.step,
-                     step_ladder(motion.duration, motion.omega.norm()));
-  plan.tolerances = rungs(options, "--tolerances", options.tolerances, limits::tolerance,
-                          "--tolerance", motion.control.tolerance, tolerance_ladder());
+  plan.steps = rungs(options, "--steps", options.steps, scene::limits::step, "--step",
+                     motion.control.step, study::step_ladder(motion.duration, motion.omega.norm()));
+  plan.tolerances = rungs(options, "--tolerances", options.tolerances, scene::limits::tolerance,
+                          "--tolerance", motion.control.tolerance, study::tolerance_ladder());
   plan.first_step = plan.steps.front();
   plan.duration = motion.duration;
   // A long or fast motion is not studied to the end of the ladder unless that was requested.
@@ -75,11 +77,11 @@ StudyPlan plan_of(const Options& options, const Scene& scene) {
 struct Bound {
   std::string name;
   double most;
-  std::function<double(const Study&, const StudyRun&)> value;
+  std::function<double(const study::Study&, const study::StudyRun&)> value;
 };
 
 /// A missing or additional flip exceeds every bound.
-double flip_error(const Study& study, const StudyRun& run) {
+double flip_error(const study::Study& study, const study::StudyRun& run) {
   if (run.flips.size() != study.flip_times.size()) return std::numeric_limits<double>::infinity();
   return study.flip_times.empty() ? 0.0 : run.flip_error;
 }
@@ -89,22 +91,24 @@ std::vector<Bound> bounds_of(const Options& options) {
   const auto add = [&](const std::string& name, const std::string& text, const auto& value) {
     if (text.empty()) return;
     bounds.push_back(
-        {name, limits::check({0.0, limits::huge}, name, parse_number(text, name)), value});
+        {name, scene::limits::check({0.0, scene::limits::huge}, name, parse_number(text, name)),
+         value});
   };
-  add("--max-error", options.max_error, [](const Study&, const StudyRun& r) { return r.error; });
+  add("--max-error", options.max_error,
+      [](const study::Study&, const study::StudyRun& r) { return r.error; });
   add("--max-energy-drift", options.max_energy_drift,
-      [](const Study&, const StudyRun& r) { return r.energy_drift; });
+      [](const study::Study&, const study::StudyRun& r) { return r.energy_drift; });
   add("--max-flip-error", options.max_flip_error, flip_error);
   return bounds;
 }
 
 /// A failed run exceeds every bound.
-ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
+ExitCode verdict(const study::Study& study, const std::vector<Bound>& bounds) {
   ExitCode code = ExitCode::done;
   for (const Bound& bound : bounds) {
     int over = 0;
-    for (const MethodStudy& method : study.methods) {
-      for (const StudyRun& run : method.runs) {
+    for (const study::MethodStudy& method : study.methods) {
+      for (const study::StudyRun& run : method.runs) {
         if (!run.failure.empty() || !(bound.value(study, run) <= bound.most)) ++over;
       }
     }
@@ -115,7 +119,7 @@ ExitCode verdict(const Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
-std::string report(const Options& options, const Study& study, const Scene& scene) {
+std::string report(const Options& options, const study::Study& study, const scene::Scene& scene) {
   if (options.format == "csv") return study_csv(study);
   return options.format == "json" ? study_json(study, scene.name)
                                   : study_text(study, escape(scene.name));
@@ -124,18 +128,18 @@ std::string report(const Options& options, const Study& study, const Scene& scen
 ExitCode run_study(const Options& options) {
   options.scene.require_not_input(options.output);
   options.scene.require_not_input(options.plot);
-  if (!options.plot.empty()) require_gnuplot(options.plot);
+  if (!options.plot.empty()) plot::require_gnuplot(options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
-  const Scene scene = options.scene.scene();
-  const StudyPlan plan = plan_of(options, scene);
-  if (!options.plot.empty() && std::ranges::all_of(plan.methods, &Method::exact)) {
+  const scene::Scene scene = options.scene.scene();
+  const study::StudyPlan plan = plan_of(options, scene);
+  if (!options.plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");
   }
-  const FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
-  const Study result = run_study(body, plan);
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const study::Study result = study::run_study(body, plan);
   Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result, scene));
-  if (!options.plot.empty()) draw_plot(options.plot, study_plot(result));
+  if (!options.plot.empty()) plot::draw_plot(options.plot, plot::study_plot(result));
   output.finish();
   return verdict(result, bounds);
 }
@@ -189,4 +193,4 @@ void add_study(CLI::App& app, ExitCode& code) {
   command->callback([options, &code] { code = run_study(*options); });
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -27,9 +27,9 @@ std::string hundredths(double value) {
   return fmt::format("{:.2f}", std::round(100.0 * value) / 100.0 + 0.0);
 }
 
-std::string flips_heading(const Study& study) {
+std::string flips_heading(const study::Study& study) {
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
-  const ExactMotion::Flips& flips = *study.flips;
+  const motion::ExactMotion::Flips& flips = *study.flips;
   if (!std::isfinite(flips.interval)) {
     return "Flips: at most one; on the separatrix the rotation settles on the intermediate axis.\n";
   }
@@ -40,7 +40,7 @@ std::string flips_heading(const Study& study) {
       flips.swing * 180 / std::numbers::pi);
 }
 
-std::string run_line(const Study& study, const StudyRun& run, bool has_step) {
+std::string run_line(const study::Study& study, const study::StudyRun& run, bool has_step) {
   const std::string step = has_step ? fmt::format("{:.6g}", run.step) : "-";
   const std::string start = fmt::format("{:>12}{:>10}", step, brief(run.tolerance));
   if (!run.failure.empty()) return fmt::format("{}  {}\n", start, run.failure);
@@ -51,28 +51,28 @@ std::string run_line(const Study& study, const StudyRun& run, bool has_step) {
                      brief(run.flip_error), run.evaluations, 1e3 * run.cpu_seconds);
 }
 
-std::string runs_text(const Study& study) {
+std::string runs_text(const study::Study& study) {
   std::string text = fmt::format(
       "{:>12}{:>10}{:>12}{:>12}{:>10}{:>10}{:>10}{:>9}{:>12}{:>12}{:>10}\n", "step, s", "tolerance",
       fmt::format("X at {:.4g} s", study.early), fmt::format("X at {:.4g} s", study.duration),
       "energy", "X^T X-Id", "momentum", "flips", "flip err, s", "evaluations", "CPU, ms");
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     const std::string order =
         m.order ? fmt::format("observed order {:.2f}", *m.order) : "no observed order";
     text += m.method->exact() ? "exact: the reference for the other methods\n"
                               : fmt::format("{}: {}\n", m.method->name, order);
-    for (const StudyRun& run : m.runs) text += run_line(study, run, !m.method->exact());
+    for (const study::StudyRun& run : m.runs) text += run_line(study, run, !m.method->exact());
   }
   return text;
 }
 
-std::string estimates_text(const Study& study) {
+std::string estimates_text(const study::Study& study) {
   std::string text;
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     if (!m.method->adaptive()) continue;
     text += fmt::format("{}: true/E scales as step^{}\n", m.method->name,
                         m.estimate_exponent ? hundredths(*m.estimate_exponent) : "?");
-    for (const StudyRun& run : m.runs) {
+    for (const study::StudyRun& run : m.runs) {
       if (!run.estimate) continue;
       text += fmt::format("{:>12.6g}{:>10}{:>16}{:>17}{:>24}\n", run.step, brief(run.tolerance),
                           brief(run.estimate->median_ratio), brief(run.estimate->largest_ratio),
@@ -105,15 +105,15 @@ std::vector<double> intervals(const std::vector<double>& times) {
 }
 
 /// For each method, the flips of its finest run that did not fail.
-std::string flips_text(const Study& study) {
+std::string flips_text(const study::Study& study) {
   if (study.flip_times.empty()) return {};
   std::string at = "\nFlip times in s, each method at its finest step\n" +
                    flip_row("predicted", "", study.flip_times);
   std::string between =
       "\nTime between flips in s\n" + flip_row("predicted", "", intervals(study.flip_times));
-  for (const MethodStudy& m : study.methods) {
-    const StudyRun* finest = nullptr;
-    for (const StudyRun& run : m.runs) {
+  for (const study::MethodStudy& m : study.methods) {
+    const study::StudyRun* finest = nullptr;
+    for (const study::StudyRun& run : m.runs) {
       if (run.failure.empty() && (finest == nullptr || run.step < finest->step)) finest = &run;
     }
     if (finest == nullptr) continue;
@@ -124,7 +124,7 @@ std::string flips_text(const Study& study) {
   return study.flip_times.size() > 1 ? at + between : at;
 }
 
-Json estimate_json(const StudyRun& run) {
+Json estimate_json(const study::StudyRun& run) {
   if (!run.estimate) return nullptr;
   return {{"median_ratio", run.estimate->median_ratio},
           {"largest_ratio", run.estimate->largest_ratio},
@@ -133,7 +133,7 @@ Json estimate_json(const StudyRun& run) {
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json run_json(const StudyRun& run) {
+Json run_json(const study::StudyRun& run) {
   if (!run.failure.empty()) {
     return {{"step", run.step}, {"tolerance", or_null(run.tolerance)}, {"failure", run.failure}};
   }
@@ -152,7 +152,7 @@ Json run_json(const StudyRun& run) {
           {"estimate", estimate_json(run)}};
 }
 
-Json flips_json(const Study& study) {
+Json flips_json(const study::Study& study) {
   if (!study.flips) return nullptr;
   return {{"interval", study.flips->interval},
           {"asymptotic_interval", study.flips->asymptotic_interval},
@@ -162,13 +162,13 @@ Json flips_json(const Study& study) {
 
 }  // namespace
 
-std::string study_text(const Study& study, const std::string& scene) {
+std::string study_text(const study::Study& study, const std::string& scene) {
   return fmt::format("{}: {} s of motion, methods compared with the exact solution\n\n{}\n{}{}{}",
                      scene, study.duration, flips_heading(study), runs_text(study),
                      estimates_text(study), flips_text(study));
 }
 
-std::string study_csv(const Study& study) {
+std::string study_csv(const study::Study& study) {
   std::string text =
       "method,order_seen,step,tolerance,early_error,error,energy_drift,orthogonality_error,"
       "momentum_error,"
@@ -180,8 +180,8 @@ std::string study_csv(const Study& study) {
   const auto maybe = [&](const std::optional<double>& value) {
     return value ? number(*value) : std::string();
   };
-  for (const MethodStudy& m : study.methods) {
-    for (const StudyRun& r : m.runs) {
+  for (const study::MethodStudy& m : study.methods) {
+    for (const study::StudyRun& r : m.runs) {
       text += fmt::format("{},{},{},{}", m.method->name, maybe(m.order), number(r.step),
                           maybe(r.tolerance));
       if (!r.failure.empty()) {
@@ -192,8 +192,8 @@ std::string study_csv(const Study& study) {
                           number(r.error), number(r.energy_drift), number(r.orthogonality_error),
                           number(r.momentum_error), study.flip_times.size(), r.flips.size(),
                           number(r.flip_error), r.steps, r.evaluations, number(r.cpu_seconds));
-      const EstimateQuality none{std::nan(""), std::nan(""), std::nan("")};
-      const EstimateQuality e = r.estimate.value_or(none);
+      const study::EstimateQuality none{std::nan(""), std::nan(""), std::nan("")};
+      const study::EstimateQuality e = r.estimate.value_or(none);
       text += fmt::format(",{},{},{},\n", number(e.median_ratio), number(e.largest_ratio),
                           number(e.largest_error));
     }
@@ -201,11 +201,11 @@ std::string study_csv(const Study& study) {
   return text;
 }
 
-std::string study_json(const Study& study, const std::string& scene) {
+std::string study_json(const study::Study& study, const std::string& scene) {
   Json all = Json::array();
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     Json runs = Json::array();
-    for (const StudyRun& run : m.runs) runs.push_back(run_json(run));
+    for (const study::StudyRun& run : m.runs) runs.push_back(run_json(run));
     all.push_back({{"method", m.method->name},
                    {"order", m.method->order.value_or(0)},
                    {"order_seen", or_null(m.order)},
@@ -220,4 +220,4 @@ std::string study_json(const Study& study, const std::string& scene) {
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

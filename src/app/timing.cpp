@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 double milliseconds(const StageTimes::Counter& counter) {
@@ -58,4 +58,4 @@ std::string timing_report(const StageTimes& times, double seconds, std::size_t f
                     1e3 * seconds / count, own, children, milliseconds(times.first));
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

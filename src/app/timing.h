@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace twrench {
+namespace twrench::app {
 
 /// User and system time in milliseconds. It is that of the process, including the shell that became
 /// this program, and the shell's earlier children; only differences are meaningful.
@@ -51,4 +51,4 @@ class Timed {
 /// line. `seconds` is the total wall time. CPU time is that counted by the system so far.
 std::string timing_report(const StageTimes& times, double seconds, std::size_t frames, bool json);
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 std::vector<const CLI::App*> all_commands(const CLI::App& app) {
@@ -120,4 +120,4 @@ InvalidArgument usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return {command.get_name(), error.what(), help};
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

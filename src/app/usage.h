@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::app {
 
 /// Returns the arguments as CLI11 takes them, the last first. "--name=" becomes "--name" and an
 /// empty word, because some CLI11 releases would take the next word as its value.
@@ -20,4 +20,4 @@ void refuse_empty_values(CLI::App& app);
 /// CLI11 release; suggests the nearest option for an unknown one.
 InvalidArgument usage_error(const CLI::App& app, const CLI::ParseError& error);
 
-}  // namespace twrench
+}  // namespace twrench::app

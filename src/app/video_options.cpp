@@ -3,7 +3,7 @@
 #include <twrench/base/error.h>
 #include <unistd.h>
 
-namespace twrench {
+namespace twrench::app {
 
 void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
   std::string help = "video file (.mp4, .mov, .mkv or .webm), or - for standard output";
@@ -16,9 +16,9 @@ void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
       ->type_name("NAME");
 }
 
-Container VideoOptions::container(const std::filesystem::path& film) const {
-  if (!container_name.empty()) return container_named(container_name);
-  return is_streamed() ? Container::mp4 : container_of(film);
+video::Container VideoOptions::container(const std::filesystem::path& film) const {
+  if (!container_name.empty()) return video::container_named(container_name);
+  return is_streamed() ? video::Container::mp4 : video::container_of(film);
 }
 
 void VideoOptions::require_free_output(const std::string& progress) const {
@@ -34,4 +34,4 @@ void VideoOptions::require_free_output(const std::string& progress) const {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::app

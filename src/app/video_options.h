@@ -5,7 +5,7 @@
 
 #include "video/encode_frames.h"
 
-namespace twrench {
+namespace twrench::app {
 
 /// The options for the destination and container of a video.
 struct VideoOptions {
@@ -15,7 +15,7 @@ struct VideoOptions {
   bool is_streamed() const { return output == "-"; }
 
   /// Returns the container given by name or by the file extension. Throws InvalidArgument.
-  Container container(const std::filesystem::path& film) const;
+  video::Container container(const std::filesystem::path& film) const;
 
   /// Throws InvalidArgument if the video should go to standard output but cannot: it is a terminal,
   /// or `progress` uses it.
@@ -25,4 +25,4 @@ struct VideoOptions {
   std::string container_name;  ///< May be empty.
 };
 
-}  // namespace twrench
+}  // namespace twrench::app

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <variant>
 
-namespace twrench {
+namespace twrench::body {
 namespace {
 
 using Eigen::Matrix3d;
@@ -124,4 +124,4 @@ Part equimomental_box(const Vector3d& moments) {
   return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};
 }
 
-}  // namespace twrench
+}  // namespace twrench::body

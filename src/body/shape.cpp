@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::body {
 namespace {
 
 using Eigen::Vector3d;
@@ -69,4 +69,4 @@ Eigen::Matrix3d frame_with_z_along(const Vector3d& axis) {
   return frame;
 }
 
-}  // namespace twrench
+}  // namespace twrench::body

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 // Cairo keeps a pixel as a native word, blue in its lowest byte. Where that byte comes first,
@@ -20,7 +20,7 @@ void Canvas::Destroy::operator()(cairo_surface_t* surface) const noexcept {
   cairo_surface_destroy(surface);
 }
 
-Canvas::Canvas(Image& image, int x, int y)
+Canvas::Canvas(image::Image& image, int x, int y)
     : image_(image),
       x_(x),
       y_(y),
@@ -88,7 +88,7 @@ void Canvas::rectangle(double x, double y, double width, double height, const In
   cairo_fill(context_.get());
 }
 
-void Canvas::soft_panel(const Area& core, double feather, const Ink& ink) {
+void Canvas::soft_panel(const image::Area& core, double feather, const Ink& ink) {
   std::uint8_t* out = image_.pixels.data();
   for (int row = 0; row < image_.height; ++row) {
     const double y = y_ + row + 0.5;
@@ -107,4 +107,4 @@ void Canvas::soft_panel(const Area& core, double feather, const Ink& ink) {
   cairo_surface_mark_dirty(surface_.get());
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -11,14 +11,14 @@
 #include "image/image.h"
 #include "scene/color.h"
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// Draws on an image of RGBA, premultiplied, which outlives it. Lengths in px of the picture of
 /// which the image is a part; whole numbers are the edges of pixels. All edges are anti-aliased.
 class Canvas {
  public:
   struct Ink {
-    Color color;
+    scene::Color color;
     double opacity = 1;
   };
   struct Point {
@@ -27,7 +27,7 @@ class Canvas {
   enum class Align { left, centre, right };
 
   /// (x, y): where the image's top left corner lies in the picture.
-  Canvas(Image& image, int x, int y);
+  Canvas(image::Image& image, int x, int y);
 
   /// `size`: px per em; (x, y): where the baseline begins or, with another alignment, the point of
   /// it that is the middle or the end.
@@ -44,7 +44,7 @@ class Canvas {
   void rectangle(double x, double y, double width, double height, const Ink& ink);
 
   /// A rectangle with soft edges: full within `core`, and nothing from `feather` px beyond.
-  void soft_panel(const Area& core, double feather, const Ink& ink);
+  void soft_panel(const image::Area& core, double feather, const Ink& ink);
 
  private:
   struct Destroy {
@@ -55,10 +55,10 @@ class Canvas {
   void set(const Ink& ink);
   void add_text(const Line& line, double size, const Point& at, Align align);
 
-  Image& image_;
+  image::Image& image_;
   int x_, y_;
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -2,7 +2,7 @@
 
 #include <twrench/base/error.h>
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// A text has a character that neither the font nor its fallback can draw.
 class MissingGlyph : public InvalidArgument {
@@ -16,4 +16,4 @@ class MissingGlyph : public InvalidArgument {
   char32_t character_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -14,7 +14,7 @@
 #include "system/file.h"
 #include "system/sha256.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 constexpr std::size_t largest_file = 64U << 20U;  // bytes: a font of all Chinese is 20 MB
@@ -49,8 +49,8 @@ Typeface embedded_typeface(const std::string& family) {
 
 std::vector<std::uint8_t> read_font(const std::string& path) {
   try {
-    return read_file(path, largest_file);
-  } catch (const FileError& error) {
+    return system::read_file(path, largest_file);
+  } catch (const system::FileError& error) {
     throw InvalidArgument("font", error.what(), error.remedy());
   }
 }
@@ -123,9 +123,10 @@ Typeface load_typeface(const std::string& name_or_path) {
 std::string typeface_digest(const Typeface& typeface) {
   std::string all;
   for (const Font* font : {&typeface.regular, &typeface.strong}) {
-    for (; font != nullptr; font = font->fallback()) all += sha256_hex(font->file());
+    for (; font != nullptr; font = font->fallback()) all += system::sha256_hex(font->file());
   }
-  return sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(all.data()), all.size()));
+  return system::sha256_hex(
+      std::span(reinterpret_cast<const std::uint8_t*>(all.data()), all.size()));
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -10,7 +10,7 @@
 
 struct hb_font_t;
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// A font: HarfBuzz shapes text with it, and Cairo draws its glyphs from FreeType's outlines.
 /// Outlines are neither hinted nor replaced by bitmaps, so that they are the same on every machine.
@@ -83,4 +83,4 @@ Typeface load_typeface(const std::string& name_or_path);
 /// by it.
 std::string typeface_digest(const Typeface& typeface);
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -4,7 +4,7 @@
 
 #include "canvas/unicode.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 /// A joiner, a soft hyphen or the like: HarfBuzz leaves them out where the font has none.
@@ -146,4 +146,4 @@ std::vector<const Font*> choose_fonts(std::span<const hb_codepoint_t> text, cons
   return FontChoice(text, font).fonts();
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -9,7 +9,7 @@
 
 #include <new>
 
-namespace twrench::font_file {
+namespace twrench::canvas::font_file {
 namespace {
 
 /// A FreeType face with all that it reads from. Its library is its own: FreeType lets no two
@@ -95,4 +95,4 @@ bool has_outline(cairo_font_face_t* face, unsigned glyph) {
   return FT_Load_Glyph(opened->face, glyph, FT_LOAD_NO_SCALE) == 0;
 }
 
-}  // namespace twrench::font_file
+}  // namespace twrench::canvas::font_file

@@ -9,7 +9,7 @@
 #include <vector>
 
 // How the libraries that shape and draw text take a font's file: from memory, each by itself.
-namespace twrench::font_file {
+namespace twrench::canvas::font_file {
 
 using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
@@ -26,4 +26,4 @@ std::shared_ptr<cairo_font_face_t> open_face(const Bytes& file, hb_font_t* shape
 /// Whether FreeType can read the glyph's outline from a face that open_face() made.
 bool has_outline(cairo_font_face_t* face, unsigned glyph);
 
-}  // namespace twrench::font_file
+}  // namespace twrench::canvas::font_file

@@ -12,7 +12,7 @@
 #include "canvas/font_choice.h"
 #include "canvas/unicode.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 struct StyledCharacter {
@@ -130,4 +130,4 @@ std::vector<TextRun> visual_runs(const StyledText& text, const Font& font) {
   return runs;
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -7,7 +7,7 @@
 
 #include "canvas/font.h"
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// How characters are set: figures without kerning, raised and lowered ones smaller.
 enum class CharacterStyle { plain, figure, raised, lowered };
@@ -39,4 +39,4 @@ struct TextRun {
 /// choose_fonts() says.
 std::vector<TextRun> visual_runs(const StyledText& text, const Font& font);
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -9,7 +9,7 @@
 
 #include "canvas/text_runs.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 using Buffer = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
@@ -132,4 +132,4 @@ std::optional<char32_t> missing_character(const Font& font, std::string_view utf
   return static_cast<char32_t>(missing == text.characters.end() ? *begin : *missing);
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

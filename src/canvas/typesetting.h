@@ -6,7 +6,7 @@
 
 #include "canvas/font.h"
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// A line of text, set: which glyphs go where. Lengths in em.
 struct Line {
@@ -38,4 +38,4 @@ Line typeset_within(const Font& font, std::string_view utf8, double width);
 /// called while another thread draws with them.
 std::optional<char32_t> missing_character(const Font& font, std::string_view utf8);
 
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -1,6 +1,6 @@
 #include "canvas/unicode.h"
 
-namespace twrench {
+namespace twrench::canvas {
 
 hb_script_t script_of(hb_codepoint_t character) {
   return hb_unicode_script(hb_unicode_funcs_get_default(), character);
@@ -25,4 +25,4 @@ bool is_mark(hb_codepoint_t character) {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

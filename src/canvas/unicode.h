@@ -3,7 +3,7 @@
 #include <hb.h>
 
 // What Unicode says of a character, from HarfBuzz's tables.
-namespace twrench {
+namespace twrench::canvas {
 
 hb_script_t script_of(hb_codepoint_t character);
 
@@ -15,4 +15,4 @@ hb_unicode_general_category_t category_of(hb_codepoint_t character);
 /// Whether it stands on, under or around the letter before it.
 bool is_mark(hb_codepoint_t character);
 
-}  // namespace twrench
+}  // namespace twrench::canvas

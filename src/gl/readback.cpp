@@ -16,7 +16,7 @@ void read_pixels(const Functions& gl, const Rectangle& area, void* pixels) {
 }
 
 /// GL's rows run upwards, an Image's downwards.
-void turn_upside_down(Image& image) {
+void turn_upside_down(image::Image& image) {
   const auto row = static_cast<std::ptrdiff_t>(image.row_bytes());
   for (auto low = image.pixels.begin(), high = image.pixels.end() - row; low < high;
        low += row, high -= row) {
@@ -24,7 +24,7 @@ void turn_upside_down(Image& image) {
   }
 }
 
-void copy_upside_down(const std::uint8_t* pixels, Image& image) {
+void copy_upside_down(const std::uint8_t* pixels, image::Image& image) {
   const std::size_t row = image.row_bytes();
   for (std::size_t end = image.pixels.size(); end > 0; end -= row, pixels += row) {
     std::copy_n(pixels, row, &image.pixels[end - row]);
@@ -58,7 +58,7 @@ PixelBuffers::Sized PixelBuffers::get(GLsizeiptr size) {
 Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers)
     : gl_(&gl), width_(area.width), height_(area.height), buffers_(buffers) {
   if (buffers == nullptr) {
-    image_ = Image(width_, height_, 4);
+    image_ = image::Image(width_, height_, 4);
     read_pixels(gl, area, image_.pixels.data());
     turn_upside_down(image_);
     return;
@@ -69,9 +69,9 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   gl.Flush();  // otherwise the card might not start until we wait for it
 }
 
-Image Readback::finish() {
+image::Image Readback::finish() {
   if (!buffer_) return std::move(image_);
-  Image image(width_, height_, 4);
+  image::Image image(width_, height_, 4);
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_->buffer.id());
   const void* const pixels = gl_->MapBufferRange(
       GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(image.pixels.size()), GL_MAP_READ_BIT);

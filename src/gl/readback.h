@@ -58,12 +58,12 @@ class Readback {
 
   /// Waits for the pixels and returns them as RGBA from the top left. Call it once. Throws GlError
   /// if the pixels were lost.
-  Image finish();
+  image::Image finish();
 
  private:
   const Functions* gl_;
   int width_, height_;
-  Image image_;  ///< Empty while the pixels are in the buffer.
+  image::Image image_;  ///< Empty while the pixels are in the buffer.
   PixelBuffers* buffers_;
   std::optional<PixelBuffers::Sized> buffer_;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 long size(const Area& area) { return static_cast<long>(area.width) * area.height; }
@@ -39,4 +39,4 @@ std::vector<Area> merged(std::vector<Area> areas) {
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

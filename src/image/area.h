@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace twrench {
+namespace twrench::image {
 
 /// A rectangle of an image: columns from x, rows from y, counted from the top left, in pixels.
 struct Area {
@@ -18,4 +18,4 @@ Area common(const Area& a, const Area& b);
 /// bounding rectangle is no larger than both together.
 std::vector<Area> merged(std::vector<Area> areas);
 
-}  // namespace twrench
+}  // namespace twrench::image

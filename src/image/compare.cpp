@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 int distance(int a, int b) { return std::abs(a - b); }
@@ -69,4 +69,4 @@ Image difference_image(const Image& a, const Image& b) { return image_of_differe
 
 Image difference_image(const DeepImage& a, const DeepImage& b) { return image_of_difference(a, b); }
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -4,7 +4,7 @@
 
 #include "image/image.h"
 
-namespace twrench {
+namespace twrench::image {
 
 /// The difference between two images in units of 1/255 of a channel, with fractions for images of
 /// 16 bits per channel.
@@ -27,4 +27,4 @@ std::optional<Difference> compare(const DeepImage& a, const DeepImage& b, int th
 Image difference_image(const Image& a, const Image& b);
 Image difference_image(const DeepImage& a, const DeepImage& b);
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twrench {
+namespace twrench::image {
 
 /// An sRGB image with rows from the top left and no padding. Three channels are RGB; four are RGBA
 /// with unpremultiplied alpha.
@@ -35,4 +35,4 @@ struct BasicImage {
 using Image = BasicImage<std::uint8_t>;
 using DeepImage = BasicImage<std::uint16_t>;  ///< The full precision of PNG files.
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace twrench {
+namespace twrench::image {
 
 void keep_memory_of_pictures(int width, int height) {
   const double picture = 3.0 * width * height;  // Bytes.
@@ -15,4 +15,4 @@ void keep_memory_of_pictures(int width, int height) {
   ::mallopt(M_TRIM_THRESHOLD, bytes(8 * picture));
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -53,4 +53,4 @@ std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& backg
   return encoded(image, &background);
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

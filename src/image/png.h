@@ -10,7 +10,7 @@
 #include "image/row_bands.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::image {
 
 /// The largest width and height that is read or written; llvmpipe's largest framebuffer too.
 constexpr int max_image_side = 16384;
@@ -34,4 +34,4 @@ Image read_png(const std::filesystem::path& path);
 /// The same with all 16 bits of a channel; 8 bits become 16.
 DeepImage read_deep_png(const std::filesystem::path& path);
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -14,7 +14,7 @@
 #include "system/error.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -137,7 +137,7 @@ class Decoder {
  private:
   void check(int code) const {
     if (code == SPNG_EMEM || code == SPNG_EZLIB_INIT) throw std::bad_alloc();
-    if (code != SPNG_OK) throw FileError(what_, explanation(code));
+    if (code != SPNG_OK) throw system::FileError(what_, explanation(code));
   }
 
   /// Refuses a size that the file is too short for: the pixels' memory is taken before libspng
@@ -202,13 +202,13 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-  return decode_png(read_file(path, longest), path.string());
+  return decode_png(system::read_file(path, longest), path.string());
 }
 
 DeepImage read_deep_png(const std::filesystem::path& path) {
-  const auto bytes = read_file(path, longest);
+  const auto bytes = system::read_file(path, longest);
   Decoder decoder(bytes, path.string());
   return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

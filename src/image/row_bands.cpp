@@ -9,7 +9,7 @@
 
 #include "image/stb.h"
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 constexpr int level = 1;
@@ -154,4 +154,4 @@ std::vector<std::uint8_t> compress_rows(const Image& image, const StaticPart* ba
   return stream;
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

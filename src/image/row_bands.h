@@ -10,7 +10,7 @@
 #include "image/area.h"
 #include "image/image.h"
 
-namespace twrench {
+namespace twrench::image {
 
 /// A compressed band of an image's rows: a part of a zlib stream without references to earlier
 /// data.
@@ -51,4 +51,4 @@ struct StaticPart {
 /// (which may be null).
 std::vector<std::uint8_t> compress_rows(const Image& image, const StaticPart* background);
 
-}  // namespace twrench
+}  // namespace twrench::image

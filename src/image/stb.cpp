@@ -6,7 +6,7 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
-namespace twrench::stb {
+namespace twrench::image::stb {
 
 // The one step of stb_image_write that is wanted, by the name that it has inside: the public
 // functions take it only together with their own compressor and checksums.
@@ -18,4 +18,4 @@ void filter_row(std::span<const std::uint8_t> row, int channels, std::span<std::
                          channels, sub, reinterpret_cast<signed char*>(&filtered[1]));
 }
 
-}  // namespace twrench::stb
+}  // namespace twrench::image::stb

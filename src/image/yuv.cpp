@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 std::size_t index(int row, int width, int column) {
@@ -62,4 +62,4 @@ void Yuv420::update_chroma(const Image& image, const Area& area) {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

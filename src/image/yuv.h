@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "image/yuv_rows.h"
 
-namespace twrench {
+namespace twrench::image {
 
 /// An image as video encoders take it: planar Y'CbCr 4:2:0, 8 bits, BT.709, limited range (Y' 16 to
 /// 235, Cb and Cr 16 to 240). The chroma location is left, the default of H.264 and MPEG-2:
@@ -39,4 +39,4 @@ class Yuv420 {
   std::vector<int> red_columns_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::image

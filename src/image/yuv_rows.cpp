@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 /// A row of the matrix of ITU-R BT.709-6, items 3.2 to 3.4, for 8-bit R'G'B', in units of 2^-16.
@@ -97,4 +97,4 @@ YuvRows fastest_yuv_rows() { return common_yuv_rows(); }
 
 #endif
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace twrench {
+namespace twrench::image {
 
 /// The arithmetic of Yuv420 by rows. Output ranges must not overlap other ranges.
 struct YuvRows {
@@ -25,4 +25,4 @@ YuvRows common_yuv_rows();
 /// same.
 YuvRows fastest_yuv_rows();
 
-}  // namespace twrench
+}  // namespace twrench::image

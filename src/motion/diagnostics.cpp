@@ -1,6 +1,6 @@
 #include <twrench/motion/diagnostics.h>
 
-namespace twrench {
+namespace twrench::motion {
 
 double energy(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega) {
   return 0.5 * omega.dot(inertia * omega);
@@ -17,4 +17,4 @@ Diagnostics diagnose(const FreeBody& body, double initial_energy, const Sample& 
   return d;
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

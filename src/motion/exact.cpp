@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twrench {
+namespace twrench::motion {
 
 namespace {
 
@@ -32,7 +32,7 @@ double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
 
 /// Body axes (a, b, c) as a proper rotation: a is the principal axis `a` (0 or 2), b the
 /// intermediate one, and the components of m along a and c are not negative.
-Matrix3d motion_axes(const PrincipalAxes& principal, int a, const Vector3d& m) {
+Matrix3d motion_axes(const body::PrincipalAxes& principal, int a, const Vector3d& m) {
   Matrix3d axes;
   axes.col(0) = std::copysign(1.0, m[a]) * principal.axes.col(a);
   axes.col(2) = std::copysign(1.0, m[2 - a]) * principal.axes.col(2 - a);
@@ -52,7 +52,7 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
   // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
   // nor underflow. It is a power of two, so that nothing is rounded.
   const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
-  const PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
+  const body::PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
   const Vector3d momentum = unit * body.momentum(), m = principal.axes.transpose() * momentum;
   const double G = m.stableNorm();
   if (G == 0) return;
@@ -146,4 +146,4 @@ std::vector<double> ExactMotion::flip_times(double t_end) const {
   return times;
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -17,8 +17,8 @@ Vector3d finite_omega(const Vector3d& omega) {
   return omega;
 }
 
-PrincipalAxes positive_axes(const Matrix3d& inertia) {
-  PrincipalAxes principal = principal_axes(inertia);
+body::PrincipalAxes positive_axes(const Matrix3d& inertia) {
+  body::PrincipalAxes principal = body::principal_axes(inertia);
   const double least = principal.moments[0];
   if (least > 0) return principal;
   throw OutOfRange("inertia",
@@ -50,4 +50,4 @@ FreeBody::FreeBody(const Matrix3d& inertia, const Vector3d& omega)
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 constexpr Tableau one_stage{.stages = 1, .order = 1, .a = {}, .weights = {1.0}};
@@ -116,4 +116,4 @@ const Method& find_method(std::string_view name, std::string_view what) {
   return *found;
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -80,4 +80,4 @@ Annulus herpolhode_annulus(const EnergyLevel& level) {
   return {std::min(one, other), std::max(one, other)};
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -261,4 +261,4 @@ std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& 
   return std::make_unique<StepPropagator>(body, method, control, sign);
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -148,4 +148,4 @@ Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, do
   return std::visit([&](const auto& scheme) { return step(body, scheme, X, h); }, method.scheme);
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

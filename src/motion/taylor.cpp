@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -159,4 +159,4 @@ double TaylorSeries::max_step(double tolerance) const {
   return unit_ * std::min(s, 0.4 * order);
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 /// Throws where so many fixed steps to t_end, s, would be too many, which can be seen before the
@@ -59,4 +59,4 @@ void visit_steps(const FreeBody& body, const Method& method, const StepControl& 
   while (propagator->t() < t_end) visit(propagator->next_step());
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

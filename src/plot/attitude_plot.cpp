@@ -7,7 +7,7 @@
 
 #include "plot/panels.h"
 
-namespace twrench {
+namespace twrench::plot {
 namespace {
 
 /// The data blocks $c0, $c1, ...: lines of t and the nine components, row by row.
@@ -16,7 +16,7 @@ std::string data(std::span<const AttitudeCurve> curves) {
   const auto out = std::back_inserter(text);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     fmt::format_to(out, "$c{} << END\n", c);
-    for (const Sample& s : curves[c].samples) {
+    for (const motion::Sample& s : curves[c].samples) {
       fmt::format_to(out, "{:.7g}", s.t);
       for (int i = 0; i < 9; ++i) fmt::format_to(out, " {:.6f}", s.X(i / 3, i % 3));
       text += '\n';
@@ -151,4 +151,4 @@ Plot column_panels(std::span<const AttitudeCurve> curves) {
   return plot;
 }
 
-}  // namespace twrench
+}  // namespace twrench::plot

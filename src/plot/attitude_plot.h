@@ -8,14 +8,14 @@
 
 #include "plot/gnuplot.h"
 
-namespace twrench {
+namespace twrench::plot {
 
 /// A motion to plot.
 struct AttitudeCurve {
   /// Name in the key of the plot.
   std::string title;
   /// Samples in order of time.
-  std::vector<Sample> samples;
+  std::vector<motion::Sample> samples;
   /// Times of the flips to mark, in s.
   std::vector<double> flips;
 };
@@ -27,4 +27,4 @@ Plot nine_panels(std::span<const AttitudeCurve> curves);
 /// Returns one panel per column of X with its three components, and one row of panels per curve.
 Plot column_panels(std::span<const AttitudeCurve> curves);
 
-}  // namespace twrench
+}  // namespace twrench::plot

@@ -12,7 +12,7 @@
 #include "system/file.h"
 #include "system/pending_file.h"
 
-namespace twrench {
+namespace twrench::plot {
 namespace {
 
 constexpr std::size_t longest_figure = 1U << 30U;  // Bytes.
@@ -38,10 +38,10 @@ const Format& format_of(const std::string& path) {
 
 /// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
 /// reproducible.
-ChildProcess start(const std::vector<std::string>& arguments) {
+system::ChildProcess start(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"gnuplot", "--default-settings"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return start_program<PlotError>(command, "install it: apt-get install gnuplot-nox");
+  return system::start_program<PlotError>(command, "install it: apt-get install gnuplot-nox");
 }
 
 /// The same size in all formats, each in its own units; PNG has twice the resolution.
@@ -64,7 +64,7 @@ std::string terminal(const Format& format, const Plot& plot) {
 
 /// gnuplot does not check its own writes.
 bool is_complete(const std::filesystem::path& path, const Format& format) {
-  const std::vector<std::uint8_t> bytes = read_file(path, longest_figure);
+  const std::vector<std::uint8_t> bytes = system::read_file(path, longest_figure);
   std::size_t size = bytes.size();
   while (size > 0 && bytes[size - 1] == '\n') --size;
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), size);
@@ -85,30 +85,32 @@ std::string gnuplot_string(std::string_view text) {
 
 void require_gnuplot(const std::string& path) {
   const Format& format = format_of(path);
-  ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
+  system::ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
   if (gnuplot.wait() == 0) return;
-  throw PlotError(fmt::format("gnuplot cannot write {}", path), last_words(gnuplot.error_output()),
+  throw PlotError(fmt::format("gnuplot cannot write {}", path),
+                  system::last_words(gnuplot.error_output()),
                   "install a build that can: apt-get install gnuplot-nox");
 }
 
 void draw_plot(const std::string& path, const Plot& plot) {
   const Format& format = format_of(path);
-  PendingFile file(path);
+  system::PendingFile file(path);
   const std::string script = terminal(format, plot) +
                              fmt::format("set output {}\n", gnuplot_string(file.path().string())) +
                              plot.script + "\nunset output\n";
-  ChildProcess gnuplot = start({});
+  system::ChildProcess gnuplot = start({});
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
   gnuplot.write({bytes, script.size()});
   if (const int status = gnuplot.wait(); status != 0) {
-    throw PlotError("cannot draw " + path, fmt::format("gnuplot ended with exit status {}: {}",
-                                                       status, last_words(gnuplot.error_output())));
+    throw PlotError("cannot draw " + path,
+                    fmt::format("gnuplot ended with exit status {}: {}", status,
+                                system::last_words(gnuplot.error_output())));
   }
   if (!file.is_direct() && !is_complete(file.path(), format)) {
-    throw FileError("cannot write " + path, "gnuplot left it incomplete",
-                    "check whether the disk is full");
+    throw system::FileError("cannot write " + path, "gnuplot left it incomplete",
+                            "check whether the disk is full");
   }
   file.commit();
 }
 
-}  // namespace twrench
+}  // namespace twrench::plot

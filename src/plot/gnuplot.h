@@ -6,7 +6,7 @@
 
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::plot {
 
 /// gnuplot is missing, lacks the format, or failed.
 struct PlotError : Error {
@@ -39,4 +39,4 @@ void require_gnuplot(const std::string& path);
 /// all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
 void draw_plot(const std::string& path, const Plot& plot);
 
-}  // namespace twrench
+}  // namespace twrench::plot

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace twrench {
+namespace twrench::plot {
 
 std::string PanelGrid::place(int row, int column) const {
   const double w = double(width - left - right - (columns - 1) * between_columns) / columns;
@@ -28,4 +28,4 @@ std::string key_plot(const std::string& entries, int columns, double height) {
       height, columns, entries);
 }
 
-}  // namespace twrench
+}  // namespace twrench::plot

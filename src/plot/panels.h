@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace twrench {
+namespace twrench::plot {
 
 /// Panels of equal size in rows and columns, with margins in pixels.
 struct PanelGrid {
@@ -31,4 +31,4 @@ inline constexpr std::string_view diagram_style =
 /// at most the given number of columns, centred at `height` (0 to 1) above the lower edge.
 std::string key_plot(const std::string& entries, int columns, double height);
 
-}  // namespace twrench
+}  // namespace twrench::plot

@@ -8,24 +8,24 @@
 
 #include "plot/panels.h"
 
-namespace twrench {
+namespace twrench::plot {
 namespace {
 
 constexpr std::array<int, 13> symbols{6, 4, 8, 10, 12, 2, 1, 7, 5, 9, 11, 13, 3};
 
-bool has_ladder(const MethodStudy& m) { return m.method->order > 0 && !m.runs.empty(); }
+bool has_ladder(const study::MethodStudy& m) { return m.method->order > 0 && !m.runs.empty(); }
 
-const StudyRun& middle(const MethodStudy& m) { return m.runs[m.runs.size() / 2]; }
+const study::StudyRun& middle(const study::MethodStudy& m) { return m.runs[m.runs.size() / 2]; }
 
 /// The data blocks $run0, ... of step, early error and milliseconds, and $drift0, ... of t and
 /// energy drift. Omits values that have no logarithm.
-std::string data(const Study& study) {
+std::string data(const study::Study& study) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < study.methods.size(); ++i) {
-    const MethodStudy& m = study.methods[i];
+    const study::MethodStudy& m = study.methods[i];
     fmt::format_to(out, "$run{} << END\n", i);
-    for (const StudyRun& run : m.runs) {
+    for (const study::StudyRun& run : m.runs) {
       if (!run.failure.empty() || !(run.error > 0.0)) continue;
       fmt::format_to(out, "{:.6g} {:.6g} {:.6g} {:.6g}\n", run.step, run.early_error,
                      1e3 * run.cpu_seconds, run.error);
@@ -50,7 +50,7 @@ std::string style(std::size_t i, bool points) {
   return fmt::format("with linespoints {} pt {} ps 0.8", line, symbols[i % symbols.size()]);
 }
 
-std::string run_curves(const Study& study, std::string_view block, std::string_view columns,
+std::string run_curves(const study::Study& study, std::string_view block, std::string_view columns,
                        bool points) {
   std::string text = "plot ";
   for (std::size_t i = 0; i < study.methods.size(); ++i) {
@@ -60,7 +60,7 @@ std::string run_curves(const Study& study, std::string_view block, std::string_v
   return text + "NaN notitle\n";
 }
 
-std::string key_entries(const Study& study) {
+std::string key_entries(const study::Study& study) {
   std::string text;
   for (std::size_t i = 0; i < study.methods.size(); ++i) {
     if (!has_ladder(study.methods[i])) continue;
@@ -70,12 +70,12 @@ std::string key_entries(const Study& study) {
 }
 
 /// Reference slopes of orders 1, 2 and 4: broad faint labelled lines behind the curves.
-std::string slopes(const Study& study) {
+std::string slopes(const study::Study& study) {
   constexpr double highest = 3.0;
   double finest = 1e300, coarsest = 0.0;
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
-    for (const StudyRun& run : m.runs) {
+    for (const study::StudyRun& run : m.runs) {
       finest = std::min(finest, run.step);
       coarsest = std::max(coarsest, run.step);
     }
@@ -93,11 +93,11 @@ std::string slopes(const Study& study) {
 }
 
 /// The methods' step sizes and tolerances in the drift diagram.
-std::string drift_title(const Study& study) {
+std::string drift_title(const study::Study& study) {
   std::string step, tolerance;
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
-    const StudyRun& run = middle(m);
+    const study::StudyRun& run = middle(m);
     if (run.tolerance) {
       tolerance = fmt::format("tolerance {:.3g}", *run.tolerance);
     } else {
@@ -120,9 +120,9 @@ std::string decades(const std::vector<double>& values) {
                      std::floor(std::log10(high)) + 1.0);
 }
 
-std::string drift_range(const Study& study) {
+std::string drift_range(const study::Study& study) {
   std::vector<double> drifts;
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
     const std::vector<double>& drift = middle(m).drift_in_time;
     drifts.insert(drifts.end(), drift.begin(), drift.end());
@@ -130,18 +130,18 @@ std::string drift_range(const Study& study) {
   return decades(drifts);
 }
 
-std::string time_range(const Study& study) {
+std::string time_range(const study::Study& study) {
   std::vector<double> times;
-  for (const MethodStudy& m : study.methods) {
+  for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
-    for (const StudyRun& run : m.runs) times.push_back(1e3 * run.cpu_seconds);
+    for (const study::StudyRun& run : m.runs) times.push_back(1e3 * run.cpu_seconds);
   }
   return decades(times);
 }
 
 }  // namespace
 
-Plot study_plot(const Study& study) {
+Plot study_plot(const study::Study& study) {
   Plot plot{1380, 600, data(study)};
   const PanelGrid grid{plot.width, plot.height, 1, 3, 78, 18, 146, 42, 84, 0};
   std::string& script = plot.script;
@@ -178,4 +178,4 @@ Plot study_plot(const Study& study) {
   return plot;
 }
 
-}  // namespace twrench
+}  // namespace twrench::plot

@@ -4,10 +4,10 @@
 
 #include "plot/gnuplot.h"
 
-namespace twrench {
+namespace twrench::plot {
 
 /// Returns three diagrams: error against step size (order), error against CPU time
 /// (work-precision), and energy drift against time, each method at the middle of its ladder.
-Plot study_plot(const Study& study);
+Plot study_plot(const study::Study& study);
 
-}  // namespace twrench
+}  // namespace twrench::plot

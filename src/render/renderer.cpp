@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "canvas/font.h"
 #include "gl/framebuffer.h"
 #include "render/compose/element.h"
 #include "render/compose/label_painter.h"
@@ -19,18 +20,18 @@
 #include "render/views/momentum_view.h"
 #include "render/views/poinsot_view.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using namespace std::chrono_literals;
 
-Image empty_picture(const Scene& scene) {
+image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height);
 }
 
 /// Copies `still` to `image` within `area`.
-void restore(Image& image, const Image& background, const Area& area) {
+void restore(image::Image& image, const image::Image& background, const image::Area& area) {
   const auto channels = static_cast<std::size_t>(background.channels);
   for (int row = area.y; row < area.y + area.height; ++row) {
     const auto first =
@@ -44,26 +45,26 @@ void restore(Image& image, const Image& background, const Area& area) {
 /// Frames to draw into, and frames that were drawn and are no longer needed.
 class BlankFrames {
  public:
-  explicit BlankFrames(Image background) : background_(std::move(background)) {
+  explicit BlankFrames(image::Image background) : background_(std::move(background)) {
     used_.reserve(most);
   }
 
-  const Image& static_background() const { return background_; }
+  const image::Image& static_background() const { return background_; }
 
-  Frame acquire() {
-    Frame frame;
+  image::Frame acquire() {
+    image::Frame frame;
     {
       const std::lock_guard lock(mutex_);
       if (used_.empty()) return {background_, {}};
       frame = std::move(used_.back());
       used_.pop_back();
     }
-    for (const Area& area : frame.damage) restore(frame.image, background_, area);
+    for (const image::Area& area : frame.damage) restore(frame.image, background_, area);
     frame.damage.clear();
     return frame;
   }
 
-  void give_back(Frame frame) noexcept {
+  void give_back(image::Frame frame) noexcept {
     // A frame's alpha is unpremultiplied, the static background's is not.
     if (background_.channels == 4) return;
     const std::lock_guard lock(mutex_);
@@ -73,15 +74,15 @@ class BlankFrames {
  private:
   static constexpr std::size_t most = 16;  // as many as are in progress at once
 
-  Image background_;  // premultiplied if RGBA
+  image::Image background_;  // premultiplied if RGBA
   std::mutex mutex_;
-  std::vector<Frame> used_;
+  std::vector<image::Frame> used_;
 };
 
 /// Composites layers in order: each as soon as it and all below it are ready.
 class Composition {
  public:
-  explicit Composition(Frame blank) : frame_(std::move(blank)) {}
+  explicit Composition(image::Frame blank) : frame_(std::move(blank)) {}
 
   void add(PendingLayer layer) {
     layers_.push_back(std::move(layer));
@@ -91,7 +92,7 @@ class Composition {
   }
 
   /// Returns the frame when all layers are composited.
-  Frame finish() {
+  image::Frame finish() {
     while (!layers_.empty()) composite_first();
     if (frame_.image.channels == 4) {
       unpremultiply(frame_.image, {0, 0, frame_.image.width, frame_.image.height});
@@ -106,31 +107,32 @@ class Composition {
     frame_.damage.push_back(composite_over(frame_.image, layer));
   }
 
-  Frame frame_;
+  image::Frame frame_;
   std::deque<PendingLayer> layers_;
 };
 
 }  // namespace
 
 struct Renderer::Parts {
-  Parts(gl::Context& context, const Scene& scene, const std::vector<Solution>& solutions,
-        std::optional<gl::ReadMode> mode);
+  Parts(gl::Context& context, const scene::Scene& scene,
+        const std::vector<timeline::Solution>& solutions, std::optional<gl::ReadMode> mode);
 
   gl::Functions gl;
   gl::Framebuffer framebuffer;
-  Typeface typeface;
+  canvas::Typeface typeface;
   std::vector<std::unique_ptr<Element>> elements;  // in compositing order
   std::optional<LabelPainter> label_painter;
   const SpaceView* first = nullptr;
   std::optional<BlankFrames> blank;
 };
 
-Renderer::Parts::Parts(gl::Context& context, const Scene& scene,
-                       const std::vector<Solution>& solutions, std::optional<gl::ReadMode> mode)
+Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
+                       const std::vector<timeline::Solution>& solutions,
+                       std::optional<gl::ReadMode> mode)
     : gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
                   mode.value_or(gl::best_read_mode(gl))),
-      typeface(load_typeface(scene.overlay.font)) {
+      typeface(canvas::load_typeface(scene.overlay.font)) {
   const Layout layout = compute_layout(scene);
   const auto add = [&]<typename View>(std::in_place_type_t<View>, std::size_t solution,
                                       const Layout::Pane& pane) {
@@ -144,7 +146,7 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene,
   if (layout.momentum) add(std::in_place_type<MomentumView>, 0, *layout.momentum);
   if (layout.poinsot) add(std::in_place_type<PoinsotView>, 0, *layout.poinsot);
   const OverlayColors& colors = style_of(scene.look.theme).overlay;
-  std::vector<Area> taken;  // areas that labels avoid
+  std::vector<image::Area> taken;  // areas that labels avoid
   if (layout.components) {
     elements.push_back(
         std::make_unique<ComponentPanel>(scene, solutions, layout, typeface, colors));
@@ -154,22 +156,23 @@ Renderer::Parts::Parts(gl::Context& context, const Scene& scene,
   std::ranges::copy(hud->extents(), std::back_inserter(taken));
   elements.push_back(std::move(hud));
   label_painter.emplace(typeface.regular, layout.text.readout, colors.panel,
-                        Area{0, 0, scene.film.width, scene.film.height}, taken);
-  Image background = empty_picture(scene);
+                        image::Area{0, 0, scene.film.width, scene.film.height}, taken);
+  image::Image background = empty_picture(scene);
   for (const auto& element : elements) {
     for (const Layer& layer : element->static_layers()) composite_over(background, layer);
   }
   blank.emplace(std::move(background));
 }
 
-Renderer::Renderer(gl::Context& context, const Scene& scene, const std::vector<Solution>& solutions,
+Renderer::Renderer(gl::Context& context, const scene::Scene& scene,
+                   const std::vector<timeline::Solution>& solutions,
                    std::optional<gl::ReadMode> mode)
     : parts_(std::make_unique<Parts>(context, scene, solutions, mode)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-PendingFrame Renderer::begin(const FrameState& state) {
+PendingFrame Renderer::begin(const timeline::FrameState& state) {
   Composition composition(parts_->blank->acquire());
   std::vector<Label> labels;
   for (const auto& element : parts_->elements) {
@@ -184,14 +187,17 @@ PendingFrame Renderer::begin(const FrameState& state) {
   });
 }
 
-void Renderer::reuse(Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
+void Renderer::reuse(image::Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
 
 std::size_t Renderer::frames_ahead() const {
   return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
-const Image& Renderer::static_background() const { return parts_->blank->static_background(); }
+const image::Image& Renderer::static_background() const {
+  return parts_->blank->static_background();
+}
 std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
+std::string Renderer::typeface_digest() const { return canvas::typeface_digest(parts_->typeface); }
 Camera Renderer::camera(double video_time) const { return parts_->first->camera(video_time); }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,21 +9,15 @@
 
 #include "gl/context.h"
 #include "gl/readback.h"
-#include "image/area.h"
+#include "image/frame.h"
 #include "image/image.h"
 #include "render/space/camera.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
-
-/// A frame and its damaged areas, where it differs from the static background.
-struct Frame {
-  Image image;               ///< RGBA if the scene is transparent, otherwise RGB.
-  std::vector<Area> damage;  ///< May overlap.
-};
+namespace twrench::render {
 
 /// A frame in progress. get() completes it on the thread of its renderer, which must outlive it.
-using PendingFrame = std::future<Frame>;
+using PendingFrame = std::future<image::Frame>;
 
 /// Draws the frames of a scene. One per context; use it only on the thread that created it.
 class Renderer {
@@ -32,7 +26,8 @@ class Renderer {
   /// draws the static background. Throws InvalidArgument for a size or sample count beyond this
   /// OpenGL's limits, GlError if it lacks a required feature. `mode` defaults to the best one for
   /// this OpenGL.
-  Renderer(gl::Context& context, const Scene& scene, const std::vector<Solution>& solutions,
+  Renderer(gl::Context& context, const scene::Scene& scene,
+           const std::vector<timeline::Solution>& solutions,
            std::optional<gl::ReadMode> mode = std::nullopt);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -40,23 +35,26 @@ class Renderer {
 
   /// Issues all drawing of a frame; work on pixels that are still in transfer is left to get().
   /// Several frames may be in progress, and completed in any order.
-  PendingFrame begin(const FrameState& state);
+  PendingFrame begin(const timeline::FrameState& state);
 
-  Frame draw(const FrameState& state) { return begin(state).get(); }
+  image::Frame draw(const timeline::FrameState& state) { return begin(state).get(); }
 
   /// Takes back a frame that it drew and that is no longer needed, so that a later one can reuse
   /// its memory: only its damaged areas must then be restored. Thread-safe.
-  void reuse(Frame frame) noexcept;
+  void reuse(image::Frame frame) noexcept;
 
   /// Returns how many frames should be in progress before the oldest is completed, so that drawing
   /// does not wait for reading back.
   std::size_t frames_ahead() const;
 
   /// Returns the static background.
-  const Image& static_background() const;
+  const image::Image& static_background() const;
 
   /// Returns GL's renderer and version; frames are byte-identical where these are the same.
   std::string description() const;
+
+  /// Returns a digest of the font files' bytes; frames depend on it too.
+  std::string typeface_digest() const;
 
   /// Returns the camera of the first view, which shows the body if any does, `video_time` seconds
   /// into the video.
@@ -67,4 +65,4 @@ class Renderer {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace twrench {
+namespace twrench::scene {
 
 /// A colour as users write it: sRGB, each channel from 0 to 255.
 struct Color {
@@ -16,4 +16,4 @@ Color parse_color(const std::string& text, const std::string& what);
 /// Returns the colour as "#rrggbb".
 std::string to_string(const Color& color);
 
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twrench::limits {
+namespace twrench::scene::limits {
 
 bool Limit::allows(double value) const { return value >= low && value <= high; }
 
@@ -49,4 +49,4 @@ int check_whole(const Limit& limit, const std::string& what, double value) {
                    {value, limit.low, limit.high});
 }
 
-}  // namespace twrench::limits
+}  // namespace twrench::scene::limits

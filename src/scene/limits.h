@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// The limits of a scene's values, shared by scene files and the command line.
-namespace twrench::limits {
+namespace twrench::scene::limits {
 
 struct Limit {
   /// The smallest and the largest allowed value.
@@ -29,7 +29,7 @@ inline constexpr Limit density{1e-9, 1e6};       // g/cm^3
 inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
 inline constexpr Limit step{1e-15, 1e6};         // s
-inline constexpr Limit tolerance{min_tolerance, 1,
+inline constexpr Limit tolerance{motion::min_tolerance, 1,
                                  "the limit of double precision"};  // of the error estimate E
 inline constexpr Limit duration{1e-15, 1e9};                        // s
 inline constexpr Limit fps{1e-9, 1000};                             // 1/s
@@ -69,4 +69,4 @@ Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omeg
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
 int check_whole(const Limit& limit, const std::string& what, double value);
 
-}  // namespace twrench::limits
+}  // namespace twrench::scene::limits

@@ -7,14 +7,8 @@
 
 #include "scene/limits.h"
 
-namespace twrench {
+namespace twrench::scene {
 namespace {
-
-// In the order of the enumerations.
-const std::vector<std::string> themes{"studio", "paper", "space"};
-const std::vector<std::string> views{"wrench", "momentum", "poinsot", "quad"};
-const std::vector<std::string> features{"floor",  "axes", "momentum",   "omega",  "trail",  "plane",
-                                        "labels", "hud",  "components", "sphere", "poinsot"};
 
 template <typename Enumeration>
 Enumeration find(const std::vector<std::string>& names, const std::string& name,
@@ -31,24 +25,41 @@ std::string name_in(const std::vector<std::string>& names, Enumeration value) {
 
 }  // namespace
 
+const std::vector<std::string>& theme_names() {
+  static const std::vector<std::string> names{"studio", "paper", "space"};
+  return names;
+}
+
+const std::vector<std::string>& view_names() {
+  static const std::vector<std::string> names{"wrench", "momentum", "poinsot", "quad"};
+  return names;
+}
+
+const std::vector<std::string>& feature_names() {
+  static const std::vector<std::string> names{"floor",      "axes",   "momentum", "omega",
+                                              "trail",      "plane",  "labels",   "hud",
+                                              "components", "sphere", "poinsot"};
+  return names;
+}
+
 Theme theme_of(const std::string& name, const std::string& what) {
-  return find<Theme>(themes, name, what);
+  return find<Theme>(theme_names(), name, what);
 }
 
 View view_of(const std::string& name, const std::string& what) {
-  return find<View>(views, name, what);
+  return find<View>(view_names(), name, what);
 }
 
 Feature feature_of(const std::string& name, const std::string& what) {
-  return find<Feature>(features, name, what);
+  return find<Feature>(feature_names(), name, what);
 }
 
-std::string name_of(Theme theme) { return name_in(themes, theme); }
-std::string name_of(View view) { return name_in(views, view); }
-std::string name_of(Feature feature) { return name_in(features, feature); }
+std::string name_of(Theme theme) { return name_in(theme_names(), theme); }
+std::string name_of(View view) { return name_in(view_names(), view); }
+std::string name_of(Feature feature) { return name_in(feature_names(), feature); }
 
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what) {
-  for (const std::string& name : names) find_method(name, what);
+  for (const std::string& name : names) motion::find_method(name, what);
   if (names.size() > limits::max_compared) {
     throw InvalidArgument(what, fmt::format("has {} methods, but at most {} are drawn side by side",
                                             names.size(), limits::max_compared));
@@ -56,4 +67,4 @@ std::vector<std::string> compared_methods(std::vector<std::string> names, const 
   return names;
 }
 
-}  // namespace twrench
+}  // namespace twrench::scene

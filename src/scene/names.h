@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::scene {
 
 // The names by which scene files and the command line select options. Each conversion from a name
 // throws InvalidArgument about `what`, suggesting the nearest name.
@@ -14,6 +14,12 @@ Theme theme_of(const std::string& name, const std::string& what);
 View view_of(const std::string& name, const std::string& what);
 Feature feature_of(const std::string& name, const std::string& what);
 
+// The names, in the order of the enumerations.
+
+const std::vector<std::string>& theme_names();
+const std::vector<std::string>& view_names();
+const std::vector<std::string>& feature_names();
+
 std::string name_of(Theme theme);
 std::string name_of(View view);
 std::string name_of(Feature feature);
@@ -21,4 +27,4 @@ std::string name_of(Feature feature);
 /// Returns the names if all are methods and not too many to be shown side by side.
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what);
 
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -8,7 +8,7 @@
 
 #include "scene/limits.h"
 
-namespace twrench {
+namespace twrench::scene {
 
 int Scene::frame_count() const {
   const double frames = std::round(motion.duration * film.fps / film.speed);
@@ -27,19 +27,19 @@ void set_background(Look& look, const std::string& text, const std::string& what
   if (!look.transparent) look.background = parse_color(text, what);
 }
 
-MassProperties mass_properties(const Body& body) {
-  if (!body.moments) return mass_properties(body.parts);
-  const PrincipalAxes principal = principal_axes(body.moments->asDiagonal());
+body::MassProperties mass_properties(const Body& body) {
+  if (!body.moments) return body::mass_properties(body.parts);
+  const body::PrincipalAxes principal = body::principal_axes(body.moments->asDiagonal());
   return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(),
           body.moments->asDiagonal(), principal.moments, principal.axes};
 }
 
-std::vector<Part> visible_parts(const Body& body) {
-  if (body.moments) return {equimomental_box(*body.moments)};
-  const Eigen::Vector3d centre = mass_properties(body.parts).centre_of_mass;
-  std::vector<Part> parts = body.parts;
-  for (Part& part : parts) part.position -= centre;
+std::vector<body::Part> visible_parts(const Body& body) {
+  if (body.moments) return {body::equimomental_box(*body.moments)};
+  const Eigen::Vector3d centre = body::mass_properties(body.parts).centre_of_mass;
+  std::vector<body::Part> parts = body.parts;
+  for (body::Part& part : parts) part.position -= centre;
   return parts;
 }
 
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -14,12 +14,12 @@
 #include "scene/color.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::scene {
 
 /// The body, given by its parts or by its principal moments alone.
 struct Body {
   /// The parts; empty if `moments` is set.
-  std::vector<Part> parts;
+  std::vector<body::Part> parts;
   /// Principal moments of inertia about the body's x, y and z axes, in g cm^2.
   std::optional<Eigen::Vector3d> moments;
 };
@@ -31,7 +31,7 @@ struct Motion {
   /// Name of the integration method.
   std::string method = "rkmk45";
   /// Step size and tolerance.
-  StepControl control;
+  motion::StepControl control;
   /// Duration of the motion in s.
   double duration = 96.0;
 };
@@ -156,11 +156,11 @@ struct Scene {
 
 /// Returns the mass properties of the scene's body. If it is given by its moments alone, the mass
 /// is NaN and the centre of mass 0.
-MassProperties mass_properties(const Body& body);
+body::MassProperties mass_properties(const Body& body);
 
 /// Returns the parts to draw, relative to the centre of mass: the body's own, or the equimomental
 /// box.
-std::vector<Part> visible_parts(const Body& body);
+std::vector<body::Part> visible_parts(const Body& body);
 
 /// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();
@@ -174,4 +174,4 @@ Scene load_scene(const std::string& name_or_path);
 /// Parses a scene from TOML text; `source` names it in errors. Throws InvalidArgument.
 Scene parse_scene(std::string_view toml, const std::string& source);
 
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -4,10 +4,10 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::scene {
 
 /// Returns every value of the scene with defaults resolved, using the keys and units of a scene
 /// file.
 nlohmann::ordered_json scene_json(const Scene& scene);
 
-}  // namespace twrench
+}  // namespace twrench::scene

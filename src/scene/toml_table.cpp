@@ -4,7 +4,44 @@
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
-namespace twrench {
+namespace twrench::scene {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Each returns the value of a node, and throws InvalidArgument about `what` if it has another form.
+
+double number(const toml::node& node, const std::string& what) {
+  // Not value<double>(), which returns nothing for an integer that no double represents exactly.
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  if (const auto* real = node.as_floating_point()) return real->get();
+  throw InvalidArgument(what, "must be a number");
+}
+
+ordered_json numbers(const toml::node& node, std::size_t count, const std::string& what) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != count) {
+    throw InvalidArgument(what, fmt::format("must be an array of {} numbers", count));
+  }
+  ordered_json values = ordered_json::array();
+  for (const toml::node& entry : *array) values.push_back(number(entry, what));
+  return values;
+}
+
+std::string text(const toml::node& node, const char* form, const std::string& what) {
+  if (!node.is_string()) throw InvalidArgument(what, form);
+  return node.as_string()->get();
+}
+
+ordered_json texts(const toml::node& node, const std::string& what) {
+  static constexpr const char* form = "must be an array of strings";
+  if (!node.is_array()) throw InvalidArgument(what, form);
+  ordered_json values = ordered_json::array();
+  for (const toml::node& entry : *node.as_array()) values.push_back(text(entry, form, what));
+  return values;
+}
+
+}  // namespace
 
 std::string TomlTable::place(const std::string& key) const {
   const toml::node* node = table_.get(key);
@@ -17,92 +54,46 @@ const toml::node* TomlTable::find(const std::string& key) {
   return table_.get(key);
 }
 
-double TomlTable::number_in(const toml::node& node, const std::string& what) const {
-  // Not value<double>(), which returns nothing for an integer that no double represents exactly.
-  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
-  if (const auto* real = node.as_floating_point()) return real->get();
-  throw InvalidArgument(what, "must be a number");
-}
-
-std::vector<double> TomlTable::numbers(const toml::node& node, const std::string& key,
-                                       std::size_t count) {
-  const toml::array* array = node.as_array();
-  if (array == nullptr || array->size() != count) {
-    throw InvalidArgument(place(key), fmt::format("must be an array of {} numbers", count));
+std::optional<ordered_json> TomlTable::value(const std::string& key, Field::Kind kind) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  switch (kind) {
+    case Field::Kind::number:
+    case Field::Kind::integer:
+      return number(*node, place(key));
+    case Field::Kind::vector:
+      return numbers(*node, 3, place(key));
+    case Field::Kind::size:
+      return numbers(*node, 2, place(key));
+    case Field::Kind::text:
+      return text(*node, "must be a string", place(key));
+    case Field::Kind::texts:
+      return texts(*node, place(key));
   }
-  std::vector<double> values;
-  for (const toml::node& entry : *array) values.push_back(number_in(entry, place(key)));
-  return values;
+  return std::nullopt;
 }
 
-void TomlTable::require(const std::string& key) const {
-  if (!has(key)) throw InvalidArgument(place(key), "is missing");
+ordered_json TomlTable::required(const std::string& key, Field::Kind kind) {
+  if (auto found = value(key, kind)) return *found;
+  throw InvalidArgument(place(key), "is missing");
 }
 
-void TomlTable::number(const std::string& key, const limits::Limit& limit, double& value) {
-  if (const toml::node* node = find(key)) {
-    value = limits::check(limit, place(key), number_in(*node, place(key)));
-  }
-}
-
-void TomlTable::whole(const std::string& key, const limits::Limit& limit, int& value) {
-  if (const toml::node* node = find(key)) {
-    value = limits::check_whole(limit, place(key), number_in(*node, place(key)));
-  }
-}
-
-void TomlTable::text(const std::string& key, std::string& value) {
-  if (const toml::node* node = find(key)) {
-    if (!node->is_string()) throw InvalidArgument(place(key), "must be a string");
-    value = node->as_string()->get();
-  }
-}
-
-void TomlTable::vector(const std::string& key, const limits::Limit& limit, Eigen::Vector3d& value) {
-  if (const toml::node* node = find(key)) {
-    const std::vector<double> v = numbers(*node, key, 3);
-    value = limits::check(limit, place(key), Eigen::Vector3d(v[0], v[1], v[2]));
-  }
-}
-
-void TomlTable::size(const std::string& key, const limits::Limit& limit, int& width, int& height) {
-  if (const toml::node* node = find(key)) {
-    const std::vector<double> v = numbers(*node, key, 2);
-    width = limits::check_whole(limit, place(key), v[0]);
-    height = limits::check_whole(limit, place(key), v[1]);
-  }
+Eigen::Vector3d TomlTable::vector(const std::string& key, const limits::Limit& limit,
+                                  const Eigen::Vector3d& otherwise) {
+  const auto found = value(key, Field::Kind::vector);
+  return found ? limits::check(limit, place(key), to_vector(*found)) : otherwise;
 }
 
 double TomlTable::required_number(const std::string& key, const limits::Limit& limit) {
-  require(key);
-  double value = 0.0;
-  number(key, limit, value);
-  return value;
+  return limits::check(limit, place(key), required(key, Field::Kind::number).get<double>());
 }
 
 Eigen::Vector3d TomlTable::required_vector(const std::string& key, const limits::Limit& limit) {
-  require(key);
-  Eigen::Vector3d value = Eigen::Vector3d::Zero();
-  vector(key, limit, value);
-  return value;
+  return limits::check(limit, place(key), to_vector(required(key, Field::Kind::vector)));
 }
 
 std::string TomlTable::required_text(const std::string& key) {
-  require(key);
-  std::string value;
-  text(key, value);
-  return value;
-}
-
-std::vector<std::string> TomlTable::required_texts(const std::string& key) {
-  require(key);
-  const toml::array* array = find(key)->as_array();
-  if (array == nullptr || (!array->empty() && !array->is_homogeneous(toml::node_type::string))) {
-    throw InvalidArgument(place(key), "must be an array of strings");
-  }
-  std::vector<std::string> texts;
-  for (const toml::node& entry : *array) texts.push_back(entry.as_string()->get());
-  return texts;
+  return required(key, Field::Kind::text).get<std::string>();
 }
 
 void TomlTable::table(const std::string& key, const std::function<void(TomlTable&)>& read) {
@@ -139,4 +130,4 @@ void TomlTable::finish() const {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -4,13 +4,15 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
+#include "scene/fields.h"
 #include "scene/limits.h"
 
-namespace twrench {
+namespace twrench::scene {
 
 /// A TOML table that is read key by key into values that already hold their defaults. Every
 /// mistake, including a key that is never requested (reported by finish()), is a InvalidArgument
@@ -23,18 +25,17 @@ class TomlTable {
 
   bool has(const std::string& key) const { return table_.contains(key); }
 
-  // Each leaves `value` unchanged if the key is absent.
-  void number(const std::string& key, const limits::Limit& limit, double& value);
-  void whole(const std::string& key, const limits::Limit& limit, int& value);
-  void text(const std::string& key, std::string& value);
-  void vector(const std::string& key, const limits::Limit& limit, Eigen::Vector3d& value);
-  void size(const std::string& key, const limits::Limit& limit, int& width, int& height);
+  /// Returns the value in the form of `kind`, or nothing if the key is absent.
+  std::optional<nlohmann::ordered_json> value(const std::string& key, Field::Kind kind);
 
-  /// The same for required keys.
+  /// Returns a vector whose components are within `limit`; `otherwise` if the key is absent.
+  Eigen::Vector3d vector(const std::string& key, const limits::Limit& limit,
+                         const Eigen::Vector3d& otherwise);
+
+  /// Each throws InvalidArgument if the key is absent.
   double required_number(const std::string& key, const limits::Limit& limit);
   Eigen::Vector3d required_vector(const std::string& key, const limits::Limit& limit);
   std::string required_text(const std::string& key);
-  std::vector<std::string> required_texts(const std::string& key);
 
   /// Calls `read` with the sub-table if it is present, then finishes it.
   void table(const std::string& key, const std::function<void(TomlTable&)>& read);
@@ -49,9 +50,7 @@ class TomlTable {
 
  private:
   const toml::node* find(const std::string& key);
-  double number_in(const toml::node& node, const std::string& what) const;
-  std::vector<double> numbers(const toml::node& node, const std::string& key, std::size_t count);
-  void require(const std::string& key) const;
+  nlohmann::ordered_json required(const std::string& key, Field::Kind kind);
 
   const toml::table& table_;
   std::string source_;
@@ -59,4 +58,4 @@ class TomlTable {
   std::set<std::string> known_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::scene

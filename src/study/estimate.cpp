@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace twrench {
+namespace twrench::study {
 
-double local_error(const FreeBody& body, const AcceptedStep& step) {
-  static const Method& exact = find_method("exact");
-  return (step.after - take_step(body, exact, step.before, step.length).X).norm();
+double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
+  static const motion::Method& exact = motion::find_method("exact");
+  return (step.after - motion::take_step(body, exact, step.before, step.length).X).norm();
 }
 
-void EstimateCheck::visit(const AcceptedStep& step) {
+void EstimateCheck::visit(const motion::AcceptedStep& step) {
   constexpr double round_off = 1e-14;
   const double error = local_error(body_, step);
   largest_error_ = std::max(largest_error_, error);
@@ -27,4 +27,4 @@ EstimateQuality EstimateCheck::quality() const {
   return {median(ratios_), std::ranges::max(ratios_), largest_error_};
 }
 
-}  // namespace twrench
+}  // namespace twrench::study

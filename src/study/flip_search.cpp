@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <limits>
 
-namespace twrench {
+namespace twrench::study {
 
 double FlipSearch::component(const Eigen::Matrix3d& X) const {
-  return body_.principal().axes.col(1).dot(angular_velocity(body_, method_, X));
+  return body_.principal().axes.col(1).dot(motion::angular_velocity(body_, method_, X));
 }
 
-void FlipSearch::visit(const AcceptedStep& step) {
+void FlipSearch::visit(const motion::AcceptedStep& step) {
   const double before = component(step.before), after = component(step.after);
   if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
   if (sign_ * after < 0.0) {
@@ -21,9 +21,9 @@ void FlipSearch::visit(const AcceptedStep& step) {
   }
 }
 
-double FlipSearch::root(const AcceptedStep& step, double at_start, double at_end) const {
+double FlipSearch::root(const motion::AcceptedStep& step, double at_start, double at_end) const {
   const auto f = [&](double length) {
-    return component(take_step(body_, method_, step.before, length).X);
+    return component(motion::take_step(body_, method_, step.before, length).X);
   };
   const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 3);
   std::uintmax_t iterations = 100;
@@ -32,4 +32,4 @@ double FlipSearch::root(const AcceptedStep& step, double at_start, double at_end
   return low + 0.5 * (high - low);
 }
 
-}  // namespace twrench
+}  // namespace twrench::study

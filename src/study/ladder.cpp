@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
 /// The largest number of the form 1, 2 or 5 times a power of ten that does not exceed x > 0.
@@ -57,4 +57,4 @@ std::optional<double> fitted_exponent(std::span<const PowerLawPoint> points) {
   return median(std::move(slopes));
 }
 
-}  // namespace twrench
+}  // namespace twrench::study

@@ -12,7 +12,7 @@
 #include <ctime>
 #include <limits>
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
 constexpr std::size_t time_parts = 200;
@@ -43,18 +43,18 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
 }
 
 /// Runs through the method's steps and collects errors, flips and the estimate's quality.
-void look_on_the_way(const FreeBody& body, const Method& method, const StepControl& control,
-                     const Study& exact, StudyRun& run) {
-  const double initial_energy = energy(body.inertia(), body.omega());
+void look_on_the_way(const motion::FreeBody& body, const motion::Method& method,
+                     const motion::StepControl& control, const Study& exact, StudyRun& run) {
+  const double initial_energy = motion::energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
   std::int64_t steps = 0;
   run.drift_in_time.assign(time_parts, 0.0);
-  const auto visit = [&](const AcceptedStep& step) {
+  const auto visit = [&](const motion::AcceptedStep& step) {
     ++steps;
     const double t = step.t + step.length;
-    const Diagnostics d =
-        diagnose(body, initial_energy, {t, step.after, angular_velocity(body, method, step.after)});
+    const motion::Diagnostics d = motion::diagnose(
+        body, initial_energy, {t, step.after, motion::angular_velocity(body, method, step.after)});
     run.energy_drift = std::max(run.energy_drift, std::abs(d.energy_drift));
     run.orthogonality_error = std::max(run.orthogonality_error, d.orthogonality_error);
     run.momentum_error = std::max(run.momentum_error, d.momentum_error);
@@ -64,7 +64,7 @@ void look_on_the_way(const FreeBody& body, const Method& method, const StepContr
     if (exact.flips) flips.visit(step);
     if (method.adaptive()) estimate.visit(step);
   };
-  visit_steps(body, method, control, exact.duration, visit);
+  motion::visit_steps(body, method, control, exact.duration, visit);
   run.flips = flips.times();
   std::erase_if(run.flips, [&](double t) { return t > exact.duration; });
   run.flip_error = flip_error(exact.flip_times, run.flips);
@@ -73,22 +73,23 @@ void look_on_the_way(const FreeBody& body, const Method& method, const StepContr
   run.estimate = estimate.quality();
 }
 
-StudyRun run_one(const FreeBody& body, const Method& method, const StepControl& control,
-                 const Study& exact, const ExactMotion& motion) {
+StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
+                 const motion::StepControl& control, const Study& exact,
+                 const motion::ExactMotion& motion) {
   StudyRun run;
   run.step = control.step;
   if (method.adaptive()) run.tolerance = control.tolerance;
   try {
     const std::array<double, 1> early{exact.early}, end{exact.duration};
-    const auto error = [&](const Sample& s) { return (s.X - motion.at(s.t).X).norm(); };
-    Trajectory result;
-    run.cpu_seconds = cpu_seconds([&] { result = integrate(body, method, control, end); });
-    run.early_error = error(integrate(body, method, control, early).samples[0]);
+    const auto error = [&](const motion::Sample& s) { return (s.X - motion.at(s.t).X).norm(); };
+    motion::Trajectory result;
+    run.cpu_seconds = cpu_seconds([&] { result = motion::integrate(body, method, control, end); });
+    run.early_error = error(motion::integrate(body, method, control, early).samples[0]);
     run.error = error(result.samples[0]);
     run.steps = result.steps;
     run.evaluations = result.evaluations;
     look_on_the_way(body, method, control, exact, run);
-  } catch (const MotionError& error) {
+  } catch (const motion::MotionError& error) {
     run.failure = error.what();
   }
   return run;
@@ -118,8 +119,8 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
 
 /// The ladder that suits the method. The closed form has none: only its flips are searched, with
 /// the finest steps.
-std::vector<StepControl> controls_for(const Method& method, const StudyPlan& plan) {
-  std::vector<StepControl> controls;
+std::vector<motion::StepControl> controls_for(const motion::Method& method, const StudyPlan& plan) {
+  std::vector<motion::StepControl> controls;
   if (method.adaptive()) {
     for (const double t : plan.tolerances) controls.push_back({plan.first_step, t, plan.max_steps});
   } else if (method.exact()) {
@@ -134,19 +135,19 @@ std::vector<StepControl> controls_for(const Method& method, const StudyPlan& pla
 
 }  // namespace
 
-Study run_study(const FreeBody& body, const StudyPlan& plan) {
+Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
   constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
   require_positive("duration", plan.duration);
   if (plan.steps.empty()) throw InvalidArgument("steps", "there must be one at least");
-  const ExactMotion motion(body);
+  const motion::ExactMotion motion(body);
   Study result{plan.duration,
                early_time(plan.duration, body.omega().norm()),
                motion.flips(),
                motion.flip_times(plan.duration),
                {}};
-  for (const Method* method : plan.methods) {
+  for (const motion::Method* method : plan.methods) {
     MethodStudy of_method{method, {}, {}, {}};
-    for (const StepControl& control : controls_for(*method, plan)) {
+    for (const motion::StepControl& control : controls_for(*method, plan)) {
       of_method.runs.push_back(run_one(body, *method, control, result, motion));
     }
     if (method->order.value_or(steepest + 1) <= steepest) {
@@ -158,4 +159,4 @@ Study run_study(const FreeBody& body, const StudyPlan& plan) {
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::study

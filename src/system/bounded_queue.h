@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace twrench {
+namespace twrench::system {
 
 /// A first-in, first-out queue between two stages of a pipeline, for any number of threads at
 /// either end. It holds at most `capacity` items, so that a fast stage waits for a slow one.
@@ -68,4 +68,4 @@ class BoundedQueue {
   bool closed_ = false;
 };
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -14,7 +14,7 @@
 #include <ctime>
 #include <system_error>
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 /// Blocks SIGPIPE on this thread, so that only EPIPE reports a closed reader.
@@ -344,4 +344,4 @@ std::string shell_command(std::span<const std::string> command) {
   return line;
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -16,7 +16,7 @@
 #include "system/descriptor.h"
 #include "system/termination.h"
 
-namespace twrench {
+namespace twrench::system {
 
 /// A child process that is fed through a pipe, started without a shell.
 ///
@@ -114,4 +114,4 @@ std::string last_words(std::string_view output);
 /// Returns the command in a form that can be pasted into a POSIX shell.
 std::string shell_command(std::span<const std::string> command);
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace twrench {
+namespace twrench::system {
 
 /// Owns a file descriptor; -1 means none.
 class Descriptor {
@@ -34,4 +34,4 @@ class Descriptor {
   int descriptor_ = -1;
 };
 
-}  // namespace twrench
+}  // namespace twrench::system

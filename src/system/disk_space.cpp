@@ -6,7 +6,7 @@
 #include <limits>
 #include <system_error>
 
-namespace twrench {
+namespace twrench::system {
 namespace fs = std::filesystem;
 
 fs::path existing_folder(const fs::path& folder) {
@@ -38,4 +38,4 @@ std::string format_bytes(double bytes) {
   return fmt::format("{:.1f} TB", bytes);
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

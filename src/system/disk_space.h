@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace twrench {
+namespace twrench::system {
 
 /// Returns the folder or, if it does not exist yet, its nearest existing ancestor.
 std::filesystem::path existing_folder(const std::filesystem::path& folder);
@@ -20,4 +20,4 @@ bool on_same_disk(const std::filesystem::path& a, const std::filesystem::path& b
 /// Formats a number of bytes, for example "1.5 GB".
 std::string format_bytes(double bytes);
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -2,7 +2,7 @@
 
 #include <twrench/base/error.h>
 
-namespace twrench {
+namespace twrench::system {
 
 /// A file could not be read or written, or does not hold what it should.
 struct FileError : Error {
@@ -14,4 +14,4 @@ struct OverwriteError : Error {
   using Error::Error;
 };
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -14,7 +14,7 @@
 #include "system/error.h"
 #include "system/pending_file.h"
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 std::string remedy_for(int error_number, Access access) {
@@ -133,4 +133,4 @@ std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
   return read_all(path, std::move(file), max_bytes);
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

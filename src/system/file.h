@@ -10,7 +10,7 @@
 
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::system {
 
 /// The kind of access that failed.
 enum class Access { read, write };
@@ -40,4 +40,4 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::size
 std::vector<std::uint8_t> read_regular_file(const std::filesystem::path& path,
                                             std::size_t max_bytes);
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-namespace twrench {
+namespace twrench::system {
 
 bool lock_file(const Descriptor& file, int operation) {
   using namespace std::chrono_literals;
@@ -20,4 +20,4 @@ bool lock_file(const Descriptor& file, int operation) {
   return true;
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

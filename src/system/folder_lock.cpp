@@ -6,7 +6,7 @@
 #include "system/error.h"
 #include "system/file_lock.h"
 
-namespace twrench {
+namespace twrench::system {
 
 FolderLock::FolderLock(const std::filesystem::path& folder, LockKind kind)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -16,4 +16,4 @@ FolderLock::FolderLock(const std::filesystem::path& folder, LockKind kind)
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

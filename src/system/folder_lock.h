@@ -5,7 +5,7 @@
 #include "system/descriptor.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::system {
 
 /// Whether other runs may use the folder at the same time; those with a shared lock may share it.
 enum class LockKind { exclusive, shared };
@@ -22,4 +22,4 @@ class FolderLock {
   Descriptor folder_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -17,7 +17,7 @@
 #include "system/file.h"
 #include "system/file_lock.h"
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ void PendingFile::commit() {
   removal_.reset();
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "system/termination.h"
 
-namespace twrench {
+namespace twrench::system {
 
 /// What to do if the name of an output file is a symbolic link.
 enum class Links {
@@ -70,4 +70,4 @@ class PendingFile {
   std::optional<TerminationAction> removal_;  ///< Set while there is a temporary file.
 };
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -7,7 +7,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace twrench {
+namespace twrench::system {
 
 std::string sha256_hex(std::span<const std::uint8_t> bytes) {
   std::array<std::uint8_t, 32> digest{};
@@ -17,4 +17,4 @@ std::string sha256_hex(std::span<const std::uint8_t> bytes) {
   return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 struct Registry {
@@ -106,4 +106,4 @@ void end_on_termination_signals(std::function<int(const TerminationMessage&)> re
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::system

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-namespace twrench {
+namespace twrench::system {
 
 /// What to report when a signal ends the program.
 struct TerminationMessage {
@@ -45,4 +45,4 @@ void take_termination_actions(TerminationMessage& message);
 /// thread is started: threads inherit what signals are blocked.
 void end_on_termination_signals(std::function<int(const TerminationMessage&)> report);
 
-}  // namespace twrench
+}  // namespace twrench::system

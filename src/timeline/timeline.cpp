@@ -4,53 +4,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-namespace twrench {
+namespace twrench::timeline {
 namespace {
 
 constexpr int whole_intervals = 1200;  // Finer than a curve across a wide panel can show.
 
 /// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
 /// 2000.
-double step_of_trail(const Scene& scene, double length) {
+double step_of_trail(const scene::Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
   return length / std::clamp(points, 50.0, 2000.0);
 }
 
-/// Nothing if the intermediate axis does not swing past the plane normal to L far enough to count
-/// as turning over.
-std::optional<ExactMotion::Flips> flips_of(const FreeBody& body) {
-  const auto flips = ExactMotion(body).flips();
-  if (!flips || flips->swing < std::numbers::pi / 2) return std::nullopt;
-  return flips;
+/// Nothing if the body does not turn over.
+std::optional<motion::ExactMotion::Flips> flips_of(const motion::FreeBody& body) {
+  const auto flips = motion::ExactMotion(body).flips();
+  return flips && flips->turns_over() ? flips : std::nullopt;
 }
 
 std::vector<double> seen_flips(const Solution& solution, double duration) {
   if (!solution.flips) return {};
   if (solution.method->exact()) {
-    return ExactMotion(solution.body).flip_times(duration);
+    return motion::ExactMotion(solution.body).flip_times(duration);
   }
-  FlipSearch search(solution.body, *solution.method);
-  visit_steps(solution.body, *solution.method, solution.control, duration,
-              [&](const AcceptedStep& step) { search.visit(step); });
+  study::FlipSearch search(solution.body, *solution.method);
+  motion::visit_steps(solution.body, *solution.method, solution.control, duration,
+                      [&](const motion::AcceptedStep& step) { search.visit(step); });
   return search.times();
 }
 
-Solution take_of(const Scene& scene, const std::string& method) {
-  Solution solution{&find_method(method),
-                    scene.motion.control,
-                    FreeBody(mass_properties(scene.body).inertia, scene.motion.omega),
-                    0.0,
-                    {},
-                    {},
-                    {}};
-  solution.initial_energy = energy(solution.body.inertia(), solution.body.omega());
+Solution take_of(const scene::Scene& scene, const std::string& method) {
+  Solution solution{
+      &motion::find_method(method),
+      scene.motion.control,
+      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega),
+      0.0,
+      {},
+      {},
+      {}};
+  solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
     times.push_back(scene.motion.duration * i / whole_intervals);
   }
-  solution.whole = integrate(solution.body, *solution.method, solution.control, times).samples;
+  solution.whole =
+      motion::integrate(solution.body, *solution.method, solution.control, times).samples;
   solution.flips = flips_of(solution.body);
   solution.flip_times = seen_flips(solution, scene.motion.duration);
   return solution;
@@ -66,17 +65,17 @@ std::optional<double> next_flip(const Solution& solution, double t) {
 
 }  // namespace
 
-double trail_length(const Scene& scene) {
+double trail_length(const scene::Scene& scene) {
   const double speed = scene.motion.omega.norm();
   return scene.overlay.trail_length.value_or(speed > 0 ? 12 / speed : scene.motion.duration);
 }
 
-Timeline::Timeline(const Scene& scene, std::vector<int> frames)
+Timeline::Timeline(const scene::Scene& scene, std::vector<int> frames)
     : scene_(scene),
       frames_(std::move(frames)),
       trail_length_(trail_length(scene)),
       grid_step_(step_of_trail(scene, trail_length_)) {
-  if (scene.overlay.shows(Feature::trail)) {
+  if (scene.overlay.shows(scene::Feature::trail)) {
     std::int64_t next = 0;
     for (const int frame : frames_) {
       const double t = scene.film.time_of(frame);
@@ -96,7 +95,7 @@ Timeline::Timeline(const Scene& scene, std::vector<int> frames)
 
 Timeline::Record Timeline::record(const Solution& solution) const {
   const auto sampled = [&](const std::vector<double>& times) {
-    return integrate(solution.body, *solution.method, solution.control, times).samples;
+    return motion::integrate(solution.body, *solution.method, solution.control, times).samples;
   };
   std::vector<double> own, blurred, grid;
   const int count = scene_.look.motion_blur;
@@ -113,14 +112,18 @@ Timeline::Record Timeline::record(const Solution& solution) const {
   return {sampled(own), sampled(blurred), sampled(grid)};
 }
 
-std::vector<Sample> Timeline::trail(const Record& record, std::size_t index) const {
-  const Sample& now = record.frames[index];
-  const auto time = [](const Sample& sample) { return sample.t; };
+std::vector<motion::Sample> Timeline::trail(const Record& record, std::size_t index) const {
+  const motion::Sample& now = record.frames[index];
+  const auto time = [](const motion::Sample& sample) { return sample.t; };
   const auto first = std::ranges::lower_bound(record.grid, now.t - trail_length_, {}, time);
   const auto last = std::ranges::lower_bound(record.grid, now.t, {}, time);
-  std::vector<Sample> trail(first, last);
+  std::vector<motion::Sample> trail(first, last);
   trail.push_back(now);
   return trail;
+}
+
+double SolutionState::trail_age(const motion::Sample& of_trail, double trail_length) const {
+  return std::clamp((sample.t - of_trail.t) / trail_length, 0.0, 1.0);
 }
 
 FrameState Timeline::frame_state(std::size_t index) const {
@@ -128,16 +131,17 @@ FrameState Timeline::frame_state(std::size_t index) const {
   for (std::size_t i = 0; i < solutions_.size(); ++i) {
     const Solution& solution = solutions_[i];
     const Record& record = records_[i];
-    SolutionState instant{record.frames[index],
-                          diagnose(solution.body, solution.initial_energy, record.frames[index]),
-                          0,
-                          next_flip(solution, record.frames[index].t),
-                          {},
-                          {}};
+    SolutionState instant{
+        record.frames[index],
+        motion::diagnose(solution.body, solution.initial_energy, record.frames[index]),
+        0,
+        next_flip(solution, record.frames[index].t),
+        {},
+        {}};
     instant.flips =
         static_cast<std::size_t>(std::ranges::upper_bound(solution.flip_times, instant.sample.t) -
                                  solution.flip_times.begin());
-    if (scene_.overlay.shows(Feature::trail)) instant.trail = trail(record, index);
+    if (scene_.overlay.shows(scene::Feature::trail)) instant.trail = trail(record, index);
     const auto count = static_cast<std::size_t>(scene_.look.motion_blur);
     for (std::size_t k = 0; count > 1 && k < count; ++k) {
       instant.blur.push_back(record.blur[index * count + k].X);
@@ -147,4 +151,4 @@ FrameState Timeline::frame_state(std::size_t index) const {
   return state;
 }
 
-}  // namespace twrench
+}  // namespace twrench::timeline

@@ -10,22 +10,22 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::timeline {
 
 /// One motion of the video as computed by one method: everything that does not depend on the frame.
 struct Solution {
   /// The method that computes the motion.
-  const Method* method;
+  const motion::Method* method;
   /// Its step size or tolerance.
-  StepControl control;
+  motion::StepControl control;
   /// The body and its initial condition.
-  FreeBody body;
+  motion::FreeBody body;
   /// Energy at t = 0 in g cm^2/s^2.
   double initial_energy;
   /// Samples evenly spaced from 0 to the duration, both included, for drawing curves.
-  std::vector<Sample> whole;
+  std::vector<motion::Sample> whole;
   /// The flips of the exact motion; nothing if the body does not turn over.
-  std::optional<ExactMotion::Flips> flips;
+  std::optional<motion::ExactMotion::Flips> flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
 };
@@ -33,17 +33,21 @@ struct Solution {
 /// The state of one motion in one frame.
 struct SolutionState {
   /// The sample at the frame's time.
-  Sample sample;
+  motion::Sample sample;
   /// How far the sample deviates from the conserved quantities.
-  Diagnostics diagnostics;
+  motion::Diagnostics diagnostics;
   /// Number of flips so far.
   std::size_t flips = 0;
   /// Predicted time of the next flip in s.
   std::optional<double> next_flip;
   /// Samples of the last trail_length seconds, oldest first, ending with `sample`.
-  std::vector<Sample> trail;
+  std::vector<motion::Sample> trail;
   /// Poses while the shutter is open, which is half the frame interval.
   std::vector<Eigen::Matrix3d> blur;
+
+  /// Returns how long before this state a sample of the trail lies, in units of the trail's length
+  /// in s: from 0 to 1.
+  double trail_age(const motion::Sample& of_trail, double trail_length) const;
 };
 
 /// The frame state: one instant of each motion, in the order of the motions.
@@ -58,7 +62,7 @@ struct FrameState {
 
 /// Returns the duration in s of motion that the trail covers: the scene's value, or the time in
 /// which the body rotates by about 12 rad.
-double trail_length(const Scene& scene);
+double trail_length(const scene::Scene& scene);
 
 /// Computes the motions of a video frame by frame. A frame state depends only on the scene and the
 /// frame number, not on which other frames are requested.
@@ -66,7 +70,7 @@ class Timeline {
  public:
   /// Integrates everything that `frames` (ascending numbers) need: one motion or, for a comparison,
   /// one per method. Throws as trajectory() does.
-  Timeline(const Scene& scene, std::vector<int> frames);
+  Timeline(const scene::Scene& scene, std::vector<int> frames);
 
   const std::vector<Solution>& solutions() const { return solutions_; }
   std::size_t size() const { return frames_.size(); }
@@ -78,15 +82,15 @@ class Timeline {
   /// The samples of one motion: at the frames, for their motion blur, and on the grid of the
   /// trails.
   struct Record {
-    std::vector<Sample> frames;
-    std::vector<Sample> blur;  ///< scene_.look.motion_blur samples per frame.
-    std::vector<Sample> grid;  ///< Samples at grid_step_ times grid_numbers_.
+    std::vector<motion::Sample> frames;
+    std::vector<motion::Sample> blur;  ///< scene_.look.motion_blur samples per frame.
+    std::vector<motion::Sample> grid;  ///< Samples at grid_step_ times grid_numbers_.
   };
 
   Record record(const Solution& solution) const;
-  std::vector<Sample> trail(const Record& record, std::size_t index) const;
+  std::vector<motion::Sample> trail(const Record& record, std::size_t index) const;
 
-  Scene scene_;
+  scene::Scene scene_;
   std::vector<int> frames_;
   double trail_length_;
   double grid_step_;                        ///< Spacing in s.
@@ -95,4 +99,4 @@ class Timeline {
   std::vector<Record> records_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::timeline

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <utility>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, Container>, 4> containers{
@@ -84,4 +84,4 @@ std::string codec_arguments(Container container, bool alpha, bool streamed) {
                      index_arguments(container, streamed), bt709_tags, muxer(container));
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

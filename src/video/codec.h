@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace twrench {
+namespace twrench::video {
 
 enum class Container { mp4, mov, matroska, webm };
 
@@ -30,4 +30,4 @@ inline constexpr const char* bt709_tags =
 /// seekable.
 std::string codec_arguments(Container container, bool alpha, bool streamed);
 
-}  // namespace twrench
+}  // namespace twrench::video

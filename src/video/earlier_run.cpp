@@ -12,7 +12,7 @@
 #include "video/frame_range.h"
 #include "video/manifest_folder.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 bool has_frames(const std::filesystem::path& folder) {
@@ -65,7 +65,7 @@ void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& 
     std::vector<FrameRecord> records = read_manifest(manifest).frames;
     for (const FrameRecord& record : records) by_number_.insert_or_assign(record.frame, record);
     if (is_own) own_ = std::move(records);
-  } catch (const FileError&) {
+  } catch (const system::FileError&) {
     object_to(manifest, "a manifest that is damaged or was not written by this program");
   }
 }
@@ -80,12 +80,13 @@ std::optional<FrameRecord> EarlierRun::intact(const FrameRecord& wanted) const {
   }
   try {
     constexpr std::size_t longest = 1U << 30U;
-    if (sha256_hex(read_regular_file(folder_ / record.file, longest)) != record.sha256)
+    if (system::sha256_hex(system::read_regular_file(folder_ / record.file, longest)) !=
+        record.sha256)
       return std::nullopt;
-  } catch (const FileError&) {
+  } catch (const system::FileError&) {
     return std::nullopt;
   }
   return record;
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -8,7 +8,7 @@
 
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// What earlier runs, and other runs in progress, left in a folder, for a run that will draw some
 /// frames of `film`.
@@ -50,4 +50,4 @@ class EarlierRun {
   std::vector<int> last_frames_;          ///< The frames that it selects.
 };
 
-}  // namespace twrench
+}  // namespace twrench::video

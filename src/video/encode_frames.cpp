@@ -19,7 +19,7 @@
 #include "video/manifest_folder.h"
 #include "video/video_file.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 /// Removes the records without a file from the manifest, and returns the frames of its range that
@@ -46,21 +46,22 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
 }
 
 /// Returns the frame as it was drawn, or throws FileError.
-Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
-                 const Manifest& manifest) {
+image::Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
+                        const Manifest& manifest) {
   constexpr std::size_t longest = 1U << 30U;
   const std::filesystem::path path = folder / record.file;
-  const auto png = read_regular_file(path, longest);
-  if (sha256_hex(png) != record.sha256) {
+  const auto png = system::read_regular_file(path, longest);
+  if (system::sha256_hex(png) != record.sha256) {
     throw FramesError("cannot use " + path.string(),
                       "it is not the file that the manifest describes",
                       FramesError::Reason::altered, {record.frame});
   }
-  Image image = decode_png(png, path.string());
+  image::Image image = image::decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {
-    throw FileError("cannot use " + path.string(),
-                    fmt::format("it has {}x{} pixels, but the manifest says {}x{}", image.width,
-                                image.height, manifest.width, manifest.height));
+    throw system::FileError(
+        "cannot use " + path.string(),
+        fmt::format("it has {}x{} pixels, but the manifest says {}x{}", image.width, image.height,
+                    manifest.width, manifest.height));
   }
   return image;
 }
@@ -68,9 +69,9 @@ Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
 /// The video must not replace one of its inputs.
 void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
                       const Manifest& manifest) {
-  for (const auto& path : manifests_in(folder)) require_not_input(output, path);
+  for (const auto& path : manifests_in(folder)) system::require_not_input(output, path);
   for (const FrameRecord& record : manifest.frames) {
-    require_not_input(output, folder / record.file);
+    system::require_not_input(output, folder / record.file);
   }
 }
 
@@ -88,16 +89,16 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
   const std::string identity = video_identity(manifest, shown);
   if (!output.overwrite) require_replaceable(output.path, identity);
-  keep_memory_of_pictures(manifest.width, manifest.height);
+  image::keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
   const VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container,
                            transparent};
   require_encoder(format);
-  if (output.path.has_parent_path()) make_folder(output.path.parent_path());
+  if (output.path.has_parent_path()) system::make_folder(output.path.parent_path());
   VideoEncoder encoder(output.path, format, identity);
   // Decoding a frame takes longer than encoding it, so several are decoded in parallel.
-  const std::size_t at_once = processor_count();
-  std::deque<std::future<Image>> begun;
+  const std::size_t at_once = system::processor_count();
+  std::deque<std::future<image::Image>> begun;
   const int total = static_cast<int>(manifest.frames.size());
   int done = 0;
   for (auto next = manifest.frames.begin(); done < total; progress(++done, total)) {
@@ -113,4 +114,4 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   return missing;
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

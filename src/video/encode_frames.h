@@ -7,7 +7,7 @@
 #include "system/error.h"
 #include "video/codec.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// What to do if frames of the range are missing.
 enum class Missing { refuse, leave_out };
@@ -33,4 +33,4 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
                                Missing missing,
                                const std::function<void(int done, int total)>& progress);
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -19,7 +19,7 @@
 #include "video/error.h"
 #include "video/video_file.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 /// Returns fps as a fraction for ffmpeg, the simplest one within 1e-9 (by continued fractions): 60
@@ -49,15 +49,16 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-ChildProcess start(const std::vector<std::string>& command, ChildProcess::Time patience,
-                   int output = ChildProcess::output_dropped) {
-  return start_program<EncoderError>(command, "install it: apt-get install ffmpeg", patience,
-                                     output);
+system::ChildProcess start(const std::vector<std::string>& command,
+                           system::ChildProcess::Time patience,
+                           int output = system::ChildProcess::output_dropped) {
+  return system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
+                                             patience, output);
 }
 
 /// Why ffmpeg failed, with its own message.
-std::string failure(const ChildProcess& ffmpeg, int status) {
-  const std::string said = last_words(ffmpeg.error_output());
+std::string failure(const system::ChildProcess& ffmpeg, int status) {
+  const std::string said = system::last_words(ffmpeg.error_output());
   if (ffmpeg.hung()) return "ffmpeg stopped responding and was killed: " + said;
   return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
@@ -80,7 +81,7 @@ std::vector<std::string> ffmpeg_command(std::vector<std::string> arguments,
 }
 
 /// The command from raw frames to the file. Output that is not seekable is streamed.
-std::vector<std::string> command(VideoFormat format, const PendingFile& file,
+std::vector<std::string> command(VideoFormat format, const system::PendingFile& file,
                                  const std::string& identity) {
   format.streamed = file.is_direct();
   std::vector<std::string> arguments = encoder_arguments(format);
@@ -91,9 +92,9 @@ std::vector<std::string> command(VideoFormat format, const PendingFile& file,
 }
 
 /// Composites the unpremultiplied image over black.
-void blend_over_black(const Image& rgba, Image& rgb) {
+void blend_over_black(const image::Image& rgba, image::Image& rgb) {
   const std::size_t pixels = rgba.pixels.size() / 4;
-  rgb = Image(rgba.width, rgba.height, 3);
+  rgb = image::Image(rgba.width, rgba.height, 3);
   for (std::size_t i = 0; i < pixels; ++i) {
     const int alpha = rgba.pixels[4 * i + 3];
     for (std::size_t c = 0; c < 3; ++c) {
@@ -130,15 +131,15 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
                   codec_arguments(container, format.has_alpha(), streamed)));
 }
 
-void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
-  ChildProcess ffmpeg =
+void require_encoder(const VideoFormat& format, system::ChildProcess::Time patience) {
+  system::ChildProcess ffmpeg =
       start(ffmpeg_command(encoder_arguments(format), {"-f", "null", "-"}), patience);
-  ChildProcess ffprobe = start({"ffprobe", "-version"}, patience);
+  system::ChildProcess ffprobe = start({"ffprobe", "-version"}, patience);
   // A frame of the real size, because not every encoder supports every size.
   if (format.has_alpha()) {
-    ffmpeg.write(Image(format.width, format.height, 4).pixels);
+    ffmpeg.write(image::Image(format.width, format.height, 4).pixels);
   } else {
-    ffmpeg.write(Yuv420(format.width, format.height).bytes());
+    ffmpeg.write(image::Yuv420(format.width, format.height).bytes());
   }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
@@ -150,22 +151,22 @@ void require_encoder(const VideoFormat& format, ChildProcess::Time patience) {
 }
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
-                           const std::string& identity, ChildProcess::Time patience)
+                           const std::string& identity, system::ChildProcess::Time patience)
     : format_(format),
       name_(output == "-" ? "standard output" : output.string()),
       file_(output == "-" ? "/dev/fd/1" : output),
       command_(command(format_, file_, identity)),
       ffmpeg_(start(command_, patience,
-                    file_.is_direct() ? file_.descriptor() : ChildProcess::output_dropped)),
+                    file_.is_direct() ? file_.descriptor() : system::ChildProcess::output_dropped)),
       converted_{Converted(format), Converted(format)} {
   file_.claim();
 }
 
-void VideoEncoder::convert(const Image& frame) {
-  convert(frame, std::array{Area{0, 0, format_.width, format_.height}});
+void VideoEncoder::convert(const image::Image& frame) {
+  convert(frame, std::array{image::Area{0, 0, format_.width, format_.height}});
 }
 
-void VideoEncoder::convert(const Image& frame, std::span<const Area> damage) {
+void VideoEncoder::convert(const image::Image& frame, std::span<const image::Area> damage) {
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("the frame does not have the video's size");
   }
@@ -173,7 +174,7 @@ void VideoEncoder::convert(const Image& frame, std::span<const Area> damage) {
     with_alpha_ = frame.pixels;
     return;
   }
-  const Image* shown = &frame;
+  const image::Image* shown = &frame;
   if (frame.channels == 4) {
     blend_over_black(frame, opaque_);
     shown = &opaque_;
@@ -181,7 +182,8 @@ void VideoEncoder::convert(const Image& frame, std::span<const Area> damage) {
   current_ = 1 - current_;
   auto& [planes, damage_before] = converted_[current_];
   damage_before.insert(damage_before.end(), damage.begin(), damage.end());
-  for (const Area& area : merged(std::move(damage_before))) planes.update(*shown, area);
+  for (const image::Area& area : image::merged(std::move(damage_before)))
+    planes.update(*shown, area);
   damage_before.assign(damage.begin(), damage.end());
 }
 
@@ -195,7 +197,7 @@ void VideoEncoder::write_converted() {
   ++frames_;
 }
 
-void VideoEncoder::write(const Image& frame) {
+void VideoEncoder::write(const image::Image& frame) {
   convert(frame);
   write_converted();
 }
@@ -225,14 +227,16 @@ void VideoEncoder::require_whole() const {
                          film->frames, film->duration, film->width, film->height, frames_, duration,
                          format_.width, format_.height)
            : "ffmpeg reported success, but its output is not a video",
-      "the command was: " + shell_command(command_));
+      "the command was: " + system::shell_command(command_));
 }
 
 void VideoEncoder::fail() {
   const int status = ffmpeg_.wait();
   const std::string what = "cannot encode " + name_;
-  if (const int error = file_failure(ffmpeg_.error_output(), status)) throw file_error(what, error);
-  throw EncoderError(what, failure(ffmpeg_, status), "the command was: " + shell_command(command_));
+  if (const int error = file_failure(ffmpeg_.error_output(), status))
+    throw system::file_error(what, error);
+  throw EncoderError(what, failure(ffmpeg_, status),
+                     "the command was: " + system::shell_command(command_));
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

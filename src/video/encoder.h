@@ -16,7 +16,7 @@
 #include "system/pending_file.h"
 #include "video/codec.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// The size, rate and container of a video.
 struct VideoFormat {
@@ -46,7 +46,7 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format);
 /// Throws EncoderError if ffmpeg or ffprobe is missing, fails or hangs, and InvalidArgument as
 /// encoder_arguments() does.
 void require_encoder(const VideoFormat& format,
-                     ChildProcess::Time patience = ChildProcess::default_patience);
+                     system::ChildProcess::Time patience = system::ChildProcess::default_patience);
 
 /// A video being encoded by an ffmpeg process that is fed frames. The output appears under its name
 /// when the video is complete, and not at all otherwise. If ffmpeg accepts no data within the time
@@ -59,17 +59,17 @@ class VideoEncoder {
   /// writing it, and EncoderError if ffmpeg is missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
                const std::string& identity = {},
-               ChildProcess::Time patience = ChildProcess::default_patience);
+               system::ChildProcess::Time patience = system::ChildProcess::default_patience);
 
   /// Adds a frame, which must have the video's size, and be RGBA if the video has alpha. Otherwise
   /// RGBA is composited over black. Throws EncoderError if ffmpeg failed.
-  void write(const Image& frame);
+  void write(const image::Image& frame);
 
   /// The two halves of write(). With `changed`, the frame equals the static background outside
   /// these damaged areas: after the first frame, only they and those of the previous frame are
   /// converted.
-  void convert(const Image& frame);
-  void convert(const Image& frame, std::span<const Area> damage);
+  void convert(const image::Image& frame);
+  void convert(const image::Image& frame, std::span<const image::Area> damage);
   void write_converted();
 
   /// Completes the video and verifies that it matches what was written. Throws EncoderError if
@@ -83,23 +83,24 @@ class VideoEncoder {
   VideoFormat format_;
   /// Name of the output, for messages.
   std::string name_;
-  PendingFile file_;
+  system::PendingFile file_;
   std::vector<std::string> command_;
-  ChildProcess ffmpeg_;  // declared after the file, so that it is killed before the file is removed
+  system::ChildProcess
+      ffmpeg_;  // declared after the file, so that it is killed before the file is removed
   /// An RGBA frame composited over black.
-  Image opaque_;
+  image::Image opaque_;
   /// RGBA, for a video with alpha.
   std::vector<std::uint8_t> with_alpha_;
   /// A frame in ffmpeg's format, and its damaged areas relative to the static background.
   struct Converted {
     explicit Converted(const VideoFormat& format)
         : planes(format.width, format.height), damage{{0, 0, format.width, format.height}} {}
-    Yuv420 planes;
-    std::vector<Area> damage;
+    image::Yuv420 planes;
+    std::vector<image::Area> damage;
   };
   std::array<Converted, 2> converted_;  ///< One is filled while the other is read.
   std::size_t current_ = 0;
   std::int64_t frames_ = 0;  ///< Number of frames written.
 };
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -4,7 +4,7 @@
 
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// ffmpeg is missing, lacks the encoder, or failed.
 struct EncoderError : Error {
@@ -26,7 +26,7 @@ class FilmSizeError : public InvalidArgument {
 };
 
 /// A folder's frames are not those that its manifests tell of.
-class FramesError : public FileError {
+class FramesError : public system::FileError {
  public:
   enum class Reason {
     no_manifest,    ///< of that folder
@@ -37,7 +37,7 @@ class FramesError : public FileError {
 
   FramesError(const std::string& what, const std::string& why, Reason reason,
               std::vector<int> frames = {})
-      : FileError(what, why), reason_(reason), frames_(std::move(frames)) {}
+      : system::FileError(what, why), reason_(reason), frames_(std::move(frames)) {}
 
   Reason reason() const noexcept { return reason_; }
   /// The frames that are missing or altered, ascending.
@@ -48,4 +48,4 @@ class FramesError : public FileError {
   std::vector<int> frames_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::video

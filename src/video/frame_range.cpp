@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 /// Bounds the work for a range that selects the same frames repeatedly.
@@ -127,4 +127,4 @@ std::string brief_frame_range(std::span<const int> frames) {
   return fmt::format("{},... ({} in all)", all.substr(0, all.rfind(',', longest)), frames.size());
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twrench {
+namespace twrench::video {
 
 /// The maximum number of frames of a video, two days at 60 per second. Bounds what input can
 /// allocate.
@@ -25,4 +25,4 @@ std::string format_frame_range(std::span<const int> frames);
 /// The same for messages: if there are many runs, the first ones and the total number of frames.
 std::string brief_frame_range(std::span<const int> frames);
 
-}  // namespace twrench
+}  // namespace twrench::video

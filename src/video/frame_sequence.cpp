@@ -7,12 +7,12 @@
 #include "system/file.h"
 #include "system/sha256.h"
 
-namespace twrench {
+namespace twrench::video {
 
 namespace {
 
 const std::filesystem::path& made(const std::filesystem::path& folder) {
-  make_folder(folder);
+  system::make_folder(folder);
   return folder;
 }
 
@@ -20,10 +20,11 @@ const std::filesystem::path& made(const std::filesystem::path& folder) {
 
 FrameSequence::FrameSequence(std::filesystem::path folder, Manifest manifest)
     : folder_(std::move(folder)),
-      lock_(made(folder_), manifest.shard.is_whole() ? LockKind::exclusive : LockKind::shared),
+      lock_(made(folder_),
+            manifest.shard.is_whole() ? system::LockKind::exclusive : system::LockKind::shared),
       manifest_(std::move(manifest)) {
   if (manifest_.shard.is_whole()) return;
-  shard_claim_.emplace(folder_ / manifest_file_name(manifest_.shard), Links::replace);
+  shard_claim_.emplace(folder_ / manifest_file_name(manifest_.shard), system::Links::replace);
   shard_claim_->claim();
 }
 
@@ -38,21 +39,22 @@ FrameSequence::~FrameSequence() {
 
 void FrameSequence::write(const FrameRecord& record, std::span<const std::uint8_t> png) {
   {
-    const auto hold = hold_termination();
+    const auto hold = system::hold_termination();
     if (!begun_) write_manifest();
     begun_ = true;
   }
-  PendingFile file(folder_ / frame_file_name(record.frame), Links::replace);
+  system::PendingFile file(folder_ / frame_file_name(record.frame), system::Links::replace);
   file.write(png);
-  const std::string digest = sha256_hex(png);
-  const auto hold = hold_termination();  // a signal finds the frame either recorded or absent
+  const std::string digest = system::sha256_hex(png);
+  const auto hold =
+      system::hold_termination();  // a signal finds the frame either recorded or absent
   file.commit();
   tell(record, digest);
   if (Clock::now() >= next_manifest_) write_manifest();
 }
 
 void FrameSequence::keep(const FrameRecord& record, const std::string& sha256) {
-  const auto hold = hold_termination();
+  const auto hold = system::hold_termination();
   tell(record, sha256);
 }
 
@@ -78,14 +80,14 @@ std::size_t FrameSequence::count(std::span<const FrameRecord> records) const {
 }
 
 void FrameSequence::finish() {
-  const auto hold = hold_termination();
+  const auto hold = system::hold_termination();
   write_manifest();
 }
 
 void FrameSequence::write_manifest() {
   const Clock::time_point start = Clock::now();
-  PendingFile file(folder_ / manifest_file_name(manifest_.shard), Links::replace);
-  twrench::write_manifest(
+  system::PendingFile file(folder_ / manifest_file_name(manifest_.shard), system::Links::replace);
+  twrench::video::write_manifest(
       manifest_, frames_.size(),
       [this](std::size_t i) {
         FrameRecord record = *frames_[i].record;
@@ -103,4 +105,4 @@ void FrameSequence::write_manifest() {
                    std::max<Clock::duration>(std::chrono::seconds(5), 20 * (Clock::now() - start));
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

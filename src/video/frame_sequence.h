@@ -14,7 +14,7 @@
 #include "system/pending_file.h"
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// Writes the frames of a video into a folder, and the manifest that describes them. Its state is
 /// guarded by hold_termination(), so that the TerminationAction of a run can call finish().
@@ -59,9 +59,9 @@ class FrameSequence {
   void write_manifest();
 
   const std::filesystem::path folder_;
-  const FolderLock lock_;
+  const system::FolderLock lock_;
   /// None for a whole video. Never becomes the manifest.
-  std::optional<PendingFile> shard_claim_;
+  std::optional<system::PendingFile> shard_claim_;
   Manifest manifest_;
   /// Ascending by number.
   std::vector<Frame> frames_;
@@ -72,4 +72,4 @@ class FrameSequence {
   bool finished_ = true;
 };
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -71,4 +71,4 @@ bool same_film(const Manifest& a, const Manifest& b) {
          a.renderer == b.renderer && a.width == b.width && a.height == b.height;
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

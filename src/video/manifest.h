@@ -11,7 +11,7 @@
 #include "system/error.h"
 #include "video/shard.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// The record of a frame. Matrices are for column vectors, in row-major order: clip = projection *
 /// view * point, from space coordinates to OpenGL clip space.
@@ -93,4 +93,4 @@ Manifest read_manifest(const std::filesystem::path& path);
 /// read_manifest() does.
 Manifest read_manifest_head(const std::filesystem::path& path);
 
-}  // namespace twrench
+}  // namespace twrench::video

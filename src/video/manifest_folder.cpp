@@ -10,7 +10,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ Manifest read_manifests(const fs::path& folder) {
   return std::move(all).manifest();
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -6,7 +6,7 @@
 #include "system/error.h"
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// Returns the manifests in a folder of frames, of the whole video and of shards, sorted by name.
 /// Empty if the folder cannot be read.
@@ -17,4 +17,4 @@ std::vector<std::filesystem::path> manifests_in(const std::filesystem::path& fol
 /// or on the digest of a frame.
 Manifest read_manifests(const std::filesystem::path& folder);
 
-}  // namespace twrench
+}  // namespace twrench::video

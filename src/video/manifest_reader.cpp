@@ -15,7 +15,7 @@
 #include "video/frame_range.h"
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -27,8 +27,8 @@ class Place {
       : value_(value), manifest_(std::move(manifest)), path_(std::move(path)) {}
 
   [[noreturn]] void fail(const std::string& expected) const {
-    throw FileError("cannot use " + manifest_,
-                    fmt::format("{} must be {}", path_.empty() ? "it" : path_, expected));
+    throw system::FileError("cannot use " + manifest_,
+                            fmt::format("{} must be {}", path_.empty() ? "it" : path_, expected));
   }
 
   Place key(const char* name) const {
@@ -139,8 +139,8 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
   bool in_frames = false;
   const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > deepest) {
-      throw FileError("cannot use " + name,
-                      fmt::format("it is nested more than {} levels deep", deepest));
+      throw system::FileError("cannot use " + name,
+                              fmt::format("it is nested more than {} levels deep", deepest));
     }
     if (event == Json::parse_event_t::key && depth == 1) in_frames = value == "frames";
     const bool is_frame = in_frames && depth == 2 && event == Json::parse_event_t::object_end;
@@ -152,10 +152,10 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
   try {
     return Json::parse(text, take);
   } catch (const Json::parse_error& error) {
-    throw FileError("cannot use " + name,
-                    fmt::format("line {} is not valid JSON", line_of(text, error.byte)));
+    throw system::FileError("cannot use " + name,
+                            fmt::format("line {} is not valid JSON", line_of(text, error.byte)));
   } catch (const Json::exception&) {  // a number that no double can hold
-    throw FileError("cannot use " + name, "it contains a number that is too large");
+    throw system::FileError("cannot use " + name, "it contains a number that is too large");
   }
 }
 
@@ -229,8 +229,8 @@ Manifest parse(Input& text, const std::string& name) {
           .scene = root.key("scene").value(),
           .font = root.value().contains("font") ? root.key("font").text() : "",
           .renderer = root.key("renderer").text(),
-          .width = size.item(0).integer(1, max_image_side),
-          .height = size.item(1).integer(1, max_image_side),
+          .width = size.item(0).integer(1, image::max_image_side),
+          .height = size.item(1).integer(1, image::max_image_side),
           .fps = positive(root.key("fps")),
           .encoder = texts(root.key("encoder")),
           .range = range,
@@ -248,8 +248,8 @@ void check_lines(std::ifstream& file, const std::string& name) {
     for (const char c : std::span(portion.data(), static_cast<std::size_t>(file.gcount()))) {
       length = c == '\n' ? 0 : length + 1;
       if (length <= longest) continue;
-      throw FileError("cannot use " + name,
-                      fmt::format("it contains a line of more than {} bytes", longest));
+      throw system::FileError("cannot use " + name,
+                              fmt::format("it contains a line of more than {} bytes", longest));
     }
   }
 }
@@ -259,10 +259,10 @@ std::ifstream open_manifest(const std::filesystem::path& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw FileError("cannot read " + path.string(), "it is not a regular file");
+    throw system::FileError("cannot read " + path.string(), "it is not a regular file");
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error("cannot read " + path.string(), errno, Access::read);
+  if (!file) throw system::file_error("cannot read " + path.string(), errno, system::Access::read);
   return file;
 }
 
@@ -302,4 +302,4 @@ Manifest read_manifest_head(const std::filesystem::path& path) {
   return manifest;
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

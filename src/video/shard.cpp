@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 constexpr int most_shards = 100'000;  // per video; each has a file
@@ -61,4 +61,4 @@ bool is_manifest_name(std::string_view name) {
   return read_shard(name, "-of-").has_value();
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twrench {
+namespace twrench::video {
 
 /// Part `index` of `count` into which several runs divide the same frames; index starts at 1.
 struct Shard {
@@ -37,4 +37,4 @@ std::string manifest_file_name(const Shard& shard);
 /// Returns whether a file of this name is a manifest of a whole video or of a shard.
 bool is_manifest_name(std::string_view name);
 
-}  // namespace twrench
+}  // namespace twrench::video

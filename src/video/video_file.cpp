@@ -13,7 +13,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,9 +38,9 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
   constexpr const char* entries =
       "stream=width,height,nb_read_packets:format=duration:format_tags=comment";
   command.insert(command.end(), {"-show_entries", entries, "-of", "json", "file:" + file.string()});
-  auto ffprobe =
-      start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                  ChildProcess::default_patience, ChildProcess::output_with_errors);
+  auto ffprobe = system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
+                                                     system::ChildProcess::default_patience,
+                                                     system::ChildProcess::output_with_errors);
   if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
   try {
     return read(Json::parse(ffprobe.error_output()));
@@ -56,11 +56,11 @@ double number(const Json& object, const char* key) {
 
 }  // namespace
 
-ChildProcess::Time disk_time(const fs::path& file) {
+system::ChildProcess::Time disk_time(const fs::path& file) {
   constexpr std::uintmax_t slow_disk = 10'000;  // bytes per millisecond
   std::error_code unknown;
   const std::uintmax_t size = fs::file_size(file, unknown);
-  return ChildProcess::Time(unknown ? 0 : size / slow_disk);
+  return system::ChildProcess::Time(unknown ? 0 : size / slow_disk);
 }
 
 std::optional<VideoProperties> probe_video(const fs::path& file) {
@@ -75,8 +75,8 @@ std::optional<VideoProperties> probe_video(const fs::path& file) {
 std::string video_identity(const Manifest& film, const std::vector<int>& frames) {
   const Json all{film.scene, film.width, film.height, film.fps, format_frame_range(frames)};
   const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return "twrench:" +
-         sha256_hex(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return "twrench:" + system::sha256_hex(std::span(
+                          reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 void require_replaceable(const fs::path& file, const std::string& identity) {
@@ -85,8 +85,8 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   if (!stands) return;
   const auto comment = ask(file, {}, &comment_of);
   if (comment == identity) return;
-  throw OverwriteError(file.string(), comment ? "it exists and is a video of something else"
-                                              : "it exists and is not a video");
+  throw system::OverwriteError(file.string(), comment ? "it exists and is a video of something else"
+                                                      : "it exists and is not a video");
 }
 
-}  // namespace twrench
+}  // namespace twrench::video

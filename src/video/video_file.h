@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// The properties of a video file.
 struct VideoProperties {
@@ -25,7 +25,7 @@ struct VideoProperties {
 };
 
 /// Returns how long a slow disk takes to read or write the file; zero if its size is unknown.
-ChildProcess::Time disk_time(const std::filesystem::path& file);
+system::ChildProcess::Time disk_time(const std::filesystem::path& file);
 
 /// Examines a file with ffprobe, which counts the frames without decoding them. Returns nothing if
 /// it is not a video. Throws EncoderError if ffprobe cannot be started.
@@ -40,4 +40,4 @@ std::string video_identity(const Manifest& film, const std::vector<int>& frames)
 /// identity: then it may only be replaced by one who says so.
 void require_replaceable(const std::filesystem::path& file, const std::string& identity);
 
-}  // namespace twrench
+}  // namespace twrench::video

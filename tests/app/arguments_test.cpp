@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 TEST(Arguments, Numbers) {
@@ -33,4 +33,4 @@ TEST(Arguments, ListsAndVectorsAndSizes) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 TEST(Escape, LeavesWhatCanBeRead) {
@@ -53,4 +53,4 @@ TEST(Warn, IsAsciiOnOneLineOfJsonWhateverTheText) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

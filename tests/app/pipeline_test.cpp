@@ -17,32 +17,32 @@
 #include "scratch_folder.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
-std::vector<FrameRecord> numbered_frames(int count) {
-  std::vector<FrameRecord> frames(static_cast<std::size_t>(count));
+std::vector<video::FrameRecord> numbered_frames(int count) {
+  std::vector<video::FrameRecord> frames(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) frames[static_cast<std::size_t>(i)].frame = i;
   return frames;
 }
 
-Manifest manifest_of(int count) {
-  Manifest manifest;
+video::Manifest manifest_of(int count) {
+  video::Manifest manifest;
   manifest.width = manifest.height = 16;
   manifest.fps = 25;
   manifest.range = "0-" + std::to_string(count - 1);
   return manifest;
 }
 
-/// A picture that identifies its frame.
-Picture picture_of(std::size_t frame) {
-  Picture picture{Image(16, 16, 3)};
-  picture.image.pixels[0] = static_cast<std::uint8_t>(frame);
-  return picture;
+/// A frame whose first byte is its index.
+image::Frame frame_of(std::size_t index) {
+  image::Frame frame{image::Image(16, 16, 3), {{0, 0, 16, 16}}};
+  frame.image.pixels[0] = static_cast<std::uint8_t>(index);
+  return frame;
 }
 
 /// Draws frames with `draw` when they are completed.
-Drawing drawing(std::function<Picture(std::size_t)> draw = picture_of, std::size_t ahead = 0) {
+Drawing drawing(std::function<image::Frame(std::size_t)> draw = frame_of, std::size_t ahead = 0) {
   return {[draw = std::move(draw)](std::size_t frame) {
             return std::async(std::launch::deferred, draw, frame);
           },
@@ -53,7 +53,7 @@ class PipelineOfThreads : public testing::Test {
  protected:
   static constexpr int count = 40;
   const ScratchFolder folder_;
-  const std::vector<FrameRecord> frames_ = numbered_frames(count);
+  const std::vector<video::FrameRecord> frames_ = numbered_frames(count);
   Progress progress_{"none"};
   StageTimes times_;
 };
@@ -61,30 +61,30 @@ class PipelineOfThreads : public testing::Test {
 TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
   for (const int jobs : {1, 4}) {
     const auto frames_folder = folder_ / std::to_string(jobs);
-    FrameSequence sequence(frames_folder, manifest_of(count));
+    video::FrameSequence sequence(frames_folder, manifest_of(count));
     run_pipeline(frames_, drawing(), {&sequence, nullptr, jobs}, progress_, times_);
     sequence.finish();
-    const Manifest manifest = read_manifest(frames_folder / manifest_name);
+    const video::Manifest manifest = video::read_manifest(frames_folder / video::manifest_name);
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
-    for (const FrameRecord& frame : manifest.frames) {
-      EXPECT_EQ(read_png(frames_folder / frame.file).pixels[0], frame.frame);
+    for (const video::FrameRecord& frame : manifest.frames) {
+      EXPECT_EQ(image::read_png(frames_folder / frame.file).pixels[0], frame.frame);
     }
   }
 }
 
-TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
+TEST_F(PipelineOfThreads, GivesEveryFrameBackWhenAllStagesAreDoneWithIt) {
   for (const bool film : {false, true}) {
     const ScratchFolder folder;
-    FrameSequence sequence(folder / "f", manifest_of(count));
-    std::optional<VideoEncoder> encoder;
-    if (film) encoder.emplace(folder / "film.mp4", VideoFormat{16, 16, 25});
+    video::FrameSequence sequence(folder / "f", manifest_of(count));
+    std::optional<video::VideoEncoder> encoder;
+    if (film) encoder.emplace(folder / "film.mp4", video::VideoFormat{16, 16, 25});
     std::mutex mutex;
     std::vector<int> back;
     Drawing lending = drawing();
-    lending.reuse = [&](Picture picture) {
+    lending.reuse = [&](image::Frame frame) {
       const std::lock_guard lock(mutex);
-      back.push_back(picture.image.pixels[0]);
-      picture.image.pixels.assign(picture.image.pixels.size(), 255);  // no stage reads it any more
+      back.push_back(frame.image.pixels[0]);
+      frame.image.pixels.assign(frame.image.pixels.size(), 255);  // no stage reads it any more
     };
     run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, progress_, times_);
     sequence.finish();
@@ -92,14 +92,15 @@ TEST_F(PipelineOfThreads, GivesEveryPictureBackWhenAllStagesAreDoneWithIt) {
     std::ranges::sort(back);
     ASSERT_EQ(back.size(), std::size_t{count});
     for (int i = 0; i < count; ++i) EXPECT_EQ(back[static_cast<std::size_t>(i)], i);
-    for (const FrameRecord& frame : read_manifest(folder / "f" / manifest_name).frames) {
-      EXPECT_EQ(read_png(folder / "f" / frame.file).pixels[0], frame.frame);
+    for (const video::FrameRecord& frame :
+         video::read_manifest(folder / "f" / video::manifest_name).frames) {
+      EXPECT_EQ(image::read_png(folder / "f" / frame.file).pixels[0], frame.frame);
     }
   }
 }
 
 TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
-  VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
+  video::VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
   run_pipeline(frames_, drawing(), {nullptr, &encoder, 1}, progress_, times_);
   encoder.finish();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
@@ -115,7 +116,7 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
                               EXPECT_EQ(frame, ended);
                               ++ended;
                               EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
-                              return picture_of(frame);
+                              return frame_of(frame);
                             });
                           },
                           ahead};
@@ -125,46 +126,46 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
 }
 
 TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
-  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
-  const auto draw = [](std::size_t frame) {
-    Picture picture = picture_of(frame);
-    picture.is_new = frame % 2 == 0;
-    return picture;
+  video::FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  const auto draw = [](std::size_t index) {
+    image::Frame frame = frame_of(index);
+    frame.is_new = index % 2 == 0;
+    return frame;
   };
   run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_);
   sequence.finish();
-  EXPECT_EQ(read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
+  EXPECT_EQ(video::read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
   for (const std::size_t ahead : {0U, 2U}) {
     const auto frames_folder = folder_ / std::to_string(ahead);
-    FrameSequence sequence(frames_folder, manifest_of(count));
+    video::FrameSequence sequence(frames_folder, manifest_of(count));
     const auto draw = [](std::size_t frame) {
       if (frame == 7) throw gl::GlError("drawing", "lost");
-      return picture_of(frame);
+      return frame_of(frame);
     };
     EXPECT_THROW(
         run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, progress_, times_),
         gl::GlError);
     sequence.finish();
     // The frames in flight are complete and recorded.
-    EXPECT_EQ(read_manifest(frames_folder / manifest_name).frames.size(), 7u);
+    EXPECT_EQ(video::read_manifest(frames_folder / video::manifest_name).frames.size(), 7u);
   }
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
-  FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
+  video::FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
   int drawn = 0;
   const auto draw = [&](std::size_t frame) {
     // Renamed, because that is atomic: other threads write there while a removal would proceed.
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
-    return picture_of(frame);
+    return frame_of(frame);
   };
   EXPECT_THROW(run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_),
-               FileError);
+               system::FileError);
   EXPECT_LT(drawn, count);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

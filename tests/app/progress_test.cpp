@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using testing::StartsWith;
@@ -26,4 +26,4 @@ TEST(BarLine, IsEmptyAtFirstAndFullInTheEnd) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

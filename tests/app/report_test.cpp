@@ -11,7 +11,7 @@
 #include "system/error.h"
 #include "video/error.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using testing::HasSubstr;
@@ -38,15 +38,17 @@ TEST(Report, EachKindOfErrorHasItsExitCode) {
   using enum ExitCode;
   EXPECT_EQ(report_of(InvalidArgument("a", "b")).code, usage);
   EXPECT_EQ(report_of(OutOfRange("a", "b", {2, 0, 1})).code, usage);
-  EXPECT_EQ(report_of(MotionError("a", "b", MotionError::Reason::diverged)).code, usage);
-  EXPECT_EQ(report_of(OverwriteError("a", "b")).code, usage);
-  EXPECT_EQ(report_of(FilmSizeError("a", "b", 2, 2)).code, usage);
-  EXPECT_EQ(report_of(MissingGlyph("a", "b", U'x')).code, usage);
+  EXPECT_EQ(report_of(motion::MotionError("a", "b", motion::MotionError::Reason::diverged)).code,
+            usage);
+  EXPECT_EQ(report_of(system::OverwriteError("a", "b")).code, usage);
+  EXPECT_EQ(report_of(video::FilmSizeError("a", "b", 2, 2)).code, usage);
+  EXPECT_EQ(report_of(canvas::MissingGlyph("a", "b", U'x')).code, usage);
   EXPECT_EQ(report_of(gl::GlError("a", "b")).code, no_gl);
-  EXPECT_EQ(report_of(EncoderError("a", "b")).code, encoder);
-  EXPECT_EQ(report_of(PlotError("a", "b")).code, encoder);
-  EXPECT_EQ(report_of(FileError("a", "b")).code, file);
-  EXPECT_EQ(report_of(FramesError("a", "b", FramesError::Reason::missing)).code, file);
+  EXPECT_EQ(report_of(video::EncoderError("a", "b")).code, encoder);
+  EXPECT_EQ(report_of(plot::PlotError("a", "b")).code, encoder);
+  EXPECT_EQ(report_of(system::FileError("a", "b")).code, file);
+  EXPECT_EQ(report_of(video::FramesError("a", "b", video::FramesError::Reason::missing)).code,
+            file);
   EXPECT_EQ(report_of(std::runtime_error("a")).code, internal);
 }
 
@@ -57,9 +59,9 @@ TEST(Report, IsALineAndARemedyBelow) {
 }
 
 TEST(Report, RemediesOfMotionsNameTheOptions) {
-  using enum MotionError::Reason;
-  const auto remedy = [](MotionError::Reason reason) {
-    return remedy_for(MotionError("method rk4", "why", reason));
+  using enum motion::MotionError::Reason;
+  const auto remedy = [](motion::MotionError::Reason reason) {
+    return remedy_for(motion::MotionError("method rk4", "why", reason));
   };
   EXPECT_EQ(remedy(step_too_long), "take a shorter --step");
   EXPECT_THAT(remedy(diverged), HasSubstr("a shorter --step, or a method"));
@@ -70,9 +72,9 @@ TEST(Report, RemediesOfMotionsNameTheOptions) {
 }
 
 TEST(Report, RemediesOfFramesNameTheOptions) {
-  using enum FramesError::Reason;
-  const auto remedy = [](FramesError::Reason reason) {
-    return remedy_for(FramesError("cannot encode f", "why", reason, {3, 4, 5}));
+  using enum video::FramesError::Reason;
+  const auto remedy = [](video::FramesError::Reason reason) {
+    return remedy_for(video::FramesError("cannot encode f", "why", reason, {3, 4, 5}));
   };
   EXPECT_THAT(remedy(no_manifest), HasSubstr("the folder that twrench render"));
   EXPECT_THAT(remedy(contradictory), HasSubstr("--overwrite"));
@@ -91,12 +93,13 @@ TEST(Report, RemediesOfOpenGlNameTheOptions) {
 }
 
 TEST(Report, OtherRemediesThatTakeAnOptionNameIt) {
-  EXPECT_EQ(remedy_for(FilmSizeError("a", "b", 642, 482)),
+  EXPECT_EQ(remedy_for(video::FilmSizeError("a", "b", 642, 482)),
             "use --size 642x482, or --no-video for the frames alone");
-  EXPECT_THAT(remedy_for(MissingGlyph("title", "b", U'x')), HasSubstr("--font FILE"));
-  EXPECT_THAT(remedy_for(OverwriteError("v.mp4", "b")), HasSubstr("--overwrite replaces it"));
-  EXPECT_EQ(remedy_for(OverwriteError("v.mp4", "b", "rename it")), "rename it");
+  EXPECT_THAT(remedy_for(canvas::MissingGlyph("title", "b", U'x')), HasSubstr("--font FILE"));
+  EXPECT_THAT(remedy_for(system::OverwriteError("v.mp4", "b")),
+              HasSubstr("--overwrite replaces it"));
+  EXPECT_EQ(remedy_for(system::OverwriteError("v.mp4", "b", "rename it")), "rename it");
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

@@ -9,15 +9,16 @@
 
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using testing::HasSubstr;
 
 /// One successful run, of a pair, and one that failed.
-Study small_study() {
-  StudyPlan plan{{&find_method("rkmk45"), &find_method("rkmk4")}, {50}, {1e-8}, 0.1, 60};
-  return run_study(reference_case("wrench-a").body, plan);
+study::Study small_study() {
+  study::StudyPlan plan{
+      {&motion::find_method("rkmk45"), &motion::find_method("rkmk4")}, {50}, {1e-8}, 0.1, 60};
+  return study::run_study(motion::reference_case("wrench-a").body, plan);
 }
 
 TEST(StudyReport, TextHasEverythingForPeople) {
@@ -31,16 +32,17 @@ TEST(StudyReport, TextHasEverythingForPeople) {
 }
 
 TEST(StudyReport, TextOfAMotionWithoutFlips) {
-  StudyPlan plan{{&find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
-  const std::string text = study_text(run_study(reference_case("sphere").body, plan), "sphere");
+  study::StudyPlan plan{{&motion::find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
+  const std::string text =
+      study_text(study::run_study(motion::reference_case("sphere").body, plan), "sphere");
   EXPECT_THAT(text, HasSubstr("Flips: none"));
   EXPECT_THAT(text, testing::Not(HasSubstr("Flip times")));
 }
 
 TEST(StudyReport, TextOfTheSeparatrix) {
-  StudyPlan plan{{&find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
-  const FreeBody body(Eigen::Vector3d(1, 4, 6).asDiagonal(), {2, 0, 1});
-  const std::string text = study_text(run_study(body, plan), "separatrix");
+  study::StudyPlan plan{{&motion::find_method("rkmk4")}, {0.1}, {}, 0.1, 10};
+  const motion::FreeBody body(Eigen::Vector3d(1, 4, 6).asDiagonal(), {2, 0, 1});
+  const std::string text = study_text(study::run_study(body, plan), "separatrix");
   EXPECT_THAT(text, HasSubstr("Flips: at most one"));
   EXPECT_THAT(text, testing::Not(HasSubstr("inf")));
 }
@@ -58,7 +60,7 @@ TEST(StudyReport, CsvHasTheSameNumberOfCellsInEveryLine) {
 }
 
 TEST(StudyReport, JsonHasTheNumbersAndNullWhereThereIsNone) {
-  const Study study = small_study();
+  const study::Study study = small_study();
   const auto document = nlohmann::json::parse(study_json(study, "wrench"));
   EXPECT_EQ(document["scene"], "wrench");
   EXPECT_EQ(document["flips"]["times"].size(), 3U);
@@ -72,4 +74,4 @@ TEST(StudyReport, JsonHasTheNumbersAndNullWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 using testing::ElementsAre;
@@ -22,4 +22,4 @@ TEST(WordsForParser, AnEmptyValueIsAWordOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

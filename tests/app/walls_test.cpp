@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST(Walls, NoLibraryKnowsAnExitCode) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::app

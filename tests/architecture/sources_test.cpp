@@ -93,6 +93,34 @@ TEST(Sources, OfTheDynamicsNeedNoPicture) {
   }
 }
 
+/// The namespace of what a folder of src or include/twrench holds.
+std::string namespace_of(const std::string& folder) {
+  return folder == "base" ? "twrench" : "twrench::" + folder;
+}
+
+// One flat namespace once let the linker take two types of the same name for one.
+TEST(Sources, AreInTheNamespaceOfTheirFolder) {
+  // The functions of SO(3) and the elliptic functions have names as short as exp and log.
+  const std::set<std::string> of_math{"twrench::so3", "twrench::elliptic"};
+  const std::regex opening(R"((^|\n)namespace (twrench[\w:]*) \{)");
+  for (const auto& place : {sources(), public_headers()}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".h") continue;
+      const auto relative = std::filesystem::relative(entry.path(), place);
+      const std::string folder = relative.begin()->string();
+      const std::string text = file_text(entry.path());
+      for (std::sregex_iterator at(text.begin(), text.end(), opening), end; at != end; ++at) {
+        const std::string name = (*at)[2];
+        const bool is_own =
+            name == namespace_of(folder) || name.starts_with(namespace_of(folder) + "::");
+        EXPECT_TRUE(folder == "math" ? of_math.contains(name) : is_own)
+            << relative << " opens " << name;
+      }
+    }
+  }
+}
+
 // One place takes what is missing in a machine for what it is: no header of a driver is needed to
 // use a context.
 TEST(Sources, GiveNoDriversHeaderAway) {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace twrench {
+namespace twrench::body {
 namespace {
 
 using Eigen::Matrix3d;
@@ -158,4 +158,4 @@ TEST(EquimomentalBox, OfAnImpossibleBodyIsAThinPlate) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::body

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-namespace twrench {
+namespace twrench::body {
 namespace {
 
 using Eigen::Vector3d;
@@ -95,4 +95,4 @@ TEST(Shape, FramesOfTheCoordinateAxesAreExact) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::body

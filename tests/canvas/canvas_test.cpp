@@ -6,22 +6,22 @@
 
 #include "canvas/font_bytes.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 using testing::Each;
 using testing::ElementsAre;
 
-constexpr Color ink{200, 100, 50};
+constexpr scene::Color ink{200, 100, 50};
 
-std::vector<int> pixel(const Image& image, int x, int y) {
+std::vector<int> pixel(const image::Image& image, int x, int y) {
   const std::size_t at =
       static_cast<std::size_t>(y) * image.row_bytes() + 4 * static_cast<std::size_t>(x);
   return {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2], image.pixels[at + 3]};
 }
 
 TEST(Canvas, FillsWholePixelsInThePicturesPlaces) {
-  Image image(6, 4, 4);
+  image::Image image(6, 4, 4);
   Canvas(image, 10, 20).rectangle(12, 21, 2, 1, {ink});
   EXPECT_THAT(pixel(image, 2, 1), ElementsAre(200, 100, 50, 255)) << "red first";
   EXPECT_THAT(pixel(image, 3, 1), ElementsAre(200, 100, 50, 255));
@@ -31,7 +31,7 @@ TEST(Canvas, FillsWholePixelsInThePicturesPlaces) {
 }
 
 TEST(Canvas, PremultipliesByOpacityAndCoverage) {
-  Image image(2, 1, 4);
+  image::Image image(2, 1, 4);
   Canvas(image, 0, 0).rectangle(0, 0, 1.5, 1, {ink, 0.5});
   const auto near = [](int value) {
     return testing::AllOf(testing::Ge(value - 2), testing::Le(value + 2));
@@ -45,7 +45,7 @@ TEST(Canvas, WritesOnTheBaselineAlignedAsAsked) {
   const Line line = typeset(typeface.regular, "H");
   const double size = 30, width = size * line.width;
   const auto columns = [&](Canvas::Align align) {
-    Image image(100, 60, 4);
+    image::Image image(100, 60, 4);
     Canvas(image, 0, 0).text(line, size, {50, 40}, {ink}, align);
     int first = 100, last = 0, bottom = 0;
     for (int y = 0; y < 60; ++y) {
@@ -64,8 +64,8 @@ TEST(Canvas, WritesOnTheBaselineAlignedAsAsked) {
   EXPECT_NEAR(columns(Canvas::Align::right), 50 - width / 2, 1);
 }
 
-Image picture_of(const Line& line, double x, double y) {
-  Image image(60, 40, 4);
+image::Image picture_of(const Line& line, double x, double y) {
+  image::Image image(60, 40, 4);
   Canvas(image, 0, 0).text(line, 20, {x, y}, {ink});
   return image;
 }
@@ -82,7 +82,7 @@ TEST(Canvas, DrawsEachGlyphWithItsFont) {
   const Typeface typeface = load_typeface("sans");
   const Font font = Font(many_scripts_file(U"k "), "F").with_fallback(typeface.regular);
   const Line line = typeset(font, "S k");
-  Image one_by_one(60, 40, 4);
+  image::Image one_by_one(60, 40, 4);
   Canvas canvas(one_by_one, 0, 0);
   canvas.text(typeset(typeface.regular, "S"), 20, {5, 30}, {ink});
   canvas.text(typeset(font, "k"), 20, {5 + 20 * line.glyphs.back().x, 30}, {ink});
@@ -99,7 +99,7 @@ TEST(Canvas, DrawsNothingForASpace) {
 TEST(Canvas, DrawsTheSameFromSeveralThreads) {
   const Typeface typeface = load_typeface("sans");
   const auto draw = [&] {
-    std::vector<Image> images;
+    std::vector<image::Image> images;
     for (int i = 0; i < 20; ++i) {
       const Line line = typeset(typeface.regular, "−1.2×10⁻³ " + std::to_string(i));
       images.push_back(picture_of(line, 0.1 * i, 30));
@@ -107,20 +107,20 @@ TEST(Canvas, DrawsTheSameFromSeveralThreads) {
     return images;
   };
   auto beside = std::async(std::launch::async, draw);
-  const std::vector<Image> here = draw(), there = beside.get();
+  const std::vector<image::Image> here = draw(), there = beside.get();
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i].pixels, there[i].pixels) << i;
 }
 
 TEST(Canvas, LaysTheHaloAroundTheLetters) {
   const Typeface typeface = load_typeface("sans");
   const Line line = typeset(typeface.regular, "I");
-  Image image(40, 40, 4);
+  image::Image image(40, 40, 4);
   Canvas(image, 0, 0).text_halo(line, 30, {10, 30}, 4, {ink});
   EXPECT_EQ(pixel(image, 11, 32)[3], 255) << "below the foot of the I";
 }
 
 TEST(Canvas, FadesThePanelBeyondItsCore) {
-  Image image(40, 40, 4);
+  image::Image image(40, 40, 4);
   Canvas(image, 0, 0).soft_panel({15, 15, 10, 10}, 10, {ink, 0.8});
   EXPECT_EQ(pixel(image, 15, 15)[3], 204);
   EXPECT_EQ(pixel(image, 24, 24)[3], 204);
@@ -133,4 +133,4 @@ TEST(Canvas, FadesThePanelBeyondItsCore) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::canvas

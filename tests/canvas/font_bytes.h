@@ -12,14 +12,16 @@
 
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::canvas {
 
 /// The file of "sans", from its package.
-inline std::vector<std::uint8_t> sans_file() { return read_file(TWRENCH_SANS_FILE, 1 << 24); }
+inline std::vector<std::uint8_t> sans_file() {
+  return system::read_file(TWRENCH_SANS_FILE, 1 << 24);
+}
 
 /// That of a typeface which has Latin, Greek, Arabic, Hebrew, Devanagari and more.
 inline std::vector<std::uint8_t> many_scripts_file() {
-  return read_file(TWRENCH_MANY_SCRIPTS_FILE, 1 << 24);
+  return system::read_file(TWRENCH_MANY_SCRIPTS_FILE, 1 << 24);
 }
 
 /// The same with none but these characters.
@@ -56,4 +58,4 @@ inline std::span<std::uint8_t> table(std::vector<std::uint8_t>& file, const std:
   return std::span(file).subspan(number(at + 8), number(at + 12));
 }
 
-}  // namespace twrench
+}  // namespace twrench::canvas

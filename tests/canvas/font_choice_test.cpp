@@ -5,7 +5,7 @@
 #include "canvas/font_bytes.h"
 #include "canvas/text_runs.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 /// For each character of the text `f` where it is set in a font of `own` characters, `s` where the
@@ -55,4 +55,4 @@ TEST(ChooseFonts, HasAllDigitsOfOneFont) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -12,7 +12,7 @@
 #include "scratch_folder.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 std::string refusal(std::vector<std::uint8_t> file) {
@@ -96,7 +96,7 @@ TEST(Font, RefusesDamagedOutlines) {
 bool draw_with(std::vector<std::uint8_t> file) {
   try {
     const Font font(std::move(file), "F");
-    Image image(200, 40, 4);
+    image::Image image(200, 40, 4);
     Canvas(image, 0, 0).text(typeset(font, "The Dzhanibekov e\u0301 10⁻³ سلام"), 20, {0, 30}, {});
     return true;
   } catch (const InvalidArgument& error) {
@@ -171,14 +171,14 @@ TEST(LoadTypeface, NamesWhatIsWrong) {
   EXPECT_THAT(refusal_to_load("missing.ttf"), testing::HasSubstr("missing.ttf"));
   EXPECT_THAT(refusal_to_load("./"), testing::HasSubstr("./"));
   const ScratchFolder folder;
-  write_file_atomically(folder / "text.ttf", "not a font");
+  system::write_file_atomically(folder / "text.ttf", "not a font");
   EXPECT_THAT(refusal_to_load((folder / "text.ttf").string()),
               testing::HasSubstr("text.ttf: is not a TrueType or OpenType font"));
 }
 
 TEST(LoadTypeface, ReadsAFile) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "my font", sans_file());
+  system::write_file_atomically(folder / "my font", sans_file());
   EXPECT_EQ(load_typeface((folder / "my font").string()).strong.digit_advance(),
             load_typeface("sans").regular.digit_advance());
 }
@@ -196,7 +196,7 @@ TEST(LoadTypeface, HasAllOfOurOwnTextInTheBuiltInSans) {
 TEST(LoadTypeface, PutsTheSansBehindAFileAndTheMono) {
   const ScratchFolder folder;
   const std::vector<std::uint8_t> file = many_scripts_file(U"س");
-  write_file_atomically(folder / "arabic.ttf", file);
+  system::write_file_atomically(folder / "arabic.ttf", file);
   const Typeface typeface = load_typeface((folder / "arabic.ttf").string());
   const Typeface sans = load_typeface("sans");
   ASSERT_NE(typeface.regular.fallback(), nullptr);
@@ -220,4 +220,4 @@ TEST(TypefaceDigest, TellsTheFontsAndTheirFallbacksApart) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 using testing::ElementsAre;
@@ -92,4 +92,4 @@ TEST(VisualRuns, AreOfOneScriptAndStyle) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::canvas

@@ -7,7 +7,7 @@
 
 #include "canvas/font_bytes.h"
 
-namespace twrench {
+namespace twrench::canvas {
 namespace {
 
 /// Where the glyph begins and ends, in em from the pen.
@@ -239,4 +239,4 @@ TEST_F(Fallback, KeepsTheRoomOfDigits) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::canvas

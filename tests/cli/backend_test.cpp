@@ -22,7 +22,7 @@ const std::string small = "render --size 64x36 --no-video --frames 0 ";
 
 std::string without(const ScratchFolder& folder, const std::vector<std::string>& libraries) {
   for (const std::string& library : libraries) {
-    write_file_atomically(folder / library, std::string_view());
+    system::write_file_atomically(folder / library, std::string_view());
   }
   return "LD_LIBRARY_PATH='" + folder.path().string() + "' ";
 }

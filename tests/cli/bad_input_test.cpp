@@ -26,12 +26,13 @@ class BadInput : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BadInput, IsOneClearLine) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "key.toml", "[body]\nmoments = [1, 2, 3]\n[film]\nfsp = 3\n");
-  write_file_atomically(folder / "syntax.toml", "title = \n");
-  write_file_atomically(folder / "mass.toml",
-                        "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -1\n");
-  write_file_atomically(folder / "SYNTAX.Toml", "title = \n");
-  write_file_atomically(folder / "file", "");
+  system::write_file_atomically(folder / "key.toml",
+                                "[body]\nmoments = [1, 2, 3]\n[film]\nfsp = 3\n");
+  system::write_file_atomically(folder / "syntax.toml", "title = \n");
+  system::write_file_atomically(folder / "mass.toml",
+                                "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = -1\n");
+  system::write_file_atomically(folder / "SYNTAX.Toml", "title = \n");
+  system::write_file_atomically(folder / "file", "");
   std::filesystem::create_directory(folder / "folder.toml");
   const Outcome run = run_twrench(folder, GetParam().arguments);
   EXPECT_EQ(run.code, GetParam().code) << run.err;
@@ -172,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BadInput, ADamagedFontIsOneClearLine) {
   const ScratchFolder folder;
   const std::string font = text_of(TWRENCH_SANS_FILE);
-  write_file_atomically(folder / "cut.ttf", font.substr(0, font.size() / 2));
+  system::write_file_atomically(folder / "cut.ttf", font.substr(0, font.size() / 2));
   const Outcome run = run_twrench(folder, "render --font cut.ttf");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.err,

@@ -11,8 +11,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Image gray(int width, int height) {
-  Image image(width, height, 3);
+image::Image gray(int width, int height) {
+  image::Image image(width, height, 3);
   std::ranges::fill(image.pixels, std::uint8_t{100});
   return image;
 }
@@ -20,11 +20,11 @@ Image gray(int width, int height) {
 class Compare : public testing::Test {
  protected:
   Compare() {
-    write_file_atomically(folder_ / "a.png", encode_png(gray(10, 10)));
-    Image other = gray(10, 10);
+    system::write_file_atomically(folder_ / "a.png", image::encode_png(gray(10, 10)));
+    image::Image other = gray(10, 10);
     other.pixels[0] = 130;
-    write_file_atomically(folder_ / "b.png", encode_png(other));
-    write_file_atomically(folder_ / "wide.png", encode_png(gray(20, 10)));
+    system::write_file_atomically(folder_ / "b.png", image::encode_png(other));
+    system::write_file_atomically(folder_ / "wide.png", image::encode_png(gray(20, 10)));
   }
   const ScratchFolder folder_;
 };
@@ -39,7 +39,7 @@ TEST_F(Compare, DifferentWithTheDifferenceDrawn) {
   const Outcome run = run_twrench(folder_, "compare a.png b.png --diff d.png");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.out, StartsWith("different: max 30"));
-  const Image difference = read_png(folder_ / "d.png");
+  const image::Image difference = image::read_png(folder_ / "d.png");
   EXPECT_EQ(difference.pixels[0], 255);
   EXPECT_EQ(difference.pixels[3], 0);
 }
@@ -76,7 +76,7 @@ TEST_F(Compare, DamagedFilesAreRefused) {
   std::string checksum = png, cut = png.substr(0, png.size() - 30);
   checksum[png.size() - 13] ^= 1;
   for (const std::string& damaged : {checksum, cut}) {
-    write_file_atomically(folder_ / "damaged.png", damaged);
+    system::write_file_atomically(folder_ / "damaged.png", damaged);
     const Outcome run = run_twrench(folder_, "compare damaged.png damaged.png");
     EXPECT_EQ(run.code, 5) << run.out;
     EXPECT_THAT(run.err, StartsWith("twrench: error: cannot read damaged.png: "));
@@ -86,7 +86,7 @@ TEST_F(Compare, DamagedFilesAreRefused) {
 
 TEST_F(Compare, FilesThatCannotBeRead) {
   EXPECT_EQ(run_twrench(folder_, "compare a.png missing.png").code, 5);
-  write_file_atomically(folder_ / "text.png", "no picture");
+  system::write_file_atomically(folder_ / "text.png", "no picture");
   EXPECT_EQ(run_twrench(folder_, "compare a.png text.png").code, 5);
 }
 

@@ -38,7 +38,9 @@ std::size_t count_whole_frames(const fs::path& folder) {
   const json manifest = json::parse(text_of(folder / "manifest.json"));
   for (const json& frame : manifest["frames"]) {
     const fs::path file = folder / frame["file"].get<std::string>();
-    EXPECT_EQ(sha256_hex(read_file(file, 1 << 24)), frame["sha256"].get<std::string>()) << file;
+    EXPECT_EQ(system::sha256_hex(system::read_file(file, 1 << 24)),
+              frame["sha256"].get<std::string>())
+        << file;
   }
   return manifest["frames"].size();
 }
@@ -52,7 +54,7 @@ std::size_t count_temporaries(const fs::path& folder) {
 
 void put_program(const ScratchFolder& folder, const std::string& name, const std::string& script) {
   fs::create_directories(folder / "bin");
-  write_file_atomically(folder / ("bin/" + name), "#!/bin/sh\n" + script + "\n");
+  system::write_file_atomically(folder / ("bin/" + name), "#!/bin/sh\n" + script + "\n");
   fs::permissions(folder / ("bin/" + name), fs::perms::owner_all);
 }
 
@@ -160,7 +162,7 @@ TEST(Faults, NoUsableOpenGlLibrary) {
   const ScratchFolder folder;
   fs::create_directories(folder / "lib");
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
-    write_file_atomically(folder / ("lib/" + std::string(name)), "not a library");
+    system::write_file_atomically(folder / ("lib/" + std::string(name)), "not a library");
   }
   const Outcome run = run_twrench(folder, frames, "LD_LIBRARY_PATH=\"$PWD/lib\" ");
   if (run.code == 0) GTEST_SKIP() << "the library is found elsewhere";
@@ -240,7 +242,7 @@ TEST(Hostile, AManifestLeadsNowhereElse) {
   for (const char* path : {"../secret.png", "/etc/passwd", "..", "a/b.png", ""}) {
     std::string changed = manifest;
     changed.replace(changed.find("frame_000001.png"), 16, path);
-    write_file_atomically(folder / "f/manifest.json", changed);
+    system::write_file_atomically(folder / "f/manifest.json", changed);
     expect_told(run_twrench(folder, "encode f -o v.mp4 --progress none"), 5,
                 "a file name without a path");
   }
@@ -248,7 +250,7 @@ TEST(Hostile, AManifestLeadsNowhereElse) {
 
 TEST(Hostile, ALinkInAFramesPlaceIsReplacedNotFollowed) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "precious", "untouched");
+  system::write_file_atomically(folder / "precious", "untouched");
   fs::create_directory(folder / "f");
   fs::create_symlink("../precious", folder / "f/frame_000000.png");
   ASSERT_EQ(run_twrench(folder, frames + "--frames 0 --overwrite").code, 0);

@@ -34,7 +34,7 @@ TEST(Outputs, AreNoInputs) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames).code, 0);
   const std::string scene = "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 1\n";
-  write_file_atomically(folder / "my.toml", scene);
+  system::write_file_atomically(folder / "my.toml", scene);
   fs::create_symlink("my.toml", folder / "link.mp4");
   fs::create_hard_link(folder / "f/manifest.json", folder / "manifest.mp4");
   fs::create_symlink("f/frame_000003.png", folder / "frame.mp4");
@@ -70,7 +70,7 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
-  write_file_atomically(folder / "notes.mkv", "not a film");
+  system::write_file_atomically(folder / "notes.mkv", "not a film");
   expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "not a video");
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }

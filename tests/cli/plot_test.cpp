@@ -71,8 +71,8 @@ TEST(Plot, MotionOptionsApply) {
 
 TEST(Plot, ATitleIsShownAsItIs) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "s.toml",
-                        "title = 'a_b^2 \"`ls`\" {x} é'\n[body]\nmoments = [2, 3, 4]\n");
+  system::write_file_atomically(folder / "s.toml",
+                                "title = 'a_b^2 \"`ls`\" {x} é'\n[body]\nmoments = [2, 3, 4]\n");
   EXPECT_EQ(run_twrench(folder, "plot s.toml -o a.svg", "LC_ALL=C ").code, 0);
   EXPECT_THAT(text_of(folder / "a.svg"), HasSubstr("a_b^2"));
   EXPECT_THAT(text_of(folder / "a.svg"), HasSubstr("`ls`"));

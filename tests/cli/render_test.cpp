@@ -58,7 +58,7 @@ TEST(Render, FilmAndFramesAndManifest) {
     EXPECT_EQ(frame["frame"], i);
     EXPECT_EQ(frame["t"], i * 6.0 / 10.0);
     const auto file = folder / ("out/dzhanibekov/" + frame["file"].get<std::string>());
-    EXPECT_EQ(frame["sha256"], sha256_hex(read_file(file, 1 << 24)));
+    EXPECT_EQ(frame["sha256"], system::sha256_hex(system::read_file(file, 1 << 24)));
   }
 }
 
@@ -84,9 +84,10 @@ TEST(Render, DecodedFramesAreThePngFrames) {
   for (const int i : {0, 5, 11}) {
     char name[32];
     std::snprintf(name, sizeof name, "%06d.png", i);
-    const Image png = read_png(folder / ("out/dzhanibekov/frame_" + std::string(name)));
+    const image::Image png =
+        image::read_png(folder / ("out/dzhanibekov/frame_" + std::string(name)));
     std::snprintf(name, sizeof name, "decoded_%06d.png", i + 1);
-    const auto difference = compare(read_png(folder / name), png, 24);
+    const auto difference = image::compare(image::read_png(folder / name), png, 24);
     ASSERT_TRUE(difference.has_value());
     // Video keeps a quarter of the chroma samples, which affects thin coloured lines, and rounds
     // the rest; a wrong matrix or range would be off by far more than this everywhere.
@@ -156,7 +157,7 @@ TEST(Render, TransparentFramesHaveTheBodysCoverageAsAlpha) {
   const ScratchFolder folder;
   ASSERT_EQ(
       run_twrench(folder, small + "--no-video --bare --background transparent --frames 0").code, 0);
-  const Image image = read_png(folder / "out/dzhanibekov/frame_000000.png");
+  const image::Image image = image::read_png(folder / "out/dzhanibekov/frame_000000.png");
   ASSERT_EQ(image.channels, 4);
   EXPECT_EQ(image.pixels[3], 0);                                       // a corner
   EXPECT_EQ(image.pixels[(45 * 160 + 80) * std::size_t{4} + 3], 255);  // the centre of mass
@@ -200,9 +201,10 @@ TEST(Render, TimingForPeopleAndForPrograms) {
 // A substitute for ffmpeg that dies after some frames.
 TEST(Render, FramesStayWhenFfmpegDies) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "ffmpeg",
-                        "#!/bin/sh\ncase \"$*\" in *null*) cat >/dev/null; exit 0;; esac\n"
-                        "head -c 100000 >/dev/null\necho 'the encoder is broken' >&2\nexit 7\n");
+  system::write_file_atomically(
+      folder / "ffmpeg",
+      "#!/bin/sh\ncase \"$*\" in *null*) cat >/dev/null; exit 0;; esac\n"
+      "head -c 100000 >/dev/null\necho 'the encoder is broken' >&2\nexit 7\n");
   std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
   const Outcome run =
       run_twrench(folder, small, "PATH='" + folder.path().string() + "':\"$PATH\" ");

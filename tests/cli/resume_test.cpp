@@ -100,7 +100,7 @@ TEST(Resume, TrustsNoFileBecauseItExists) {
   ASSERT_EQ(run_twrench(folder, small).code, 0);
   const auto before = digests(folder / "f");
   const auto untouched = fs::last_write_time(folder / "f/frame_000003.png");
-  write_file_atomically(folder / "f/frame_000004.png", "damaged");
+  system::write_file_atomically(folder / "f/frame_000004.png", "damaged");
   fs::remove(folder / "f/frame_000007.png");
   fs::copy_file(folder / "f/frame_000001.png", folder / "f/frame_000008.png",
                 fs::copy_options::overwrite_existing);
@@ -124,7 +124,7 @@ TEST(Resume, RefusesAManifestOfSomebodyElse) {
   ScratchFolder folder;
   fs::create_directory(folder / "f");
   const std::string theirs = "{\"name\": \"a web application\"}\n";
-  write_file_atomically(folder / "f/manifest.json", theirs);
+  system::write_file_atomically(folder / "f/manifest.json", theirs);
   const Outcome refused = run_twrench(folder, small + "--resume");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("not written by this program"));

@@ -57,7 +57,7 @@ Eigen::Matrix<double, size, size> matrix(const nlohmann::json& rows) {
   return result;
 }
 
-double intersection_over_union(const Image& drawn, const nlohmann::json& frame) {
+double intersection_over_union(const image::Image& drawn, const nlohmann::json& frame) {
   const Matrix3d X = matrix<3>(frame["X"]);
   const Matrix4d space_from_clip =
       (matrix<4>(frame["projection"]) * matrix<4>(frame["view"])).inverse();
@@ -90,7 +90,7 @@ TEST(Silhouette, IsWhereRaysFindTheCylinders) {
   const auto manifest = nlohmann::json::parse(text_of(folder / "f/manifest.json"));
   ASSERT_EQ(manifest["frames"].size(), 24U);
   for (const auto& frame : manifest["frames"]) {
-    const Image drawn = read_png(folder / ("f/" + frame["file"].get<std::string>()));
+    const image::Image drawn = image::read_png(folder / ("f/" + frame["file"].get<std::string>()));
     ASSERT_EQ(drawn.channels, 4);
     EXPECT_GE(intersection_over_union(drawn, frame), 0.99) << "frame " << frame["frame"];
   }

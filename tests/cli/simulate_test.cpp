@@ -107,7 +107,7 @@ TEST(Simulate, HoldsNoMoreThanASample) {
 
 TEST(Simulate, ANameThatIsNoUtf8IsWrittenAsJsonCan) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "a\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
+  system::write_file_atomically(folder / "a\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
   for (const char* command : {"simulate --times 1", "inertia", "study --methods exact"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --format json a*.toml");
     EXPECT_EQ(run.code, 0) << run.err;

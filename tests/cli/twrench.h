@@ -58,7 +58,8 @@ inline std::map<std::string, std::string> digests(const std::filesystem::path& f
   std::map<std::string, std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_")) found[name] = sha256_hex(read_file(entry.path(), 1 << 24));
+    if (name.starts_with("frame_"))
+      found[name] = system::sha256_hex(system::read_file(entry.path(), 1 << 24));
   }
   return found;
 }

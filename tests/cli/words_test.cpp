@@ -91,7 +91,7 @@ TEST(Words, AllIsJsonWhereJsonIsAskedFor) {
 
 TEST(Words, BytesThatAreNoUtf8AreReplacedInJson) {
   const ScratchFolder folder;
-  write_file_atomically(folder / "b\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
+  system::write_file_atomically(folder / "b\xff.toml", "[body]\nmoments = [1, 2, 3]\n");
   for (const char* command : {"simulate --times 1 --format json", "inertia --format json",
                               "study --methods exact --duration 1 --format json"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " b\xff.toml");
@@ -117,7 +117,7 @@ TEST(Words, NothingForgesLinesOfOpenjd) {
 TEST(Words, TablesAreEscapedToo) {
   const ScratchFolder folder;
   const std::string name = "a\x1b[2J.toml";
-  write_file_atomically(folder / name, "[body]\nmoments = [1, 2, 3]\n");
+  system::write_file_atomically(folder / name, "[body]\nmoments = [1, 2, 3]\n");
   for (const char* command : {"inertia ", "study --methods exact --duration 1 "}) {
     const Outcome run = run_twrench(folder, command + ("'" + name + "'"));
     EXPECT_EQ(run.code, 0) << run.err;
@@ -190,7 +190,7 @@ TEST(Doctor, TellsWhereNothingCanBeWritten) {
   const ScratchFolder folder;
   EXPECT_THAT(run_twrench(folder, "doctor").out, HasSubstr(" free\n"));
   EXPECT_EQ(folder.names().size(), 2U) << "the outputs of the run alone";
-  write_file_atomically(folder / "out", "no folder");
+  system::write_file_atomically(folder / "out", "no folder");
   const Outcome run = run_twrench(folder, "doctor --format json");
   EXPECT_FALSE(json::parse(run.out)["can_render"].get<bool>());
   EXPECT_THAT(run.out, HasSubstr("Not a directory"));

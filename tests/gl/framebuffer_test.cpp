@@ -20,7 +20,7 @@ class FramebufferTest : public GlTest, public testing::WithParamInterface<int> {
   }
 };
 
-std::vector<int> pixel(const Image& image, int x, int y) {
+std::vector<int> pixel(const image::Image& image, int x, int y) {
   const auto* p = &image.pixels[static_cast<std::size_t>(y) * image.row_bytes() +
                                 static_cast<std::size_t>(4 * x)];
   return {p[0], p[1], p[2], p[3]};
@@ -30,7 +30,7 @@ TEST_P(FramebufferTest, ReadsFromTheTopLeft) {
   const Framebuffer framebuffer(gl, 5, 3, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 5, 3}, 0, 1);
   fill(framebuffer, {1, 2, 1, 1}, 1, 0);  // the second pixel of the top row
-  const Image image = framebuffer.begin_read({0, 0, 5, 3}).finish();
+  const image::Image image = framebuffer.begin_read({0, 0, 5, 3}).finish();
   EXPECT_EQ(image.width, 5);
   EXPECT_EQ(image.height, 3);
   EXPECT_EQ(image.channels, 4);
@@ -43,7 +43,7 @@ TEST_P(FramebufferTest, ReadsAnAreaAlone) {
   const Framebuffer framebuffer(gl, 8, 8, GetParam(), ReadMode::at_once);
   fill(framebuffer, {0, 0, 8, 8}, 0, 1);
   fill(framebuffer, {3, 5, 1, 1}, 1, 0);
-  const Image image = framebuffer.begin_read({3, 4, 2, 2}).finish();
+  const image::Image image = framebuffer.begin_read({3, 4, 2, 2}).finish();
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
   EXPECT_THAT(pixel(image, 0, 0), ElementsAre(255, 0, 0, 255));

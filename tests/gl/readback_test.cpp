@@ -70,7 +70,7 @@ TEST_P(ReadbackTest, GivesTheSameBytesThroughABuffer) {
     Readback readback = buffered.begin_read(area);
     EXPECT_FALSE(readback.is_ready());
     const auto pixels = expected(0.5F, area);  // read while the other is in transfer
-    const Image image = readback.finish();
+    const image::Image image = readback.finish();
     EXPECT_EQ(image.width, area.width);
     EXPECT_EQ(image.height, area.height);
     EXPECT_EQ(image.pixels, pixels) << area.width << "x" << area.height;

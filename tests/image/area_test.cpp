@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using testing::ElementsAre;
@@ -56,4 +56,4 @@ TEST(MergedAreas, CoverAllThatWasGiven) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

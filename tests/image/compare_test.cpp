@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using ::testing::Each;
@@ -89,4 +89,4 @@ TEST(DifferenceImage, OfEqualImagesIsBlack) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

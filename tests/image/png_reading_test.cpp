@@ -15,7 +15,7 @@
 #include "system/error.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using ::testing::ElementsAre;
@@ -75,7 +75,7 @@ class PngFile {
 std::string failure(const Bytes& bytes) {
   try {
     decode_png(bytes, "a.png");
-  } catch (const FileError& error) {
+  } catch (const system::FileError& error) {
     return error.what();
   }
   return "no error";
@@ -83,14 +83,14 @@ std::string failure(const Bytes& bytes) {
 
 DeepImage decode_deep(const Bytes& bytes) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / "a.png", bytes);
+  system::write_file_atomically(scratch / "a.png", bytes);
   return read_deep_png(scratch / "a.png");
 }
 
 TEST(PngReading, GrayBecomesRgb) {
   const ScratchFolder scratch;
   const Bytes levels{0, 50, 100, 255};
-  write_file_atomically(scratch / "gray.raw", levels);
+  system::write_file_atomically(scratch / "gray.raw", levels);
   run_command("ffmpeg -v error -f rawvideo -pix_fmt gray -video_size 2x2 -i '" +
               (scratch / "gray.raw").string() + "' -frames:v 1 '" +
               (scratch / "gray.png").string() + "'");
@@ -354,10 +354,10 @@ TEST(PngReading, NamesTheFileThatCannotBeRead) {
   try {
     read_png("/no/such.png");
     FAIL();
-  } catch (const FileError& error) {
+  } catch (const system::FileError& error) {
     EXPECT_STREQ(error.what(), "cannot read /no/such.png: No such file or directory");
   }
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

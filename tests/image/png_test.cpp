@@ -16,7 +16,7 @@
 #include "scratch_folder.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 class PngRoundTrip : public ::testing::TestWithParam<std::tuple<int, int, int>> {};
@@ -53,10 +53,10 @@ TEST_P(PngDecodedBy, IsTheImage) {
   for (const int channels : {3, 4}) {
     const ScratchFolder scratch;
     const Image image = sample_image(123, 45, channels, 2);
-    write_file_atomically(scratch / "a.png", encode_png(image));
+    system::write_file_atomically(scratch / "a.png", encode_png(image));
     run_command("cd '" + scratch.path().string() + "' && " +
                 (channels == 3 ? GetParam().rgb : GetParam().rgba));
-    EXPECT_EQ(read_file(scratch / "a.raw", image.pixels.size()), image.pixels);
+    EXPECT_EQ(system::read_file(scratch / "a.raw", image.pixels.size()), image.pixels);
   }
 }
 
@@ -74,7 +74,8 @@ TEST(Png, HasNothingForLibpngToMend) {
   if (!installed("pngfix")) GTEST_SKIP() << "pngfix is not installed";
   for (const int channels : {3, 4}) {
     const ScratchFolder scratch;
-    write_file_atomically(scratch / "a.png", encode_png(sample_image(321, 200, channels, 6)));
+    system::write_file_atomically(scratch / "a.png",
+                                  encode_png(sample_image(321, 200, channels, 6)));
     run_command("pngfix --quiet '" + (scratch / "a.png").string() + "'");
   }
 }
@@ -211,4 +212,4 @@ TEST(Png, EncodingRefusesSizesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

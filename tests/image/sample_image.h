@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 
-namespace twrench {
+namespace twrench::image {
 
 /// A gradient and some noise, so that every filter and the compressor have something to do.
 inline Image sample_image(int width, int height, int channels, unsigned seed) {
@@ -18,4 +18,4 @@ inline Image sample_image(int width, int height, int channels, unsigned seed) {
   return image;
 }
 
-}  // namespace twrench
+}  // namespace twrench::image

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 using testing::ElementsAreArray;
@@ -46,4 +46,4 @@ TEST_P(YuvRowsOf, AreTheSameWithTheWidestInstructions) {
 INSTANTIATE_TEST_SUITE_P(Counts, YuvRowsOf, testing::Values(3, 37, 1920));
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

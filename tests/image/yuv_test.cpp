@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-namespace twrench {
+namespace twrench::image {
 namespace {
 
 Image noise(int width, int height, unsigned seed) {
@@ -121,4 +121,4 @@ TEST(YuvLevels, BlackWhiteAndGrayAreExact) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::image

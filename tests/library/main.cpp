@@ -13,19 +13,22 @@
 int main() {
   using namespace twrench;
   const Eigen::Matrix3d inertia = Eigen::Vector3d(1, 2, 3).asDiagonal();
-  const FreeBody body(inertia, {0.01, 1, 0});
+  const motion::FreeBody body(inertia, {0.01, 1, 0});
   const std::array times{0.0, 10.0, 20.0};
-  const Trajectory motion = integrate(body, find_method("rkmk45"), {}, times);
-  const ExactMotion exact(body);
-  const Eigen::Matrix3d& X = motion.samples.back().X;
+  const motion::Trajectory trajectory =
+      motion::integrate(body, motion::find_method("rkmk45"), {}, times);
+  const motion::ExactMotion exact(body);
+  const Eigen::Matrix3d& X = trajectory.samples.back().X;
   const double error = (X - exact.at(times.back()).X).norm();
   const double group = (so3::exp(so3::log(X)) - X).norm();
   std::printf("error %.1e, log and exp %.1e, flips every %.6f s\n", error, group,
               exact.flips()->interval);
-  const Study study = run_study(body, {{&find_method("rkmk4")}, {0.1, 0.05, 0.025}, {}, 0.01, 10});
+  const study::Study study =
+      study::run_study(body, {{&motion::find_method("rkmk4")}, {0.1, 0.05, 0.025}, {}, 0.01, 10});
   std::printf("order %.2f\n", study.methods.front().order.value_or(0));
   try {
-    const FreeBody impossible(Eigen::Vector3d(1, 2, -3).asDiagonal().toDenseMatrix(), {1, 0, 0});
+    const motion::FreeBody impossible(Eigen::Vector3d(1, 2, -3).asDiagonal().toDenseMatrix(),
+                                      {1, 0, 0});
     return 1;
   } catch (const InvalidArgument& refused) {
     std::printf("%s\n", refused.what());

@@ -9,7 +9,7 @@
 #include "motion/every_method.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -102,4 +102,4 @@ TEST(TooLongAStep, IsRefusedNotGarbage) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

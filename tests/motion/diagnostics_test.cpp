@@ -4,7 +4,7 @@
 
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -52,4 +52,4 @@ TEST(Diagnostics, OfABodyAtRestAreZero) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// Prints the method's name in test failures.
 inline void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
@@ -20,4 +20,4 @@ inline std::string method_test_name(const testing::TestParamInfo<Method>& param)
   return name;
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -16,7 +16,7 @@
 #include "motion/reference.h"
 #include "motion/taylor_motion.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -262,4 +262,4 @@ TEST(ExactMotion, OnlyTheRatiosOfMomentsMatter) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

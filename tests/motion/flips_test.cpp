@@ -11,7 +11,7 @@
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -113,4 +113,4 @@ TEST(Flips, NoneWithoutAnIntermediateAxisOrWithoutMotionAboutIt) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -110,4 +110,4 @@ TEST(FreeBody, WhoseConstantsOverflowCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

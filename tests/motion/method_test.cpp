@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 double sum(const TableauRow& row) {
@@ -101,4 +101,4 @@ TEST(Method, UnknownNameOffersTheNearest) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -9,7 +9,7 @@
 #include "motion/every_method.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 /// Frobenius error of X(20) after `steps` equal steps.
@@ -90,4 +90,4 @@ TEST(MethodError, OfThePrintedRungeKuttaMethods) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

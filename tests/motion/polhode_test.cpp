@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -124,4 +124,4 @@ TEST(Herpolhode, StaysInItsAnnulusAndReachesBothRims) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

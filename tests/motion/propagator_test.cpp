@@ -11,7 +11,7 @@
 #include "motion/every_method.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -147,4 +147,4 @@ TEST(Propagator, OfATaylorSeriesOfAnOrderThatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

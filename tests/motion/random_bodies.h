@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// Physically possible bodies (the triangle inequality holds), from needles to plates, of any size.
 class RandomBodies {
@@ -25,4 +25,4 @@ class RandomBodies {
   std::uniform_real_distribution<double> uniform_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -12,7 +12,7 @@
 
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 /// Heun, Z. Math. Phys. 45 (1900).
@@ -64,4 +64,4 @@ TEST(MethodRecipe, HasARowInTheDocumentForEachMethod) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// A motion known to 25 digits, from a 60-digit Taylor method whose energy and momentum hold to
 /// 1e-30. X(0) = Id, and the inertia is diagonal.
@@ -59,4 +59,4 @@ inline ReferenceCase reference_case(const std::string& name) {
   throw std::invalid_argument("no reference case " + name);
 }
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -52,4 +52,4 @@ TEST(Sphere, EulerTakesTheInverse) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

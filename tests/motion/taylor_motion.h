@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// Euler's equations and the attitude by Taylor series in a wide type: slow, and independent of the
 /// closed form. The inertia is diagonal, in any order; X(0) = Id.
@@ -109,4 +109,4 @@ class TaylorMotion {
   Real t_ = 0;
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

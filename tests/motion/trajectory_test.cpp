@@ -13,7 +13,7 @@
 #include "motion/every_method.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -366,4 +366,4 @@ TEST_P(VisitSteps, AreThoseOfTheTrajectory) {
 INSTANTIATE_TEST_SUITE_P(All, VisitSteps, every_method(), method_test_name);
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::motion

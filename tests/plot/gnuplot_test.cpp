@@ -10,7 +10,7 @@
 #include "system/error.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::plot {
 namespace {
 
 using testing::ElementsAre;
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 const Plot line{400, 300, "plot x title \"a line\"\n"};
 
 std::string first_bytes(const std::string& path, std::size_t count) {
-  const auto bytes = read_file(path, 10'000'000);
+  const auto bytes = system::read_file(path, 10'000'000);
   return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
@@ -28,7 +28,8 @@ class StubGnuplot {
  public:
   StubGnuplot(const ScratchFolder& scratch, const std::string& script) {
     std::filesystem::create_directories(scratch / "bin");
-    write_file_atomically(scratch / "bin/gnuplot", std::string_view("#!/bin/sh\n" + script));
+    system::write_file_atomically(scratch / "bin/gnuplot",
+                                  std::string_view("#!/bin/sh\n" + script));
     std::filesystem::permissions(scratch / "bin/gnuplot", std::filesystem::perms::owner_all);
     setenv("PATH", ((scratch / "bin").string() + ":" + before_).c_str(), 1);
   }
@@ -75,7 +76,7 @@ TEST(Gnuplot, TakesAnyNameAndAnyText) {
   draw_plot(scratch / odd,
             {400, 300, "plot x title " + gnuplot_string("`date` \\ é") + " noenhanced\n"});
   EXPECT_THAT(scratch.names(), ElementsAre(odd));
-  const auto bytes = read_file(scratch / odd, 1'000'000);
+  const auto bytes = system::read_file(scratch / odd, 1'000'000);
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), HasSubstr("`date` \\ é"));
 }
 
@@ -93,7 +94,8 @@ TEST(Gnuplot, TellsWhatGnuplotSaidAndLeavesNothing) {
 TEST(Gnuplot, AFileThatIsNotCompleteIsNotKept) {
   const ScratchFolder scratch;
   const StubGnuplot stub(scratch, "cat >/dev/null\n");
-  EXPECT_THAT(failure_of<FileError>(scratch / "a.svg").what(), HasSubstr("left it incomplete"));
+  EXPECT_THAT(failure_of<system::FileError>(scratch / "a.svg").what(),
+              HasSubstr("left it incomplete"));
   EXPECT_THAT(scratch.names(), ElementsAre("bin"));
 }
 
@@ -101,11 +103,12 @@ TEST(Gnuplot, LeavesTheUsersSettingsOut) {
   const ScratchFolder scratch;
   const std::string home = std::getenv("HOME") == nullptr ? "/" : std::getenv("HOME");
   draw_plot(scratch / "a.svg", line);
-  write_file_atomically(scratch / ".gnuplot", "set title 'mine'\nset terminal dumb\n");
+  system::write_file_atomically(scratch / ".gnuplot", "set title 'mine'\nset terminal dumb\n");
   setenv("HOME", scratch.path().c_str(), 1);
   draw_plot(scratch / "b.svg", line);
   setenv("HOME", home.c_str(), 1);
-  EXPECT_EQ(read_file(scratch / "a.svg", 1'000'000), read_file(scratch / "b.svg", 1'000'000));
+  EXPECT_EQ(system::read_file(scratch / "a.svg", 1'000'000),
+            system::read_file(scratch / "b.svg", 1'000'000));
 }
 
 TEST(Gnuplot, LacksAFormat) {
@@ -121,4 +124,4 @@ TEST(Gnuplot, LacksAFormat) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::plot

@@ -8,11 +8,11 @@
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// Draws in software through the backend; returns nothing if it is not usable.
-std::optional<Image> drawn_with(const gl::BackendChoice& choice, const Scene& scene) {
+std::optional<image::Image> drawn_with(const gl::BackendChoice& choice, const scene::Scene& scene) {
   try {
     const auto opened = gl::open_context(choice);
     return PoseRenderer(*opened.context, scene).draw(so3::exp({0.7, -0.9, 0.4}));
@@ -22,14 +22,14 @@ std::optional<Image> drawn_with(const gl::BackendChoice& choice, const Scene& sc
 }
 
 TEST(Backends, GiveTheSameImage) {
-  Scene transparent = t_wrench(320, 180);
+  scene::Scene transparent = t_wrench(320, 180);
   transparent.look.transparent = true;
-  for (const Scene& scene : {t_wrench(320, 180), transparent}) {
+  for (const scene::Scene& scene : {t_wrench(320, 180), transparent}) {
     const auto osmesa = drawn_with({gl::Backend::osmesa, {}}, scene);
     const auto egl = drawn_with({gl::Backend::egl, "software"}, scene);
     if (!osmesa || !egl) GTEST_SKIP() << "one of OSMesa and EGL's software cannot be used here";
     // The thresholds of the golden images, which allow for different releases of Mesa.
-    const auto difference = compare(*osmesa, *egl, 4);
+    const auto difference = image::compare(*osmesa, *egl, 4);
     ASSERT_TRUE(difference.has_value());
     EXPECT_LE(difference->share, 0.001);
     EXPECT_LE(difference->mean, 0.15);
@@ -37,4 +37,4 @@ TEST(Backends, GiveTheSameImage) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -7,13 +7,13 @@
 #include "render/renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 struct FilmGolden {
   const char* name;
-  std::set<Feature> show;
-  View view = View::wrench;
+  std::set<scene::Feature> show;
+  scene::View view = scene::View::wrench;
   int frame = 590;
   Eigen::Vector3d omega{1, 0.05, 0};
   double elevation = 0.245;
@@ -22,18 +22,23 @@ struct FilmGolden {
 void PrintTo(const FilmGolden& golden, std::ostream* out) { *out << golden.name; }
 
 std::vector<FilmGolden> goldens() {
-  using enum Feature;
+  using enum scene::Feature;
   return {
       {"film-axes", {axes}},
       {"film-arrows", {momentum, omega}},
       {"film-trail", {trail}},
-      {"film-plane", {momentum, omega, trail, plane}, View::wrench, 600},
-      {"film-from-above", {axes, momentum, plane}, View::wrench, 590, {1, 0.05, 0}, 1.5707963},
-      {"film-insets", {momentum, omega, trail, sphere, poinsot}, View::wrench, 600},
-      {"film-momentum", {trail}, View::momentum, 280},
-      {"film-momentum-stable", {trail}, View::momentum, 280, {0.2, 0.1, -1}},
-      {"film-poinsot", {trail}, View::poinsot, 240},
-      {"film-quad", {momentum, omega, trail}, View::quad, 590},
+      {"film-plane", {momentum, omega, trail, plane}, scene::View::wrench, 600},
+      {"film-from-above",
+       {axes, momentum, plane},
+       scene::View::wrench,
+       590,
+       {1, 0.05, 0},
+       1.5707963},
+      {"film-insets", {momentum, omega, trail, sphere, poinsot}, scene::View::wrench, 600},
+      {"film-momentum", {trail}, scene::View::momentum, 280},
+      {"film-momentum-stable", {trail}, scene::View::momentum, 280, {0.2, 0.1, -1}},
+      {"film-poinsot", {trail}, scene::View::poinsot, 240},
+      {"film-quad", {momentum, omega, trail}, scene::View::quad, 590},
   };
 }
 
@@ -41,13 +46,13 @@ class GoldenFilm : public testing::TestWithParam<FilmGolden> {};
 
 TEST_P(GoldenFilm, IsDrawn) {
   const FilmGolden& golden = GetParam();
-  Scene scene = t_wrench(480, 270);
+  scene::Scene scene = t_wrench(480, 270);
   scene.overlay.show = golden.show;
   scene.overlay.view = golden.view;
   scene.motion.omega = golden.omega;
   scene.motion.method = "exact";  // its frames do not depend on steps
   scene.camera.elevation = golden.elevation;
-  const Timeline timeline(scene, {golden.frame});
+  const timeline::Timeline timeline(scene, {golden.frame});
   const auto context = gl::make_test_context();
   Renderer renderer(*context, scene, timeline.solutions());
   expect_golden(golden.name, renderer.draw(timeline.frame_state(0)).image);
@@ -60,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(goldens()), [](const
 });
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -10,12 +10,12 @@
 #include "render/renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 struct Film {
   const char* name;
-  View view = View::wrench;
+  scene::View view = scene::View::wrench;
   int blur = 1;
   int samples = 1;
   bool transparent = false;
@@ -23,10 +23,10 @@ struct Film {
 };
 
 /// The frame with its damaged areas restored: the static background, if the rest is unchanged.
-Image without_changes(const Frame& frame, const Image& background) {
-  Image image = frame.image;
+image::Image without_changes(const image::Frame& frame, const image::Image& background) {
+  image::Image image = frame.image;
   const auto channels = static_cast<std::size_t>(image.channels);
-  for (const Area& area : frame.damage) {
+  for (const image::Area& area : frame.damage) {
     for (int y = area.y; y < area.y + area.height; ++y) {
       const auto first =
           static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * image.row_bytes() +
@@ -42,9 +42,9 @@ void PrintTo(const Film& film, std::ostream* out) { *out << film.name; }
 
 class FramesInFlight : public testing::TestWithParam<Film> {
  protected:
-  static Scene scene() {
-    Scene scene = t_wrench(320, 180);
-    using enum Feature;
+  static scene::Scene scene() {
+    scene::Scene scene = t_wrench(320, 180);
+    using enum scene::Feature;
     scene.overlay.show = {axes,  momentum, omega,   trail, plane,     labels,
                           floor, sphere,   poinsot, hud,   components};
     scene.overlay.view = GetParam().view;
@@ -57,10 +57,10 @@ class FramesInFlight : public testing::TestWithParam<Film> {
 };
 
 TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
-  const Scene film = scene();
-  const Timeline timeline(film, {0, 250, 590, 600});
+  const scene::Scene film = scene();
+  const timeline::Timeline timeline(film, {0, 250, 590, 600});
   const auto context = gl::make_test_context();
-  std::vector<Frame> expected;
+  std::vector<image::Frame> expected;
   {
     Renderer renderer(*context, film, timeline.solutions(), gl::ReadMode::at_once);
     for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.frame_state(i)));
@@ -68,13 +68,13 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
   }
   for (const gl::ReadMode mode : {gl::ReadMode::at_once, gl::ReadMode::buffered}) {
     Renderer renderer(*context, film, timeline.solutions(), mode);
-    Image background = renderer.static_background();
+    image::Image background = renderer.static_background();
     if (film.look.transparent)
       unpremultiply(background, {0, 0, background.width, background.height});
     std::vector<PendingFrame> begun;
     for (std::size_t i = 0; i < 3; ++i) begun.push_back(renderer.begin(timeline.frame_state(i)));
     const auto expect = [&](std::size_t i) {
-      const Frame frame = begun[i].get();
+      const image::Frame frame = begun[i].get();
       EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
       EXPECT_EQ(without_changes(frame, background).pixels, background.pixels) << i;
     };
@@ -85,17 +85,17 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
 }
 
 TEST_P(FramesInFlight, AreTheSameInTheMemoryOfOthers) {
-  const Scene film = scene();
-  const Timeline timeline(film, {0, 250, 590, 600});
+  const scene::Scene film = scene();
+  const timeline::Timeline timeline(film, {0, 250, 590, 600});
   const auto context = gl::make_test_context();
-  std::vector<Frame> expected;
+  std::vector<image::Frame> expected;
   {
     Renderer renderer(*context, film, timeline.solutions());
     for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.frame_state(i)));
   }
   Renderer renderer(*context, film, timeline.solutions());
   for (const std::size_t i : {2U, 0U, 3U, 1U, 1U, 2U}) {
-    Frame frame = renderer.draw(timeline.frame_state(i));
+    image::Frame frame = renderer.draw(timeline.frame_state(i));
     EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
     EXPECT_EQ(frame.damage, expected[i].damage) << i;
     renderer.reuse(std::move(frame));
@@ -103,26 +103,27 @@ TEST_P(FramesInFlight, AreTheSameInTheMemoryOfOthers) {
 }
 
 TEST(FramesGivenBack, LendTheirMemory) {
-  const Scene film = t_wrench();
-  const Timeline timeline(film, {0, 250});
+  const scene::Scene film = t_wrench();
+  const timeline::Timeline timeline(film, {0, 250});
   const auto context = gl::make_test_context();
   Renderer renderer(*context, film, timeline.solutions());
-  Frame first = renderer.draw(timeline.frame_state(0));
+  image::Frame first = renderer.draw(timeline.frame_state(0));
   const std::uint8_t* const memory = first.image.pixels.data();
   renderer.reuse(std::move(first));
   EXPECT_EQ(renderer.draw(timeline.frame_state(1)).image.pixels.data(), memory);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FramesInFlight,
-                         testing::Values(Film{"plain"}, Film{"orbit", View::quad, 1, 1, false, 0.5},
-                                         Film{"blurred", View::wrench, 12},
-                                         Film{"multisampled", View::quad, 1, 4},
-                                         Film{"transparent", View::wrench, 1, 1, true}),
+                         testing::Values(Film{"plain"},
+                                         Film{"orbit", scene::View::quad, 1, 1, false, 0.5},
+                                         Film{"blurred", scene::View::wrench, 12},
+                                         Film{"multisampled", scene::View::quad, 1, 4},
+                                         Film{"transparent", scene::View::wrench, 1, 1, true}),
                          [](const auto& param) { return std::string(param.param.name); });
 
 TEST(FramesAhead, AreAsManyAsHidePixelsOnTheirWay) {
-  const Scene film = t_wrench();
-  const Timeline timeline(film, {0});
+  const scene::Scene film = t_wrench();
+  const timeline::Timeline timeline(film, {0});
   const auto context = gl::make_test_context();
   EXPECT_EQ(Renderer(*context, film, timeline.solutions()).frames_ahead(), 0)
       << "drawn in software";
@@ -131,4 +132,4 @@ TEST(FramesAhead, AreAsManyAsHidePixelsOnTheirWay) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -12,7 +12,7 @@
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -20,42 +20,42 @@ using Eigen::Vector3d;
 
 struct Golden {
   const char* name;
-  Scene scene;
+  scene::Scene scene;
   Matrix3d X;
-  std::set<Feature> features = {};
+  std::set<scene::Feature> features = {};
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
 
-Scene with_parts(std::vector<Part> parts) {
-  Scene scene = t_wrench(320, 180);
+scene::Scene with_parts(std::vector<body::Part> parts) {
+  scene::Scene scene = t_wrench(320, 180);
   scene.body.parts = std::move(parts);
   return scene;
 }
 
-Scene mixed_body() {
+scene::Scene mixed_body() {
   return with_parts({cylinder(0.6, 6, {0, 0, 0}, Vector3d(1, 0.4, 0)),
-                     {Box{{1, 3, 2}}, 3, {3, 1, 0}, so3::exp(Vector3d(0.3, 0.2, 0.1))},
-                     {Ellipsoid{{1.5, 1, 0.8}}, 5, {-3, -1, 0.5}, Matrix3d::Identity()}});
+                     {body::Box{{1, 3, 2}}, 3, {3, 1, 0}, so3::exp(Vector3d(0.3, 0.2, 0.1))},
+                     {body::Ellipsoid{{1.5, 1, 0.8}}, 5, {-3, -1, 0.5}, Matrix3d::Identity()}});
 }
 
-Scene with_theme(Theme theme) {
-  Scene scene = t_wrench(320, 180);
+scene::Scene with_theme(scene::Theme theme) {
+  scene::Scene scene = t_wrench(320, 180);
   scene.look.theme = theme;
   return scene;
 }
 
 std::vector<Golden> goldens() {
-  Scene transparent = t_wrench(240, 240);
+  scene::Scene transparent = t_wrench(240, 240);
   transparent.look.transparent = true;
-  Scene painted = t_wrench(320, 180);
-  painted.look.background = Color{250, 250, 245};
-  painted.look.color = Color{190, 60, 40};
+  scene::Scene painted = t_wrench(320, 180);
+  painted.look.background = scene::Color{250, 250, 245};
+  painted.look.color = scene::Color{190, 60, 40};
   painted.look.metallic = 0;
   painted.look.roughness = 0.6;
-  Scene moments = t_wrench(320, 180);
+  scene::Scene moments = t_wrench(320, 180);
   moments.body = {{}, Vector3d(3, 5, 7)};
-  Scene blurred = t_wrench(320, 180);
+  scene::Scene blurred = t_wrench(320, 180);
   blurred.look.motion_blur = 6;
   const Matrix3d Id = Matrix3d::Identity();
   const Matrix3d tumbling = so3::exp(Vector3d(0.7, -0.9, 0.4));
@@ -68,19 +68,20 @@ std::vector<Golden> goldens() {
       {"wrench-wide", t_wrench(420, 180), so3::exp(Vector3d(0.3, 2.4, -0.6))},
       {"wrench-transparent", transparent, so3::exp(Vector3d(1.1, 0.5, -0.3))},
       {"wrench-painted", painted, so3::exp(Vector3d(0.7, -0.9, 0.4))},
-      {"box", with_parts({{Box{{2, 3, 4}}, 1, {0, 0, 0}, Id}}), so3::exp(Vector3d(0.5, 0.8, 0.2))},
-      {"ellipsoid", with_parts({{Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Id}}),
+      {"box", with_parts({{body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Id}}),
+       so3::exp(Vector3d(0.5, 0.8, 0.2))},
+      {"ellipsoid", with_parts({{body::Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Id}}),
        so3::exp(Vector3d(0.9, 0.7, 0.3))},
       {"mixed", mixed_body(), so3::exp(Vector3d(0.4, 0.6, -0.2))},
-      {"floor", with_theme(Theme::studio), tumbling, {Feature::floor}},
-      {"paper", with_theme(Theme::paper), tumbling, {Feature::floor}},
-      {"space", with_theme(Theme::space), tumbling, {Feature::floor}},
+      {"floor", with_theme(scene::Theme::studio), tumbling, {scene::Feature::floor}},
+      {"paper", with_theme(scene::Theme::paper), tumbling, {scene::Feature::floor}},
+      {"space", with_theme(scene::Theme::space), tumbling, {scene::Feature::floor}},
       {"motion-blur", blurred, tumbling},
       {"moments-alone", moments, so3::exp(Vector3d(-0.6, 0.5, 0.4))},
   };
 }
 
-Image drawn(const Golden& golden, const Matrix3d& X) {
+image::Image drawn(const Golden& golden, const Matrix3d& X) {
   const auto context = gl::make_test_context();
   return PoseRenderer(*context, golden.scene, golden.features).draw(X);
 }
@@ -91,14 +92,15 @@ TEST_P(GoldenImage, IsDrawn) { expect_golden(GetParam().name, drawn(GetParam(), 
 
 // What the thresholds must detect.
 TEST_P(GoldenImage, SeesAWrongPose) {
-  const Image golden = read_png(golden_path(GetParam().name));
+  const image::Image golden = image::read_png(golden_path(GetParam().name));
   const Matrix3d& X = GetParam().X;
   constexpr double half_a_degree = 0.0087266;
   double least_mean = 255;
   for (int axis = 0; axis < 3; ++axis) {
-    const Image turned = drawn(GetParam(), so3::exp(half_a_degree * Vector3d::Unit(axis)) * X);
+    const image::Image turned =
+        drawn(GetParam(), so3::exp(half_a_degree * Vector3d::Unit(axis)) * X);
     EXPECT_FALSE(alike(turned, golden)) << "half a degree about " << axis;
-    least_mean = std::min(least_mean, compare(turned, golden, 0)->mean);
+    least_mean = std::min(least_mean, image::compare(turned, golden, 0)->mean);
   }
   RecordProperty("least_mean", fmt::format("{:.4f}", least_mean));
   if (!X.isIdentity()) {
@@ -117,4 +119,4 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(goldens()), [](cons
 });
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

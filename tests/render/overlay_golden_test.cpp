@@ -13,36 +13,36 @@
 #include "render/hud/hud.h"
 #include "render/overlay_scene.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 struct OverlayGolden {
   const char* name;
-  Scene scene;
+  scene::Scene scene;
 };
 
 void PrintTo(const OverlayGolden& golden, std::ostream* out) { *out << golden.name; }
 
 std::vector<OverlayGolden> goldens() {
-  const auto film = [](int width, int height, Theme theme = Theme::studio) {
-    Scene scene = film_of(width, height);
+  const auto film = [](int width, int height, scene::Theme theme = scene::Theme::studio) {
+    scene::Scene scene = film_of(width, height);
     scene.motion.method = "exact";
     scene.motion.duration = 48;
     scene.look.theme = theme;
     return scene;
   };
-  Scene mono = film(640, 360);
+  scene::Scene mono = film(640, 360);
   mono.overlay.font = "mono";
-  Scene paper = film(480, 480, Theme::paper);
-  paper.overlay.show.erase(Feature::sphere);
-  Scene compared = film(854, 480);
+  scene::Scene paper = film(480, 480, scene::Theme::paper);
+  paper.overlay.show.erase(scene::Feature::sphere);
+  scene::Scene compared = film(854, 480);
   compared.overlay.compare = {"lie-euler", "rk4", "exact"};
   compared.motion.control.step = 0.1;
-  Scene in_rows = film(360, 640);
+  scene::Scene in_rows = film(360, 640);
   in_rows.overlay.compare = {"euler", "strang"};
   in_rows.motion.control.step = 0.1;
-  Scene quad = film(640, 360);
-  quad.overlay.view = View::quad;
+  scene::Scene quad = film(640, 360);
+  quad.overlay.view = scene::View::quad;
   return {{"overlay", film(854, 480)},       {"overlay-portrait", film(360, 640)},
           {"overlay-small", film(320, 180)}, {"overlay-mono", mono},
           {"overlay-paper", paper},          {"overlay-quad", quad},
@@ -50,13 +50,14 @@ std::vector<OverlayGolden> goldens() {
 }
 
 /// The frame state in the middle of the video, modified by `change`.
-FrameState middle(const OverlayScene& film, const std::function<void(SolutionState&)>& change) {
-  FrameState state = film.timeline.frame_state(0);
+timeline::FrameState middle(const OverlayScene& film,
+                            const std::function<void(timeline::SolutionState&)>& change) {
+  timeline::FrameState state = film.timeline.frame_state(0);
   for (std::size_t i = 0; i < state.solutions.size(); ++i) {
-    const Solution& solution = film.timeline.solutions()[i];
-    SolutionState& instant = state.solutions[i];
+    const timeline::Solution& solution = film.timeline.solutions()[i];
+    timeline::SolutionState& instant = state.solutions[i];
     instant.sample = solution.whole[solution.whole.size() / 2];
-    instant.diagnostics = diagnose(solution.body, solution.initial_energy, instant.sample);
+    instant.diagnostics = motion::diagnose(solution.body, solution.initial_energy, instant.sample);
     // Round-off differs between machines.
     if (solution.method->name == "exact") instant.diagnostics = {0, -1.2e-15, 3.4e-16, 0};
     if (solution.method->name == "strang") instant.diagnostics.orthogonality_error = 0;
@@ -68,12 +69,13 @@ FrameState middle(const OverlayScene& film, const std::function<void(SolutionSta
   return state;
 }
 
-Image drawn(
-    const Scene& scene, const std::function<void(SolutionState&)>& change = [](SolutionState&) {}) {
+image::Image drawn(
+    const scene::Scene& scene,
+    const std::function<void(timeline::SolutionState&)>& change = [](timeline::SolutionState&) {}) {
   const OverlayScene film(scene);
   const auto& solutions = film.timeline.solutions();
-  const FrameState state = middle(film, change);
-  Image image(scene.film.width, scene.film.height, 3);
+  const timeline::FrameState state = middle(film, change);
+  image::Image image(scene.film.width, scene.film.height, 3);
   // Visible through a panel that darkens or brightens it.
   image.pixels.assign(image.pixels.size(), 110);
   const auto lay = [&](const std::vector<Layer>& layers) {
@@ -87,7 +89,7 @@ Image drawn(
   lay(drawn_layers(hud, state));
   const LabelPainter painter(film.typeface.regular, film.layout.text.readout, film.colors.panel,
                              {0, 0, image.width, image.height}, hud.extents());
-  const Area& focus = film.layout.panes[0].focus;
+  const image::Area& focus = film.layout.panes[0].focus;
   const Eigen::Vector2d end(focus.x + focus.width / 2.0, focus.y + focus.height / 2.0);
   lay(painter.paint({{"L", end, {1, 0}, film.colors.momentum},
                      {"ω", end, {0.9, 0.4}, film.colors.omega},
@@ -98,10 +100,10 @@ Image drawn(
 /// Releases of Cairo and of compilers round coverage differently, by a few levels of 255; the
 /// glyphs of Roboto 2 and Roboto 3, which releases of Debian have, differ at edges by up to 61
 /// (docs/platforms.md). A single changed digit changes a dozen pixels by far more.
-bool same_words(const Image& a, const Image& b) {
+bool same_words(const image::Image& a, const image::Image& b) {
   constexpr int threshold = 80;
   constexpr double most_pixels = 6;
-  const auto difference = compare(a, b, threshold);
+  const auto difference = image::compare(a, b, threshold);
   return difference && difference->share * a.width * a.height <= most_pixels;
 }
 
@@ -113,12 +115,13 @@ TEST_P(OverlayGoldenImage, IsDrawn) {
 
 // What the thresholds must detect.
 TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
-  const Image golden = read_png(golden_path(GetParam().name));
-  EXPECT_FALSE(
-      same_words(drawn(GetParam().scene, [](SolutionState& i) { i.sample.t += 0.1; }), golden));
+  const image::Image golden = image::read_png(golden_path(GetParam().name));
   EXPECT_FALSE(same_words(
-      drawn(GetParam().scene, [](SolutionState& i) { i.diagnostics.energy_drift = 7e-3; }),
-      golden));
+      drawn(GetParam().scene, [](timeline::SolutionState& i) { i.sample.t += 0.1; }), golden));
+  EXPECT_FALSE(
+      same_words(drawn(GetParam().scene,
+                       [](timeline::SolutionState& i) { i.diagnostics.energy_drift = 7e-3; }),
+                 golden));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
@@ -129,10 +132,11 @@ INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
                          });
 
 TEST(ComponentsInTheGoldens, ShowATransposedPose) {
-  const Scene scene = goldens()[0].scene;
-  EXPECT_FALSE(same_words(drawn(scene, [](SolutionState& i) { i.sample.X.transposeInPlace(); }),
-                          drawn(scene)));
+  const scene::Scene scene = goldens()[0].scene;
+  EXPECT_FALSE(
+      same_words(drawn(scene, [](timeline::SolutionState& i) { i.sample.X.transposeInPlace(); }),
+                 drawn(scene)));
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

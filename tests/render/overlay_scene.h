@@ -10,25 +10,26 @@
 #include "render/t_wrench.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A scene with text, and everything its elements are created from.
 struct OverlayScene {
-  explicit OverlayScene(const Scene& film, int frame = 0)
+  explicit OverlayScene(const scene::Scene& film, int frame = 0)
       : scene(film),
         layout(compute_layout(scene)),
         timeline(scene, {frame}),
-        typeface(load_typeface(scene.overlay.font)) {}
+        typeface(canvas::load_typeface(scene.overlay.font)) {}
 
-  Scene scene;
+  scene::Scene scene;
   Layout layout;
-  Timeline timeline;
-  Typeface typeface;
+  timeline::Timeline timeline;
+  canvas::Typeface typeface;
   const OverlayColors& colors = style_of(scene.look.theme).overlay;
 };
 
-inline Scene film_of(int width, int height, const std::string& title = "The Dzhanibekov effect") {
-  Scene scene = t_wrench(width, height);
+inline scene::Scene film_of(int width, int height,
+                            const std::string& title = "The Dzhanibekov effect") {
+  scene::Scene scene = t_wrench(width, height);
   scene.title = title;
   return scene;
 }
@@ -39,4 +40,4 @@ inline bool same(const std::vector<Layer>& a, const std::vector<Layer>& b) {
   });
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

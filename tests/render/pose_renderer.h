@@ -4,10 +4,10 @@
 
 #include "render/renderer.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns the scene with only these features besides the body.
-inline Scene showing(Scene scene, const std::set<Feature>& features) {
+inline scene::Scene showing(scene::Scene scene, const std::set<scene::Feature>& features) {
   scene.overlay.show = features;
   return scene;
 }
@@ -15,13 +15,14 @@ inline Scene showing(Scene scene, const std::set<Feature>& features) {
 /// Draws the body in any pose, bare or with some features.
 class PoseRenderer {
  public:
-  PoseRenderer(gl::Context& context, const Scene& scene, const std::set<Feature>& features = {})
+  PoseRenderer(gl::Context& context, const scene::Scene& scene,
+               const std::set<scene::Feature>& features = {})
       : timeline_(showing(scene, features), {0}),
         renderer_(context, showing(scene, features), timeline_.solutions()) {}
 
   /// With motion blur, as if it moved on from X as it does from its first pose.
-  Image draw(const Eigen::Matrix3d& X) {
-    FrameState state = timeline_.frame_state(0);
+  image::Image draw(const Eigen::Matrix3d& X) {
+    timeline::FrameState state = timeline_.frame_state(0);
     for (Eigen::Matrix3d& pose : state.solutions[0].blur) {
       pose = pose * state.solutions[0].sample.X.transpose() * X;
     }
@@ -32,8 +33,8 @@ class PoseRenderer {
   Camera camera() const { return renderer_.camera(0); }
 
  private:
-  Timeline timeline_;
+  timeline::Timeline timeline_;
   Renderer renderer_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,7 +9,7 @@
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -19,13 +19,13 @@ Matrix3d turned(double angle, const Vector3d& axis) {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-const std::uint8_t* pixel(const Image& image, int x, int y) {
+const std::uint8_t* pixel(const image::Image& image, int x, int y) {
   return &image.pixels[static_cast<std::size_t>(y) * image.row_bytes() +
                        static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels)];
 }
 
 /// The alpha of a transparent frame at `point` in space.
-int coverage_at(const PoseRenderer& renderer, const Image& image, const Vector3d& point) {
+int coverage_at(const PoseRenderer& renderer, const image::Image& image, const Vector3d& point) {
   const Eigen::Vector4d clip =
       renderer.camera().projection * renderer.camera().view * point.homogeneous();
   const double x = (0.5 + 0.5 * clip.x() / clip.w()) * image.width;
@@ -33,7 +33,7 @@ int coverage_at(const PoseRenderer& renderer, const Image& image, const Vector3d
   return pixel(image, static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))[3];
 }
 
-double mean_difference(const Image& a, const Image& b) {
+double mean_difference(const image::Image& a, const image::Image& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
   return sum / static_cast<double>(a.pixels.size());
@@ -43,17 +43,17 @@ class RendererTest : public testing::Test {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
 
-  static Scene transparent(int width = 320, int height = 180) {
-    Scene scene = t_wrench(width, height);
+  static scene::Scene transparent(int width = 320, int height = 180) {
+    scene::Scene scene = t_wrench(width, height);
     scene.look.transparent = true;
     return scene;
   }
 };
 
 TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
-  Scene scene = t_wrench(160, 90);
-  scene.look.background = Color{0, 255, 0};
-  const Image image = PoseRenderer(*context, scene).draw(Matrix3d::Identity());
+  scene::Scene scene = t_wrench(160, 90);
+  scene.look.background = scene::Color{0, 255, 0};
+  const image::Image image = PoseRenderer(*context, scene).draw(Matrix3d::Identity());
   ASSERT_EQ(image.width, 160);
   ASSERT_EQ(image.height, 90);
   ASSERT_EQ(image.channels, 3);
@@ -66,7 +66,7 @@ TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
   PoseRenderer renderer(*context, transparent());
   for (int i = 0; i < 12; ++i) {
     const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
-    const Image image = renderer.draw(X);
+    const image::Image image = renderer.draw(X);
     for (const double y : {-3.9, 0.0, 3.9}) {
       // The handle's axis.
       EXPECT_EQ(coverage_at(renderer, image, X * Vector3d(-1, y, 0)), 255) << i;
@@ -76,10 +76,10 @@ TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
 }
 
 TEST_F(RendererTest, LeavesWhatIsBesideTheBodyClear) {
-  Scene scene = transparent();
+  scene::Scene scene = transparent();
   scene.camera.elevation = 0;
   PoseRenderer renderer(*context, scene);
-  const Image image = renderer.draw(Matrix3d::Identity());
+  const image::Image image = renderer.draw(Matrix3d::Identity());
   for (const Vector3d& beside :
        {Vector3d(-2.2, 0, 0), Vector3d(0.4, 1.4, 0), Vector3d(0.4, -1.4, 0), Vector3d(4.3, 0, 0),
         Vector3d(-1, 4.3, 0)}) {
@@ -89,10 +89,10 @@ TEST_F(RendererTest, LeavesWhatIsBesideTheBodyClear) {
 
 TEST_F(RendererTest, ShowsNoGapWhereTheLegMeetsTheHandle) {
   // Seen along the handle, whose side curves away from the leg's flat end at x = 0.
-  Scene scene = transparent();
+  scene::Scene scene = transparent();
   scene.camera.elevation = std::numbers::pi / 2;
   PoseRenderer renderer(*context, scene);
-  const Image image = renderer.draw(Matrix3d::Identity());
+  const image::Image image = renderer.draw(Matrix3d::Identity());
   for (const double z : {-0.93, -0.8, 0.8, 0.93}) {
     EXPECT_EQ(coverage_at(renderer, image, Vector3d(-0.1, 0, z)), 255) << z;
   }
@@ -106,16 +106,16 @@ TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
 
 TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
   // A cylinder that rotates about its own axis looks the same.
-  Scene scene = t_wrench();
+  scene::Scene scene = t_wrench();
   scene.body.parts = {cylinder(1, 6, {0, 0, 0}, Vector3d::UnitY())};
   PoseRenderer renderer(*context, scene);
-  const Image still = renderer.draw(Matrix3d::Identity());
+  const image::Image still = renderer.draw(Matrix3d::Identity());
   EXPECT_LT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitY()))), 0.25);
   EXPECT_GT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitX()))), 2);
 }
 
 TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
-  const Image image = PoseRenderer(*context, transparent()).draw(turned(0.5, {1, 1, 0}));
+  const image::Image image = PoseRenderer(*context, transparent()).draw(turned(0.5, {1, 1, 0}));
   int partial = 0;
   int darkest_inside = 255;
   int darkest_edge = 255;
@@ -132,11 +132,11 @@ TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
 }
 
 TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
-  Scene scene = t_wrench(320, 180);
-  scene.look.background = Color{255, 255, 255};
+  scene::Scene scene = t_wrench(320, 180);
+  scene.look.background = scene::Color{255, 255, 255};
   const Matrix3d X = turned(0.5, {1, 1, 0});
-  const Image opaque = PoseRenderer(*context, scene).draw(X);
-  const Image clear = PoseRenderer(*context, transparent()).draw(X);
+  const image::Image opaque = PoseRenderer(*context, scene).draw(X);
+  const image::Image clear = PoseRenderer(*context, transparent()).draw(X);
   for (std::size_t i = 0, j = 0; i < clear.pixels.size(); i += 4, j += 3) {
     const double alpha = clear.pixels[i + 3] / 255.0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -149,7 +149,7 @@ TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
 TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
   const Matrix3d X = turned(0.8, {1, 2, 3});
   PoseRenderer first(*context, t_wrench());
-  const Image alone = first.draw(X);
+  const image::Image alone = first.draw(X);
   for (int i = 0; i < 5; ++i) first.draw(turned(0.9 * i, {3, 1, 2}));
   EXPECT_EQ(first.draw(X).pixels, alone.pixels);
   PoseRenderer second(*context, t_wrench());
@@ -160,14 +160,14 @@ TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
 TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
   // As eq. (24) produces: grown beyond the frame, and beyond the camera too.
   PoseRenderer renderer(*context, transparent());
-  const Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
+  const image::Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
   EXPECT_EQ(coverage_at(renderer, large, Vector3d::Zero()), 255);
   EXPECT_NO_THROW(renderer.draw(10 * turned(0.5, {1, 1, 0})));
 }
 
 TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
-  Scene scene = t_wrench();
-  using enum Feature;
+  scene::Scene scene = t_wrench();
+  using enum scene::Feature;
   scene.overlay.show = {axes,  momentum, omega,   trail, plane,     labels,
                         floor, sphere,   poinsot, hud,   components};
   scene.title = "The Dzhanibekov effect";
@@ -184,15 +184,16 @@ TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
                                       {64, 64}}) {
     scene.film.width = width;
     scene.film.height = height;
-    for (const View view : {View::wrench, View::momentum, View::poinsot, View::quad}) {
+    for (const scene::View view :
+         {scene::View::wrench, scene::View::momentum, scene::View::poinsot, scene::View::quad}) {
       scene.overlay.view = view;
-      const Timeline timeline(scene, {0});
+      const timeline::Timeline timeline(scene, {0});
       Renderer renderer(*context, scene, timeline.solutions());
-      const Frame frame = renderer.draw(timeline.frame_state(0));
+      const image::Frame frame = renderer.draw(timeline.frame_state(0));
       EXPECT_EQ(frame.image.width, width);
       EXPECT_EQ(frame.image.height, height);
-      for (const Area& area : frame.damage) {
-        EXPECT_EQ(common(area, {0, 0, width, height}), area) << width << "x" << height;
+      for (const image::Area& area : frame.damage) {
+        EXPECT_EQ(image::common(area, {0, 0, width, height}), area) << width << "x" << height;
       }
     }
   }
@@ -200,20 +201,20 @@ TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
 
 TEST_F(RendererTest, FollowsTheLook) {
   const Matrix3d X = turned(0.5, {1, 1, 0});
-  const Image plain = PoseRenderer(*context, t_wrench()).draw(X);
+  const image::Image plain = PoseRenderer(*context, t_wrench()).draw(X);
   const auto difference = [&](auto change) {
-    Scene scene = t_wrench();
+    scene::Scene scene = t_wrench();
     change(scene);
     return mean_difference(plain, PoseRenderer(*context, scene).draw(X));
   };
-  EXPECT_EQ(difference([](Scene&) {}), 0);
-  EXPECT_GT(difference([](Scene& s) { s.look.color = Color{255, 120, 40}; }), 1);
-  EXPECT_GT(difference([](Scene& s) { s.look.metallic = 0; }), 1);
-  EXPECT_GT(difference([](Scene& s) { s.look.roughness = 0.1; }), 0.5);
-  EXPECT_GT(difference([](Scene& s) { s.camera.azimuth = 0.25; }), 1);
-  EXPECT_GT(difference([](Scene& s) { s.camera.field_of_view = 1.2; }), 0.3);
-  EXPECT_GT(difference([](Scene& s) { s.look.samples = 4; }), 0.02);
+  EXPECT_EQ(difference([](scene::Scene&) {}), 0);
+  EXPECT_GT(difference([](scene::Scene& s) { s.look.color = scene::Color{255, 120, 40}; }), 1);
+  EXPECT_GT(difference([](scene::Scene& s) { s.look.metallic = 0; }), 1);
+  EXPECT_GT(difference([](scene::Scene& s) { s.look.roughness = 0.1; }), 0.5);
+  EXPECT_GT(difference([](scene::Scene& s) { s.camera.azimuth = 0.25; }), 1);
+  EXPECT_GT(difference([](scene::Scene& s) { s.camera.field_of_view = 1.2; }), 0.3);
+  EXPECT_GT(difference([](scene::Scene& s) { s.look.samples = 4; }), 0.02);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

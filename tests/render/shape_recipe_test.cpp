@@ -16,7 +16,7 @@
 #include "render/overlay/trail_point.h"
 #include "scene/scene_json.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -25,15 +25,15 @@ using Eigen::Vector3d;
 template <typename T>
 T example();
 template <>
-Cylinder example() {
+body::Cylinder example() {
   return {1.5, 4.0};
 }
 template <>
-Box example() {
+body::Box example() {
   return {{2.0, 3.0, 5.0}};
 }
 template <>
-Ellipsoid example() {
+body::Ellipsoid example() {
   return {{1.0, 2.0, 3.5}};
 }
 
@@ -47,9 +47,9 @@ struct AlternativesOf<std::variant<T...>> {
 template <typename T>
 class ShapeRecipe : public testing::Test {
  protected:
-  const Part part{example<T>(), 2.0, Vector3d(3, -1, 2), frame_with_z_along({1, 2, 2})};
+  const body::Part part{example<T>(), 2.0, Vector3d(3, -1, 2), body::frame_with_z_along({1, 2, 2})};
 };
-TYPED_TEST_SUITE(ShapeRecipe, AlternativesOf<Shape>::Types);
+TYPED_TEST_SUITE(ShapeRecipe, AlternativesOf<body::Shape>::Types);
 
 std::string toml_of(const nlohmann::ordered_json& part) {
   std::string text = "[[part]]\n";
@@ -58,18 +58,18 @@ std::string toml_of(const nlohmann::ordered_json& part) {
 }
 
 /// The part as a scene's JSON tells it.
-nlohmann::ordered_json json_of(const Part& part) {
-  Scene scene;
+nlohmann::ordered_json json_of(const body::Part& part) {
+  scene::Scene scene;
   scene.body.parts = {part};
-  return scene_json(scene)["part"][0];
+  return scene::scene_json(scene)["part"][0];
 }
 
 TYPED_TEST(ShapeRecipe, IsReadFromAFileAsItIsWritten) {
   const auto json = json_of(this->part);
-  const Scene scene = parse_scene(toml_of(json), "recipe.toml");
+  const scene::Scene scene = scene::parse_scene(toml_of(json), "recipe.toml");
   ASSERT_EQ(scene.body.parts.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<TypeParam>(scene.body.parts[0].shape));
-  EXPECT_NEAR(volume(scene.body.parts[0].shape), volume(this->part.shape), 1e-12);
+  EXPECT_NEAR(body::volume(scene.body.parts[0].shape), body::volume(this->part.shape), 1e-12);
   EXPECT_EQ(json_of(scene.body.parts[0])["shape"], json["shape"]);
 }
 
@@ -108,11 +108,11 @@ Solid solid_of(const Mesh& mesh, const Vector3d& centre) {
 // difference.
 TYPED_TEST(ShapeRecipe, IsDrawnAsTheSolidThatItsNumbersTellOf) {
   const Solid solid = solid_of(part_mesh(this->part, 1e-4), this->part.position);
-  EXPECT_NEAR(solid.volume / volume(this->part.shape), 1, 0.01);
+  EXPECT_NEAR(solid.volume / body::volume(this->part.shape), 1, 0.01);
   const Eigen::Matrix3d& R = this->part.body_from_part;
   const Eigen::Matrix3d own = R.transpose() * solid.squares * R;
   const Vector3d moments = Vector3d::Constant(own.trace()) - own.diagonal();
-  const Vector3d expected = central_moments(this->part.shape, volume(this->part.shape));
+  const Vector3d expected = body::central_moments(this->part.shape, body::volume(this->part.shape));
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moments[axis] / expected[axis], 1, 0.02) << axis;
 }
 
@@ -123,21 +123,22 @@ TYPED_TEST(ShapeRecipe, LiesInItsBounds) {
     farthest = std::max(farthest, (point - this->part.position).norm());
     farthest_of_all = std::max(farthest_of_all, point.norm());
   }
-  const double bound = bounding_radius(this->part.shape);
+  const double bound = body::bounding_radius(this->part.shape);
   EXPECT_LE(farthest, bound * (1 + 1e-6));
   EXPECT_GE(farthest, bound * 0.96);
-  EXPECT_LE(farthest_of_all, bounding_radius(std::span<const Part>(&this->part, 1)) * (1 + 1e-6));
+  EXPECT_LE(farthest_of_all,
+            bounding_radius(std::span<const body::Part>(&this->part, 1)) * (1 + 1e-6));
 }
 
 // What shades other parts in its stead, and the end that draws a trail, lie about it.
 TYPED_TEST(ShapeRecipe, HasACapsuleAndAnEnd) {
-  const double bound = bounding_radius(this->part.shape);
+  const double bound = body::bounding_radius(this->part.shape);
   const Capsule capsule = capsule_of(this->part);
   EXPECT_GT(capsule.radius, 0);
   for (const Vector3d& end : {capsule.from, capsule.to}) {
     EXPECT_LE((end - this->part.position).norm(), bound);
   }
-  Scene scene;
+  scene::Scene scene;
   scene.body.parts = {this->part};
   const double distance = trail_point(scene).norm();
   EXPECT_GT(distance, 0.3 * bound);
@@ -145,4 +146,4 @@ TYPED_TEST(ShapeRecipe, HasACapsuleAndAnEnd) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

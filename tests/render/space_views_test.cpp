@@ -16,15 +16,15 @@
 #include "render/views/momentum_view.h"
 #include "render/views/poinsot_view.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Scene with(std::set<Feature> features, int width = 320, int height = 180) {
-  Scene scene = t_wrench(width, height);
+scene::Scene with(std::set<scene::Feature> features, int width = 320, int height = 180) {
+  scene::Scene scene = t_wrench(width, height);
   scene.look.transparent = true;
   scene.overlay.show = std::move(features);
   return scene;
@@ -37,8 +37,8 @@ class SpaceViews : public testing::Test {
   gl::Framebuffer framebuffer{gl, 320, 180, 4, gl::ReadMode::at_once};
   Layout::Pane pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
 
-  Image drawn_picture(Element& element, const FrameState& state) const {
-    Image picture(framebuffer.width(), framebuffer.height(), 4);
+  image::Image drawn_picture(Element& element, const timeline::FrameState& state) const {
+    image::Image picture(framebuffer.width(), framebuffer.height(), 4);
     for (const Layer& layer : drawn_layers(element, state)) composite_over(picture, layer);
     return picture;
   }
@@ -49,39 +49,41 @@ TEST(TrailPoint, IsJustOutsideTheTipOfTheLeg) {
 }
 
 TEST(TrailPoint, IsTheScenesFromTheCentreOfMass) {
-  Scene scene = t_wrench();
-  for (Part& part : scene.body.parts) part.position += Vector3d(5, 6, 7);
+  scene::Scene scene = t_wrench();
+  for (body::Part& part : scene.body.parts) part.position += Vector3d(5, 6, 7);
   scene.overlay.trail_point = Vector3d(5, 7, 7);
   EXPECT_LT((trail_point(scene) - Vector3d(0, 1, 0)).norm(), 1e-12);
 }
 
 TEST(TrailPoint, ExistsWhereAllEndsAreAlike) {
-  Scene scene = t_wrench();
-  scene.body.parts = {{Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
+  scene::Scene scene = t_wrench();
+  scene.body.parts = {{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
   EXPECT_NEAR(trail_point(scene).norm(), 1.03, 1e-12);
 }
 
 TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
-  Scene scene = with({Feature::momentum, Feature::omega, Feature::plane});
-  const Timeline timeline(scene, {0, 100, 300, 500, 900});
-  const double radius = bounding_radius(visible_parts(scene.body));
+  scene::Scene scene =
+      with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
+  const timeline::Timeline timeline(scene, {0, 100, 300, 500, 900});
+  const double radius = bounding_radius(scene::visible_parts(scene.body));
   const BodyOverlay overlay(scene, timeline.solutions()[0], radius);
   const Vector3d up = timeline.solutions()[0].body.momentum().normalized();
   EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
   EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.frame_state(i).solutions[0].sample;
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
     EXPECT_NEAR(overlay.omega_tip(sample).dot(up), overlay.plane_height(), 1e-6 * radius);
     EXPECT_LT(overlay.omega_tip(sample).cross(sample.X * sample.omega).norm(), 1e-12 * radius);
   }
 }
 
 TEST(BodyOverlay, BoundsALongOmega) {
-  Scene scene = with({Feature::momentum, Feature::omega, Feature::plane});
+  scene::Scene scene =
+      with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
   scene.body = {{}, Vector3d(0.01, 1, 1.005)};
   scene.motion.omega = {20, 1, 0};
   scene.motion.duration = 1;
-  const Timeline timeline(scene, {0, 5});
+  const timeline::Timeline timeline(scene, {0, 5});
   const BodyOverlay overlay(scene, timeline.solutions()[0], 3);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     EXPECT_LT(overlay.omega_tip(timeline.frame_state(i).solutions[0].sample).norm(), 4.6);
@@ -90,14 +92,14 @@ TEST(BodyOverlay, BoundsALongOmega) {
 
 TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
   for (const double azimuth : {0.0, 0.9, 2.0, std::numbers::pi / 2}) {
-    Scene scene = with({Feature::momentum, Feature::labels});
+    scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels});
     scene.camera.azimuth = azimuth;
-    const Timeline timeline(scene, {0});
+    const timeline::Timeline timeline(scene, {0});
     BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
-    const FrameState state = timeline.frame_state(0);
+    const timeline::FrameState state = timeline.frame_state(0);
     const Camera camera = view.camera(0);
     const BodyOverlay overlay(scene, timeline.solutions()[0],
-                              bounding_radius(visible_parts(scene.body)));
+                              bounding_radius(scene::visible_parts(scene.body)));
     const Vector3d tip = overlay.momentum_tip();
     const auto labels = view.labels(state);
     ASSERT_EQ(labels.size(), 1) << azimuth;
@@ -105,7 +107,7 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     EXPECT_LT((labels[0].anchor - pixel_of(camera, pane.area, tip)).norm(), 1e-9);
     // Within the head, which has the colour of L.
     const Vector2d inside = pixel_of(camera, pane.area, 0.97 * tip);
-    const Image picture = drawn_picture(view, state);
+    const image::Image picture = drawn_picture(view, state);
     const auto x = static_cast<int>(inside.x()), y = static_cast<int>(inside.y());
     ASSERT_TRUE(x >= 0 && y >= 0 && x < picture.width && y < picture.height) << azimuth;
     const std::uint8_t* p = &picture.pixels[static_cast<std::size_t>(4 * (y * picture.width + x))];
@@ -116,28 +118,28 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
 
 TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
   // Straight along L, which the leg then covers from behind.
-  Scene scene = with({Feature::omega});
+  scene::Scene scene = with({scene::Feature::omega});
   scene.camera.azimuth = -std::numbers::pi / 2;
   scene.camera.elevation = 0;
   const auto pictures = [&](bool omega) {
     scene.overlay.show.clear();
-    if (omega) scene.overlay.show.insert(Feature::omega);
-    const Timeline timeline(scene, {0});
+    if (omega) scene.overlay.show.insert(scene::Feature::omega);
+    const timeline::Timeline timeline(scene, {0});
     BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
     return drawn_picture(view, timeline.frame_state(0));
   };
-  const Image with_omega = pictures(true), without = pictures(false);
+  const image::Image with_omega = pictures(true), without = pictures(false);
   EXPECT_EQ(with_omega.pixels, without.pixels);
   scene.camera.azimuth = std::numbers::pi / 2;
   EXPECT_NE(pictures(true).pixels, without.pixels);
 }
 
 TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
-  Scene scene = with({});
-  const Timeline timeline(scene, {0, 200, 400});
+  scene::Scene scene = with({});
+  const timeline::Timeline timeline(scene, {0, 200, 400});
   const MomentumView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.frame_state(i).solutions[0].sample;
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
     const Vector3d place = view.place_of(sample);
     EXPECT_NEAR(place.norm(), 1, 1e-9);
     // The wrench's axis of least moment, y, points up, and the intermediate one, x, towards the
@@ -148,12 +150,12 @@ TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {
 }
 
 TEST_F(SpaceViews, ShowTheSpheresAxesWholeInPanesOfAnyShape) {
-  Scene scene = with({Feature::labels});
+  scene::Scene scene = with({scene::Feature::labels});
   for (const double orbit : {0.0, 0.4}) {
     scene.camera.orbit = orbit;
-    const Timeline timeline(scene, {0, 300, 600});
+    const timeline::Timeline timeline(scene, {0, 300, 600});
     for (const auto& [width, height] : {std::pair(20, 180), {100, 180}, {170, 180}, {320, 60}}) {
-      const Area all{0, 0, width, height};
+      const image::Area all{0, 0, width, height};
       const MomentumView view(gl, framebuffer, scene, timeline.solutions(), 0, {all, all});
       for (std::size_t i = 0; i < timeline.size(); ++i) {
         EXPECT_EQ(view.labels(timeline.frame_state(i)).size(), 4U) << width << "x" << height;
@@ -163,12 +165,12 @@ TEST_F(SpaceViews, ShowTheSpheresAxesWholeInPanesOfAnyShape) {
 }
 
 TEST_F(SpaceViews, RollTheEllipsoidOnThePlane) {
-  Scene scene = with({});
+  scene::Scene scene = with({});
   scene.motion.omega = {1, 0.2, -0.1};
-  const Timeline timeline(scene, {0, 77, 200, 400, 901});
+  const timeline::Timeline timeline(scene, {0, 77, 200, 400, 901});
   const PoinsotView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Sample sample = timeline.frame_state(i).solutions[0].sample;
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
     const Vector3d contact = view.contact(sample);
     const Matrix3d unit_from_view = view.ellipsoid(sample.X).inverse();
     EXPECT_NEAR(contact.y(), 1, 1e-7) << "on the plane";
@@ -177,9 +179,9 @@ TEST_F(SpaceViews, RollTheEllipsoidOnThePlane) {
     EXPECT_LT(normal.normalized().cross(Vector3d::UnitY()).norm(), 1e-7) << "touching";
   }
   // Without slipping: the body's point at the contact is at rest.
-  const ExactMotion motion(timeline.solutions()[0].body);
+  const motion::ExactMotion motion(timeline.solutions()[0].body);
   const double t = 7, h = 1e-4;
-  const Sample now = motion.at(t);
+  const motion::Sample now = motion.at(t);
   const Vector3d point = view.ellipsoid(now.X).inverse() * view.contact(now);
   const Vector3d moved =
       (view.ellipsoid(motion.at(t + h).X) - view.ellipsoid(motion.at(t - h).X)) * point / (2 * h);
@@ -197,14 +199,15 @@ TEST_F(SpaceViews, DrawEveryBody) {
         Odd{"symmetric", {1, 1, 1.5}, {1, 0.2, 0.5}}, Odd{"equator", {1, 1, 1.5}, {1, 0.2, 0}},
         Odd{"needle", {1e-6, 1, 1}, {1, 1, 1}}, Odd{"plate", {1e9, 1e9, 2e9}, {0, 1, 0.1}},
         Odd{"spin", {1, 2, 2.5}, {0, 1, 0}}, Odd{"slow", {1, 2, 2.5}, {0, 1e-9, 0}}}) {
-    Scene scene = with({Feature::axes, Feature::momentum, Feature::omega, Feature::trail,
-                        Feature::plane, Feature::labels});
+    scene::Scene scene =
+        with({scene::Feature::axes, scene::Feature::momentum, scene::Feature::omega,
+              scene::Feature::trail, scene::Feature::plane, scene::Feature::labels});
     scene.body = {{}, odd.moments};
     scene.motion.omega = odd.omega;
     scene.motion.duration = 2;
     scene.overlay.trail_length = 1e-9;  // a single point
-    const Timeline timeline(scene, {0, 15});
-    const FrameState state = timeline.frame_state(1);
+    const timeline::Timeline timeline(scene, {0, 15});
+    const timeline::FrameState state = timeline.frame_state(1);
     std::vector<std::unique_ptr<SpaceView>> views;
     views.push_back(
         std::make_unique<BodyView>(gl, framebuffer, scene, timeline.solutions(), 0, pane));
@@ -225,14 +228,14 @@ TEST_F(SpaceViews, DrawEveryBody) {
 }
 
 TEST_F(SpaceViews, KeepTheArrowsInViewOfACameraThatGoesAround) {
-  Scene scene = with({Feature::momentum, Feature::labels}, 180, 180);
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels}, 180, 180);
   scene.camera.orbit = 1;
-  const Timeline timeline(scene, {0});
+  const timeline::Timeline timeline(scene, {0});
   const Layout::Pane square{{0, 0, 180, 180}, {0, 0, 180, 180}};
   const BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, square);
   const double distance = view.camera(0).distance;
   for (int i = 0; i < 30; ++i) {
-    FrameState state = timeline.frame_state(0);
+    timeline::FrameState state = timeline.frame_state(0);
     state.video_time = 0.2 * i;
     EXPECT_EQ(view.labels(state).size(), 1) << state.video_time;
     EXPECT_EQ(view.camera(state.video_time).distance, distance) << "no breathing";
@@ -240,14 +243,14 @@ TEST_F(SpaceViews, KeepTheArrowsInViewOfACameraThatGoesAround) {
 }
 
 TEST_F(SpaceViews, ShowEachTakeItsOwn) {
-  Scene scene = with({Feature::omega, Feature::labels});
+  scene::Scene scene = with({scene::Feature::omega, scene::Feature::labels});
   scene.overlay.compare = {"exact", "lie-euler"};
-  const Timeline timeline(scene, {600});
-  const FrameState state = timeline.frame_state(0);
+  const timeline::Timeline timeline(scene, {600});
+  const timeline::FrameState state = timeline.frame_state(0);
   const BodyView one(gl, framebuffer, scene, timeline.solutions(), 0, pane);
   const BodyView other(gl, framebuffer, scene, timeline.solutions(), 1, pane);
   EXPECT_GT((one.labels(state).at(0).anchor - other.labels(state).at(0).anchor).norm(), 2);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,17 +4,17 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A cylinder along `axis`.
-inline Part cylinder(double radius, double length, const Eigen::Vector3d& position,
-                     const Eigen::Vector3d& axis) {
-  return {Cylinder{radius, length}, 6.7, position, frame_with_z_along(axis)};
+inline body::Part cylinder(double radius, double length, const Eigen::Vector3d& position,
+                           const Eigen::Vector3d& axis) {
+  return {body::Cylinder{radius, length}, 6.7, position, body::frame_with_z_along(axis)};
 }
 
 /// The T-wrench of the specification, in small frames.
-inline Scene t_wrench(int width = 160, int height = 90) {
-  Scene scene;
+inline scene::Scene t_wrench(int width = 160, int height = 90) {
+  scene::Scene scene;
   scene.body.parts = {cylinder(1, 8, {-1, 0, 0}, Eigen::Vector3d::UnitY()),
                       cylinder(1, 4, {2, 0, 0}, Eigen::Vector3d::UnitX())};
   scene.film.width = width;
@@ -22,4 +22,4 @@ inline Scene t_wrench(int width = 160, int height = 90) {
   return scene;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
-namespace twrench {
+namespace twrench::scene {
 namespace {
 
 TEST(Color, Parses) {
@@ -20,4 +20,4 @@ TEST(Color, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::scene {
 namespace {
 
 using Eigen::Vector3d;
@@ -82,10 +82,10 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.name, "some");
   EXPECT_EQ(scene.title, "All keys");
   ASSERT_EQ(scene.body.parts.size(), 2u);
-  EXPECT_EQ(std::get<Box>(scene.body.parts[0].shape).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<body::Box>(scene.body.parts[0].shape).size, Vector3d(1, 2, 3));
   EXPECT_EQ(scene.body.parts[0].density, 2);
   EXPECT_NE(scene.body.parts[0].body_from_part, Eigen::Matrix3d::Identity());
-  EXPECT_EQ(std::get<Ellipsoid>(scene.body.parts[1].shape).radii, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<body::Ellipsoid>(scene.body.parts[1].shape).radii, Vector3d(1, 2, 3));
   EXPECT_EQ(scene.body.parts[1].position, Vector3d(1, 0, 0));
   EXPECT_EQ(scene.motion.omega, Vector3d(0.5, -1, 2));
   EXPECT_EQ(scene.motion.method, "rk4");
@@ -120,7 +120,7 @@ TEST(SceneFile, EveryKeyIsRead) {
 
 TEST(SceneFile, MomentsAlone) {
   const Scene scene = parse_scene("[body]\nmoments = [3, 4, 5]", "m.toml");
-  const MassProperties body = mass_properties(scene.body);
+  const body::MassProperties body = mass_properties(scene.body);
   EXPECT_TRUE(std::isnan(body.mass));
   EXPECT_EQ(body.moments, Vector3d(3, 4, 5));
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
@@ -142,7 +142,7 @@ TEST(SceneFile, WhatTheLimitsAllowHasAMotion) {
           "[[part]]\nshape = 'box'\nsize = [{0}, {0}, {0}]\ndensity = {1}\n"
           "axis = [1e-300, 1e-300, 0]\nposition = [1e12, -1e12, 1e12]\n",
           length, density);
-      const MassProperties body = mass_properties(parse_scene(text, "m.toml").body);
+      const body::MassProperties body = mass_properties(parse_scene(text, "m.toml").body);
       const double moment = density * std::pow(length, 5) / 6;
       EXPECT_LE((body.inertia / moment - Eigen::Matrix3d::Identity()).norm(), 1e-14) << text;
     }
@@ -251,8 +251,8 @@ TEST(SceneFile, UnknownSceneOffersTheNearest) {
 }
 
 TEST(SceneFile, MissingFileIsAFileError) {
-  EXPECT_THROW(load_scene("no/such.toml"), FileError);
-  EXPECT_THROW(load_scene(TWRENCH_TESTS_DIR "/../tests.toml"), FileError);
+  EXPECT_THROW(load_scene("no/such.toml"), system::FileError);
+  EXPECT_THROW(load_scene(TWRENCH_TESTS_DIR "/../tests.toml"), system::FileError);
 }
 
 TEST(Scene, FrameCountIsBounded) {
@@ -266,4 +266,4 @@ TEST(Scene, FrameCountIsBounded) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -5,14 +5,14 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::scene {
 namespace {
 
 using Eigen::Vector3d;
 using std::numbers::pi;
 
 TEST(TWrench, HasTheSpecificationsMassProperties) {
-  const MassProperties wrench = mass_properties(load_scene("dzhanibekov").body);
+  const body::MassProperties wrench = mass_properties(load_scene("dzhanibekov").body);
   const double M1 = pi * 8 * 6.7, M2 = pi * 4 * 6.7;                                    // R = 1
   const double Ixx = M1 / 4 + M1 * 64 / 12 + M2 / 2;                                    // eq. (46)
   const double Iyy = M1 + M2 * 16 / 4 + M1 / 2 + M2 / 4 + M2 * 16 / 12;                 // eq. (47)
@@ -34,4 +34,4 @@ TEST(TWrench, HasTheSpecificationsMassProperties) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::scene

@@ -10,16 +10,17 @@
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
 using Eigen::Vector3d;
 
-EstimateQuality quality(const FreeBody& body, std::string_view method, double tolerance) {
+EstimateQuality quality(const motion::FreeBody& body, std::string_view method, double tolerance) {
   const double speed = body.omega().norm();
   EstimateCheck check(body);
-  visit_steps(body, find_method(method), {.step = 0.1 / speed, .tolerance = tolerance}, 20 / speed,
-              [&](const AcceptedStep& step) { check.visit(step); });
+  motion::visit_steps(body, motion::find_method(method),
+                      {.step = 0.1 / speed, .tolerance = tolerance}, 20 / speed,
+                      [&](const motion::AcceptedStep& step) { check.visit(step); });
   return check.quality();
 }
 
@@ -29,7 +30,7 @@ EstimateQuality quality(const FreeBody& body, std::string_view method, double to
 double stated_factor(double tolerance) { return tolerance > 1e-9 ? 8.0 : 1.5; }
 
 TEST(Estimate, RkmkKeepsItsToleranceOnEveryReferenceCase) {
-  for (const ReferenceCase& c : reference_cases()) {
+  for (const motion::ReferenceCase& c : motion::reference_cases()) {
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
       const double worst = quality(c.body, "rkmk45", tolerance).largest_error;
       EXPECT_LT(worst, stated_factor(tolerance) * tolerance) << c.name << " " << tolerance;
@@ -38,10 +39,10 @@ TEST(Estimate, RkmkKeepsItsToleranceOnEveryReferenceCase) {
 }
 
 TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
-  RandomBodies random;
+  motion::RandomBodies random;
   for (int n = 0; n < 300; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body(moments.asDiagonal(), omega);
+    const motion::FreeBody body(moments.asDiagonal(), omega);
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
       const double worst = quality(body, "rkmk45", tolerance).largest_error;
       EXPECT_LT(worst, stated_factor(tolerance) * tolerance) << tolerance << "\n"
@@ -54,14 +55,14 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
 // The last term bounds all omitted ones: the series meets its tolerance without any factor.
 TEST(Estimate, TaylorKeepsItsTolerance) {
   constexpr double round_off = 1e-14;
-  RandomBodies random;
-  std::vector<FreeBody> bodies;
-  for (const ReferenceCase& c : reference_cases()) bodies.push_back(c.body);
+  motion::RandomBodies random;
+  std::vector<motion::FreeBody> bodies;
+  for (const motion::ReferenceCase& c : motion::reference_cases()) bodies.push_back(c.body);
   for (int n = 0; n < 300; ++n) {
     const Vector3d moments = random.moments();
-    bodies.push_back(FreeBody(moments.asDiagonal(), random.omega()));
+    bodies.push_back(motion::FreeBody(moments.asDiagonal(), random.omega()));
   }
-  for (const FreeBody& body : bodies) {
+  for (const motion::FreeBody& body : bodies) {
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13}) {
       EXPECT_LT(quality(body, "taylor", tolerance).largest_error, tolerance + round_off)
           << tolerance << "\n"
@@ -75,7 +76,7 @@ TEST(Estimate, TaylorKeepsItsTolerance) {
 // therefore cannot see: the true error is a thousand times the tolerance, and the ratio grows as
 // the tolerance decreases.
 TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
-  const FreeBody wrench = reference_case("wrench-a").body;
+  const motion::FreeBody wrench = motion::reference_case("wrench-a").body;
   double before = 0;
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
     const double times = quality(wrench, "rkf45", tolerance).largest_error / tolerance;
@@ -87,15 +88,15 @@ TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
 }
 
 /// true/E of one step from X = Id.
-double ratio(const FreeBody& body, std::string_view method, double h) {
+double ratio(const motion::FreeBody& body, std::string_view method, double h) {
   const Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
-  const Step step = take_step(body, find_method(method), start, h);
+  const motion::Step step = motion::take_step(body, motion::find_method(method), start, h);
   return local_error(body, {0, h, start, step.X, step.error}) / step.error;
 }
 
 TEST(Estimate, RatioToTheTruthIsBoundedWithTheCorrectionAndGrowsAsOneOverStepSquaredWithout) {
   const Vector3d moments(0.6, 0.8, 1), momentum(1.8, 0.4, -0.9);
-  const FreeBody body(moments.asDiagonal(), momentum.cwiseQuotient(moments));
+  const motion::FreeBody body(moments.asDiagonal(), momentum.cwiseQuotient(moments));
   for (const double h : {0.2, 0.1, 0.05, 0.025, 0.0125}) {
     EXPECT_GT(ratio(body, "rkmk45", h), 0.5) << h;
     EXPECT_LT(ratio(body, "rkmk45", h), 1.5) << h;
@@ -108,10 +109,10 @@ TEST(Estimate, RatioToTheTruthIsBoundedWithTheCorrectionAndGrowsAsOneOverStepSqu
 }
 
 TEST(Estimate, SaysNothingWhereThereIsNoError) {
-  const FreeBody sphere = reference_case("sphere").body;
+  const motion::FreeBody sphere = motion::reference_case("sphere").body;
   EXPECT_TRUE(std::isnan(quality(sphere, "rkf45", 1e-9).median_ratio));
   EXPECT_LT(quality(sphere, "rkf45", 1e-9).largest_error, 1e-14);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::study

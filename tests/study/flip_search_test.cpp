@@ -8,26 +8,26 @@
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
 using Eigen::Vector3d;
 
-std::vector<double> flips_seen(const FreeBody& body, std::string_view method, double step,
+std::vector<double> flips_seen(const motion::FreeBody& body, std::string_view method, double step,
                                double t_end) {
-  const Method& m = find_method(method);
+  const motion::Method& m = motion::find_method(method);
   FlipSearch search(body, m);
-  visit_steps(body, m, {.step = step, .tolerance = 1e-13}, t_end,
-              [&](const AcceptedStep& s) { search.visit(s); });
+  motion::visit_steps(body, m, {.step = step, .tolerance = 1e-13}, t_end,
+                      [&](const motion::AcceptedStep& s) { search.visit(s); });
   return search.times();
 }
 
 TEST(FlipSearch, FindsTheExactInstantsOnTheExactMotion) {
-  RandomBodies random;
+  motion::RandomBodies random;
   for (int n = 0; n < 100; ++n) {
     const Vector3d moments = random.moments(), omega = random.omega();
-    const FreeBody body(moments.asDiagonal(), omega);
-    const ExactMotion motion(body);
+    const motion::FreeBody body(moments.asDiagonal(), omega);
+    const motion::ExactMotion motion(body);
     const double end = 20 / omega.norm();
     const std::vector<double> predicted = motion.flip_times(end);
     const std::vector<double> seen = flips_seen(body, "exact", 0.05 / omega.norm(), end);
@@ -39,8 +39,8 @@ TEST(FlipSearch, FindsTheExactInstantsOnTheExactMotion) {
 }
 
 TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
-  const FreeBody wrench = reference_case("wrench-a").body;
-  const std::vector<double> predicted = ExactMotion(wrench).flip_times(90);
+  const motion::FreeBody wrench = motion::reference_case("wrench-a").body;
+  const std::vector<double> predicted = motion::ExactMotion(wrench).flip_times(90);
   for (const auto& [method, step] : {std::pair{"suzuki4", 0.01}, std::pair{"rkmk45", 0.1}}) {
     const std::vector<double> seen = flips_seen(wrench, method, step, 90);
     ASSERT_EQ(seen.size(), predicted.size());
@@ -50,8 +50,8 @@ TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
 
 TEST(FlipSearch, DoesNotCountTheStart) {
   // omega along the intermediate axis is zero at t = 0 and positive afterwards.
-  const FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
-  const std::vector<double> predicted = ExactMotion(body).flip_times(30);
+  const motion::FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.5, 0, 0.7});
+  const std::vector<double> predicted = motion::ExactMotion(body).flip_times(30);
   const std::vector<double> seen = flips_seen(body, "exact", 0.01, 30);
   ASSERT_EQ(seen.size(), predicted.size());
   EXPECT_NEAR(seen[0], predicted[0], 1e-12);
@@ -60,8 +60,8 @@ TEST(FlipSearch, DoesNotCountTheStart) {
 // I = (3, 5, 9), L = (0, 2, 0.01), steps of 0.1 s: flips are 59.0554 s apart. Known independently
 // to the digits given here.
 TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
-  const FreeBody body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
-  EXPECT_NEAR(ExactMotion(body).flips()->interval, 59.055443523193, 1e-9);
+  const motion::FreeBody body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
+  EXPECT_NEAR(motion::ExactMotion(body).flips()->interval, 59.055443523193, 1e-9);
   const auto intervals = [&](std::string_view method) {
     const std::vector<double> times = flips_seen(body, method, 0.1, 360);
     std::vector<double> between;
@@ -80,4 +80,4 @@ TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::study

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
 TEST(StepLadder, BeginsWithARoundStepOfAFifthOfARadian) {
@@ -53,4 +53,4 @@ TEST(FittedExponent, NeedsTwoPoints) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::study

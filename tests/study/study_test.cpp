@@ -7,21 +7,21 @@
 
 #include "motion/reference.h"
 
-namespace twrench {
+namespace twrench::study {
 namespace {
 
-FreeBody wrench() { return reference_case("wrench-a").body; }
+motion::FreeBody wrench() { return motion::reference_case("wrench-a").body; }
 
 StudyPlan plan_for(std::initializer_list<const char*> names, double duration) {
   StudyPlan plan{{}, step_ladder(duration, 1), {1e-6, 1e-8, 1e-10}, 0.1, duration};
-  for (const char* name : names) plan.methods.push_back(&find_method(name));
+  for (const char* name : names) plan.methods.push_back(&motion::find_method(name));
   return plan;
 }
 
 TEST(Study, SeesTheOrderOfEveryMethod) {
   StudyPlan plan = plan_for({}, 96);
   plan.tolerances = tolerance_ladder();
-  for (const Method& method : methods()) plan.methods.push_back(&method);
+  for (const motion::Method& method : motion::methods()) plan.methods.push_back(&method);
   for (const MethodStudy& m : run_study(wrench(), plan).methods) {
     if (m.method->order.value_or(9) > 8) {  // none, or too steep to measure
       EXPECT_FALSE(m.order);
@@ -33,14 +33,15 @@ TEST(Study, SeesTheOrderOfEveryMethod) {
 }
 
 TEST(Study, ErrorIsThatAgainstTheReference) {
-  const ReferenceCase c = reference_case("wrench-a");
-  const Sample& end = c.samples[4];  // t = 50
+  const motion::ReferenceCase c = motion::reference_case("wrench-a");
+  const motion::Sample& end = c.samples[4];  // t = 50
   StudyPlan plan = plan_for({"midpoint"}, end.t);
   plan.steps = {0.05};
   const Study result = run_study(c.body, plan);
   const StudyRun& run = result.methods[0].runs[0];
   const std::vector<double> times{end.t, 10};
-  const auto samples = integrate(c.body, find_method("midpoint"), {.step = 0.05}, times).samples;
+  const auto samples =
+      motion::integrate(c.body, motion::find_method("midpoint"), {.step = 0.05}, times).samples;
   EXPECT_NEAR(run.error, (samples[0].X - end.X).norm(), 1e-12);
   EXPECT_EQ(result.early, 10);
   EXPECT_NEAR(run.early_error, (samples[1].X - c.samples[2].X).norm(), 1e-12);
@@ -123,7 +124,7 @@ TEST(Study, RefusesAPlanThatCannotBe) {
 }
 
 TEST(Study, ABodyAtRestHasNoErrorAndNoFlips) {
-  const FreeBody rest(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
+  const motion::FreeBody rest(Eigen::Vector3d(1, 2, 3).asDiagonal(), Eigen::Vector3d::Zero());
   StudyPlan plan = plan_for({"rk4", "rkmk45", "euler"}, 10);
   const Study result = run_study(rest, plan);
   EXPECT_FALSE(result.flips);
@@ -137,4 +138,4 @@ TEST(Study, ABodyAtRestHasNoErrorAndNoFlips) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::study

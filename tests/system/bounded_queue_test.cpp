@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 TEST(BoundedQueue, FirstInFirstOut) {
@@ -124,4 +124,4 @@ TEST(BoundedQueue, LosesAndDoublesNothingBetweenManyThreads) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

@@ -34,7 +34,7 @@ extern "C" ssize_t vmsplice(int pipe, const iovec* pages, std::size_t count, uns
   return -1;
 }
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 using std::chrono::milliseconds;
@@ -241,4 +241,4 @@ TEST(ShellCommand, QuotesWhatAShellWouldTakeApart) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

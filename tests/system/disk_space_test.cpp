@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 TEST(DiskSpace, OfAFolderThatIsStillToBeMadeIsThatOfTheOneAbove) {
@@ -29,4 +29,4 @@ TEST(DiskSpace, IsSaidBriefly) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

@@ -14,7 +14,7 @@
 #include "scratch_folder.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 using ::testing::ElementsAre;
@@ -133,4 +133,4 @@ TEST(File, ErrorsCarryARemedyWhereThereIsOne) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

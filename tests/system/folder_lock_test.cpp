@@ -5,7 +5,7 @@
 #include "scratch_folder.h"
 #include "system/error.h"
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 TEST(FolderLock, KeepsOthersOutUnlessBothShareIt) {
@@ -22,4 +22,4 @@ TEST(FolderLock, KeepsOthersOutUnlessBothShareIt) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

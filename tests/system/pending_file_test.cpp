@@ -14,7 +14,7 @@
 #include "system/error.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ TEST(PendingFile, CanBeClaimedByOneAlone) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

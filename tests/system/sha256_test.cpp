@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twrench {
+namespace twrench::system {
 namespace {
 
 // The examples of FIPS 180-4.
@@ -19,4 +19,4 @@ TEST(Sha256, OfAbc) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::system

@@ -7,16 +7,16 @@
 
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::timeline {
 namespace {
 
-Scene turning_over() {
-  Scene scene = t_wrench();
+scene::Scene turning_over() {
+  scene::Scene scene = render::t_wrench();
   scene.motion.omega = {1.0, 0.05, 0.0};
   return scene;
 }
 
-std::vector<int> all_frames(const Scene& scene) {
+std::vector<int> all_frames(const scene::Scene& scene) {
   std::vector<int> frames(static_cast<std::size_t>(scene.frame_count()));
   std::iota(frames.begin(), frames.end(), 0);
   return frames;
@@ -40,7 +40,7 @@ void expect_same(const FrameState& a, const FrameState& b) {
 }
 
 TEST(Timeline, AMomentDoesNotDependOnTheOtherFrames) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.look.motion_blur = 3;
   scene.overlay.compare = {"rk4", "rkmk45", "exact"};
   const Timeline whole(scene, all_frames(scene));
@@ -52,7 +52,7 @@ TEST(Timeline, AMomentDoesNotDependOnTheOtherFrames) {
 }
 
 TEST(Timeline, CountsFlipsAndForetellsTheNext) {
-  const Scene scene = turning_over();
+  const scene::Scene scene = turning_over();
   const Timeline timeline(scene, all_frames(scene));
   // First flip at 11.8154 s, then every 23.6307 s; a frame is 0.1 s.
   EXPECT_EQ(timeline.frame_state(118).solutions[0].flips, 0U);
@@ -63,7 +63,7 @@ TEST(Timeline, CountsFlipsAndForetellsTheNext) {
 }
 
 TEST(Timeline, KnowsNoFlipsAboutAStableAxis) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.motion.omega = {0.05, 1.0, 0.0};
   const Timeline timeline(scene, {500});
   EXPECT_FALSE(timeline.frame_state(0).solutions[0].next_flip.has_value());
@@ -71,14 +71,14 @@ TEST(Timeline, KnowsNoFlipsAboutAStableAxis) {
 }
 
 TEST(Timeline, TrailsReachBackAsFarAsTheyShould) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.overlay.trail_length = 5;
   const Timeline timeline(scene, {0, 10, 300});
   EXPECT_EQ(timeline.frame_state(0).solutions[0].trail.size(), 1U);
-  const std::vector<Sample> early = timeline.frame_state(1).solutions[0].trail;
+  const std::vector<motion::Sample> early = timeline.frame_state(1).solutions[0].trail;
   EXPECT_EQ(early.front().t, 0);
   EXPECT_EQ(early.back().t, 1);
-  const std::vector<Sample> late = timeline.frame_state(2).solutions[0].trail;
+  const std::vector<motion::Sample> late = timeline.frame_state(2).solutions[0].trail;
   EXPECT_NEAR(late.front().t, 25, 0.1);
   EXPECT_GE(late.front().t, 25);
   EXPECT_EQ(late.back().t, 30);
@@ -88,25 +88,25 @@ TEST(Timeline, TrailsReachBackAsFarAsTheyShould) {
 }
 
 TEST(Timeline, LeavesOutTrailsThatAreNotShown) {
-  Scene scene = turning_over();
-  scene.overlay.show.erase(Feature::trail);
+  scene::Scene scene = turning_over();
+  scene.overlay.show.erase(scene::Feature::trail);
   EXPECT_TRUE(Timeline(scene, {300}).frame_state(0).solutions[0].trail.empty());
 }
 
 TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.look.motion_blur = 2;
   scene.motion.method = "exact";
   const Timeline timeline(scene, {100});
   const SolutionState instant = timeline.frame_state(0).solutions[0];
   ASSERT_EQ(instant.blur.size(), 2U);
-  const ExactMotion motion(timeline.solutions()[0].body);
+  const motion::ExactMotion motion(timeline.solutions()[0].body);
   EXPECT_EQ(instant.blur[0], motion.at(10 - 0.0125).X);
   EXPECT_EQ(instant.blur[1], motion.at(10 + 0.0125).X);
 }
 
 TEST(Timeline, ShowsEachComparedMethodsOwnDrift) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.overlay.compare = {"lie-euler", "exact"};
   const FrameState state = Timeline(scene, {600}).frame_state(0);
   EXPECT_GT(std::abs(state.solutions[0].diagnostics.energy_drift), 1e-4);
@@ -114,7 +114,7 @@ TEST(Timeline, ShowsEachComparedMethodsOwnDrift) {
 }
 
 TEST(Timeline, TellsOfABodyAtRest) {
-  Scene scene = turning_over();
+  scene::Scene scene = turning_over();
   scene.motion.omega.setZero();
   const SolutionState instant = Timeline(scene, {100}).frame_state(0).solutions[0];
   EXPECT_EQ(instant.sample.X, Eigen::Matrix3d::Identity());
@@ -122,4 +122,4 @@ TEST(Timeline, TellsOfABodyAtRest) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::timeline

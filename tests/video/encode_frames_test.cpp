@@ -19,15 +19,15 @@
 #include "video/frame_range.h"
 #include "video/frame_sequence.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
-Image gray(int width, int height, std::size_t level) {
-  Image image(width, height, 3);
+image::Image gray(int width, int height, std::size_t level) {
+  image::Image image(width, height, 3);
   for (std::uint8_t& value : image.pixels) {
     value = static_cast<std::uint8_t>(level);
   }
@@ -50,7 +50,7 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
   for (const int frame : parse_frame_range(drawn, 100)) {
     FrameRecord& record = records[static_cast<std::size_t>(frame)];
     record.frame = frame;
-    sequence.write(record, encode_png(gray(32, 16, static_cast<std::size_t>(frame) * 10)));
+    sequence.write(record, image::encode_png(gray(32, 16, static_cast<std::size_t>(frame) * 10)));
   }
   sequence.finish();
   return scratch / "frames";
@@ -84,7 +84,7 @@ TEST(EncodeFrames, MakesTheFilmOfTheFramesInOrder) {
               ElementsAre(1, 2, 3, 4, 5));
   run_command("ffmpeg -v error -i '" + (scratch / "film.mp4").string() +
               "' -f rawvideo -pix_fmt gray '" + (scratch / "film.gray").string() + "'");
-  const auto film = read_file(scratch / "film.gray", 1'000'000);
+  const auto film = system::read_file(scratch / "film.gray", 1'000'000);
   ASSERT_EQ(film.size(), std::size_t{5} * 32 * 16);
   for (std::size_t k = 0; k < 5; ++k) {
     EXPECT_NEAR(film[k * 32 * 16], 50 * static_cast<int>(k), 2);
@@ -113,14 +113,16 @@ TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
   std::filesystem::remove_all(frames);
   draw(scratch, "0-9", "0");
   std::filesystem::remove(frames / "frame_000000.png");
-  EXPECT_THROW(encode_frames(frames, {film}, Missing::leave_out, [](int, int) {}), FileError)
+  EXPECT_THROW(encode_frames(frames, {film}, Missing::leave_out, [](int, int) {}),
+               system::FileError)
       << "a film of nothing";
 }
 
 TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
   const ScratchFolder scratch;
   draw(scratch, "0-3", "0-3");
-  write_file_atomically(scratch / "frames/frame_000002.png", encode_png(gray(32, 16, 99)));
+  system::write_file_atomically(scratch / "frames/frame_000002.png",
+                                image::encode_png(gray(32, 16, 99)));
   const auto error = failure<FramesError>(scratch);
   EXPECT_THAT(error.what(), HasSubstr("frame_000002.png: it is not the file"));
   EXPECT_EQ(error.reason(), FramesError::Reason::altered);
@@ -135,15 +137,15 @@ TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
   for (const auto& [width, height] : {std::pair{32, 8}, {16, 16}}) {
     const FrameRecord record;
     FrameSequence sequence(scratch / "frames", manifest);
-    sequence.write(record, encode_png(gray(width, height, 0)));
+    sequence.write(record, image::encode_png(gray(width, height, 0)));
     sequence.finish();
-    EXPECT_THAT(failure<FileError>(scratch).what(), HasSubstr("the manifest says 32x16"));
+    EXPECT_THAT(failure<system::FileError>(scratch).what(), HasSubstr("the manifest says 32x16"));
   }
 }
 
 TEST(EncodeFrames, NeedsAManifest) {
   const ScratchFolder scratch;
-  EXPECT_THAT(failure<FileError>(scratch).what(), HasSubstr("there is no such folder"));
+  EXPECT_THAT(failure<system::FileError>(scratch).what(), HasSubstr("there is no such folder"));
 }
 
 TEST(EncodeFrames, KeepsTheFramesWhenFfmpegFails) {
@@ -156,4 +158,4 @@ TEST(EncodeFrames, KeepsTheFramesWhenFfmpegFails) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

@@ -18,7 +18,7 @@
 #include "system/file.h"
 #include "video/error.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::ElementsAre;
@@ -26,17 +26,17 @@ using ::testing::HasSubstr;
 
 constexpr VideoFormat format{64, 48, 30.0};
 
-Image flat(std::array<int, 3> color) {
-  Image image(format.width, format.height, 3);
+image::Image flat(std::array<int, 3> color) {
+  image::Image image(format.width, format.height, 3);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = static_cast<std::uint8_t>(color[i % 3]);
   }
   return image;
 }
 
-void encode(const std::filesystem::path& output, const std::vector<Image>& frames) {
+void encode(const std::filesystem::path& output, const std::vector<image::Image>& frames) {
   VideoEncoder encoder(output, format);
-  for (const Image& frame : frames) {
+  for (const image::Image& frame : frames) {
     encoder.write(frame);
   }
   encoder.finish();
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> decode(const ScratchFolder& scratch, const std::string
               "' -vf scale=flags=accurate_rnd+full_chroma_int+full_chroma_inp"
               " -f rawvideo -pix_fmt rgb24 'file:" +
               raw + "'");
-  return read_file(raw, 100'000'000);
+  return system::read_file(raw, 100'000'000);
 }
 
 /// ffprobe's description of the video stream.
@@ -58,7 +58,7 @@ std::string probe(const ScratchFolder& scratch, const std::string& film) {
   run_command(
       "ffprobe -v error -count_frames -of default=noprint_wrappers=1 -show_entries stream '" +
       (scratch / film).string() + "' >'" + out + "'");
-  const auto text = read_file(out, 100'000);
+  const auto text = system::read_file(out, 100'000);
   return {text.begin(), text.end()};
 }
 
@@ -66,7 +66,7 @@ std::string probe(const ScratchFolder& scratch, const std::string& film) {
 template <typename Expected>
 Expected failure(const std::filesystem::path& output) {
   try {
-    encode(output, std::vector<Image>(2000, flat({1, 2, 3})));
+    encode(output, std::vector<image::Image>(2000, flat({1, 2, 3})));
   } catch (const Expected& error) {
     return error;
   }
@@ -76,7 +76,7 @@ Expected failure(const std::filesystem::path& output) {
 
 TEST(Encoder, MakesATaggedFilmOfAllFrames) {
   const ScratchFolder scratch;
-  encode(scratch / "film.mp4", std::vector<Image>(7, flat({40, 80, 120})));
+  encode(scratch / "film.mp4", std::vector<image::Image>(7, flat({40, 80, 120})));
   const std::string said = probe(scratch, "film.mp4");
   for (const char* expected :
        {"codec_name=h264\n", "width=64\n", "height=48\n", "pix_fmt=yuv420p\n", "color_range=tv\n",
@@ -90,7 +90,7 @@ TEST(Encoder, MakesATaggedFilmOfAllFrames) {
 TEST(Encoder, PutsTheIndexFirstSoThatPlayersStartAtOnce) {
   const ScratchFolder scratch;
   encode(scratch / "film.mp4", {flat({1, 2, 3})});
-  const auto bytes = read_file(scratch / "film.mp4", 100'000);
+  const auto bytes = system::read_file(scratch / "film.mp4", 100'000);
   const std::string text(bytes.begin(), bytes.end());
   EXPECT_LT(text.find("moov"), text.find("mdat"));
 }
@@ -103,7 +103,7 @@ TEST(Encoder, KeepsColours) {
       {0, 255, 0},   {0, 0, 255},  {255, 255, 0},   {0, 255, 255},   {255, 0, 255},
       {200, 30, 60}, {12, 14, 20}, {184, 188, 196}, {30, 120, 220},  {250, 140, 10}};
   const ScratchFolder scratch;
-  std::vector<Image> frames;
+  std::vector<image::Image> frames;
   std::transform(colors.begin(), colors.end(), std::back_inserter(frames), flat);
   encode(scratch / "film.mp4", frames);
   const auto decoded = decode(scratch, "film.mp4");
@@ -119,7 +119,7 @@ TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
   // Every 17th level of each channel, in squares of 16 pixels whose inner 8 are compared.
   constexpr int side = 1024;
   const ScratchFolder scratch;
-  Image image(side, side, 3);
+  image::Image image(side, side, 3);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const std::size_t square = i / 3 / side / 16 * 64 + i / 3 % side / 16;
     image.pixels[i] = static_cast<std::uint8_t>((square >> (i % 3 * 4) & 15U) * 17);
@@ -142,7 +142,7 @@ TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {
 
 TEST(Encoder, KeepsFramesUprightAndInOrder) {
   const ScratchFolder scratch;
-  std::vector<Image> frames;
+  std::vector<image::Image> frames;
   for (int k = 0; k < 3; ++k) {
     frames.push_back(flat({20, 20, 20}));
     // Bright: the top 16 rows, and that many columns on the left.
@@ -170,8 +170,8 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
   VideoEncoder whole(scratch / "whole.mp4", format);
   VideoEncoder areas(scratch / "areas.mp4", format);
   for (int k = 0; k < 4; ++k) {
-    Image frame = flat({20, 60, 90});
-    const Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
+    image::Image frame = flat({20, 60, 90});
+    const image::Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
     for (int y = area.y; y < area.y + area.height; ++y) {
       for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
         frame
@@ -201,25 +201,25 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
   VideoEncoder encoder(scratch / "film.mp4", {width, height, 30});
   std::vector<std::uint8_t> expected;
   for (int k = 0; k < 9; ++k) {
-    Image frame(width, height, 3);
-    const Area area{130 * k, 3 + 70 * k, 200, 100};
+    image::Image frame(width, height, 3);
+    const image::Area area{130 * k, 3 + 70 * k, 200, 100};
     for (int y = area.y; y < area.y + area.height; ++y) {
       std::fill_n(&frame.pixels[static_cast<std::size_t>(3 * (y * width + area.x))], 3 * area.width,
                   static_cast<std::uint8_t>(90 + 15 * k));
     }
     encoder.convert(frame, std::array{area});
     encoder.write_converted();
-    Yuv420 planes(width, height);
+    image::Yuv420 planes(width, height);
     planes.update(frame, {0, 0, width, height});
     expected.insert(expected.end(), planes.bytes().begin(), planes.bytes().end());
   }
   EXPECT_THROW(encoder.finish(), EncoderError) << "it is no film";
-  EXPECT_EQ(read_file(raw, 100'000'000), expected);
+  EXPECT_EQ(system::read_file(raw, 100'000'000), expected);
 }
 
 TEST(Encoder, ShowsTransparentFramesOverBlack) {
   const ScratchFolder scratch;
-  Image image(format.width, format.height, 4);
+  image::Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = i % 4 < 3 ? 200 : 128;  // half transparent
   }
@@ -229,7 +229,7 @@ TEST(Encoder, ShowsTransparentFramesOverBlack) {
 
 TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
   // Opaque on the left, half transparent in the middle, transparent on the right.
-  Image image(format.width, format.height, 4);
+  image::Image image(format.width, format.height, 4);
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
     const auto x = i / 4 % 64;
     image.pixels[i] = 200;
@@ -252,7 +252,7 @@ TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
         "ffmpeg -v error -y " + std::string(decoder) + " -i 'file:" + (scratch / name).string() +
         "' -vf scale=flags=accurate_rnd+full_chroma_int -f rawvideo -pix_fmt rgba 'file:" + raw +
         "'");
-    const auto decoded = read_file(raw, 1'000'000);
+    const auto decoded = system::read_file(raw, 1'000'000);
     ASSERT_EQ(decoded.size(), 3 * image.pixels.size()) << name;
     for (std::size_t i = 0; i < decoded.size(); ++i) {
       const auto x = i / 4 % 64;
@@ -308,8 +308,8 @@ TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
 TEST(Encoder, RefusesAFrameOfAnotherSize) {
   const ScratchFolder scratch;
   VideoEncoder encoder(scratch / "film.mp4", format);
-  EXPECT_THROW(encoder.write(Image(format.width, 64, 3)), std::invalid_argument);
-  EXPECT_THROW(encoder.write(Image(48, format.height, 3)), std::invalid_argument);
+  EXPECT_THROW(encoder.write(image::Image(format.width, 64, 3)), std::invalid_argument);
+  EXPECT_THROW(encoder.write(image::Image(48, format.height, 3)), std::invalid_argument);
 }
 
 TEST(Encoder, TakesAnyFileName) {
@@ -376,16 +376,16 @@ TEST(Encoder, ThatDiesAtOnceIsToldWithItsWordsAndItsCommand) {
 
 TEST(Encoder, ThatDiesMidwayIsTold) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
+  system::write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
   const StubFfmpeg stub(scratch, "head -c 1000000 >/dev/null; kill -KILL $$");
   EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(),
               HasSubstr("exit status 137: it printed no message"));
   EXPECT_THAT(scratch.names(), ::testing::UnorderedElementsAre("bin", "film.mp4"));
-  EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+  EXPECT_EQ(system::read_file(scratch / "film.mp4", 100).size(), 15U);
 }
 
 TEST(Encoder, ThatHangsIsStoppedAndTold) {
-  constexpr ChildProcess::Time patience(200);
+  constexpr system::ChildProcess::Time patience(200);
   const ScratchFolder scratch;
   for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
     const StubFfmpeg stub(scratch, script);
@@ -411,7 +411,7 @@ TEST(Encoder, ThatFailsAtTheEndIsTold) {
 
 TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
+  system::write_file_atomically(scratch / "film.mp4", std::string_view("the film before"));
   const std::string last = "for film; do :; done; film=${film#file:}; ";
   const std::string real = "$(PATH=${PATH#*:} command -v ffmpeg)";
   const std::pair<std::string, const char*> stubs[] = {
@@ -427,7 +427,7 @@ TEST(Encoder, ThatSaysItIsDoneIsNotBelieved) {
     } catch (const EncoderError& error) {
       EXPECT_THAT(error.what(), HasSubstr(message));
     }
-    EXPECT_EQ(read_file(scratch / "film.mp4", 100).size(), 15U);
+    EXPECT_EQ(system::read_file(scratch / "film.mp4", 100).size(), 15U);
   }
 }
 
@@ -435,7 +435,7 @@ TEST(Encoder, IsKeptFromAFilmThatAnotherWrites) {
   const ScratchFolder scratch;
   const VideoEncoder one(scratch / "film.mp4", format);
   const VideoEncoder other(scratch / "other.mp4", format);
-  EXPECT_THROW(VideoEncoder(scratch / "film.mp4", format), FileError);
+  EXPECT_THROW(VideoEncoder(scratch / "film.mp4", format), system::FileError);
 }
 
 TEST(Encoder, StreamsToADevice) {
@@ -445,7 +445,7 @@ TEST(Encoder, StreamsToADevice) {
     run_command("cat '" + (scratch / "pipe.mp4").string() + "' >'" +
                 (scratch / "film.mp4").string() + "'");
   });
-  encode(scratch / "pipe.mp4", std::vector<Image>(7, flat({40, 80, 120})));
+  encode(scratch / "pipe.mp4", std::vector<image::Image>(7, flat({40, 80, 120})));
   reader.get();
   EXPECT_THAT(probe(scratch, "film.mp4"), HasSubstr("nb_read_frames=7\n"));
 }
@@ -455,14 +455,15 @@ TEST(Encoder, AFullDiskIsAFilesFailure) {
   const StubFfmpeg stub(scratch,
                         "echo 'av_interleaved_write_frame(): No space left on device' >&2"
                         "; exit 1");
-  EXPECT_THAT(failure<FileError>(scratch / "film.mp4").remedy(), HasSubstr("free some space"));
+  EXPECT_THAT(failure<system::FileError>(scratch / "film.mp4").remedy(),
+              HasSubstr("free some space"));
 }
 
 TEST(Encoder, NeedsAFolderForTheFilm) {
   const ScratchFolder scratch;
-  EXPECT_THROW(VideoEncoder(scratch / "no/film.mp4", format), FileError);
-  EXPECT_THROW(VideoEncoder(scratch.path(), format), FileError);
+  EXPECT_THROW(VideoEncoder(scratch / "no/film.mp4", format), system::FileError);
+  EXPECT_THROW(VideoEncoder(scratch.path(), format), system::FileError);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

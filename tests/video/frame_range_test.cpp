@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST(FrameRange, IsShortInAMessage) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

@@ -16,7 +16,7 @@
 #include "system/sha256.h"
 #include "video/manifest.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::ElementsAre;
@@ -64,12 +64,12 @@ TEST(FrameSequence, WritesFramesAndTheirManifest) {
   sequence.write(record(3), first);
   sequence.finish();
 
-  EXPECT_EQ(read_file(scratch / "deep/er/frame_000003.png", 10), first);
-  EXPECT_EQ(read_file(scratch / "deep/er/frame_000007.png", 10), second);
+  EXPECT_EQ(system::read_file(scratch / "deep/er/frame_000003.png", 10), first);
+  EXPECT_EQ(system::read_file(scratch / "deep/er/frame_000007.png", 10), second);
   const Manifest manifest = read_manifest(scratch / "deep/er/manifest.json");
   ASSERT_THAT(numbers(manifest), ElementsAre(3, 7));
   EXPECT_EQ(manifest.frames[1].file, "frame_000007.png");
-  EXPECT_EQ(manifest.frames[1].sha256, sha256_hex(second));
+  EXPECT_EQ(manifest.frames[1].sha256, system::sha256_hex(second));
   EXPECT_EQ(manifest.frames[1].t, 0.7);
 }
 
@@ -109,9 +109,9 @@ TEST(FrameSequence, TellsOfItsFramesWhenTheRunFails) {
 
 TEST(FrameSequence, WithoutAFrameTouchesNoManifest) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / manifest_name, std::string_view("of another run"));
+  system::write_file_atomically(scratch / manifest_name, std::string_view("of another run"));
   { const FrameSequence sequence(scratch.path(), head("0-9")); }
-  EXPECT_EQ(read_file(scratch / manifest_name, 100).size(), 14U);
+  EXPECT_EQ(system::read_file(scratch / manifest_name, 100).size(), 14U);
 }
 
 // So that no run ever finds frames whose origin is unknown.
@@ -121,7 +121,7 @@ TEST(FrameSequence, HasAManifestBeforeAFrame) {
   shard.shard = {2, 3};
   std::filesystem::create_directory(scratch / "frame_000000.png");  // the write fails
   FrameSequence sequence(scratch.path(), shard);
-  EXPECT_THROW(sequence.write(record(0), {}), FileError);
+  EXPECT_THROW(sequence.write(record(0), {}), system::FileError);
   EXPECT_TRUE(read_manifest(scratch / "manifest.0002-of-0003.json").frames.empty());
 }
 
@@ -131,7 +131,7 @@ TEST(FrameSequence, AFrameThatCannotBeWrittenIsNotTold) {
   {
     FrameSequence sequence(scratch.path(), head("0-9"));
     sequence.write(record(0), {});
-    EXPECT_THROW(sequence.write(record(1), {}), FileError);
+    EXPECT_THROW(sequence.write(record(1), {}), system::FileError);
   }
   EXPECT_THAT(numbers(read_manifest(scratch / manifest_name)), ElementsAre(0));
   EXPECT_THAT(scratch.names(),
@@ -140,16 +140,16 @@ TEST(FrameSequence, AFrameThatCannotBeWrittenIsNotTold) {
 
 TEST(FrameSequence, NeedsAFolder) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / "file", std::string_view("x"));
+  system::write_file_atomically(scratch / "file", std::string_view("x"));
   try {
     const FrameSequence sequence(scratch / "file", head("0-9"));
     FAIL();
-  } catch (const FileError& error) {
+  } catch (const system::FileError& error) {
     EXPECT_EQ(error.what(),
               "cannot create the folder " + (scratch / "file").string() + ": Not a directory");
   }
-  EXPECT_THROW(FrameSequence(scratch / "file/deeper", head("0-9")), FileError);
+  EXPECT_THROW(FrameSequence(scratch / "file/deeper", head("0-9")), system::FileError);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

@@ -10,7 +10,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::HasSubstr;
@@ -35,7 +35,8 @@ Manifest manifest_of(const std::string& range, const std::string& drawn, Shard s
 }
 
 void put(const ScratchFolder& scratch, const Manifest& manifest) {
-  write_file_atomically(scratch / manifest_file_name(manifest.shard), format_manifest(manifest));
+  system::write_file_atomically(scratch / manifest_file_name(manifest.shard),
+                                format_manifest(manifest));
 }
 
 std::string failure(const ScratchFolder& scratch) {
@@ -101,4 +102,4 @@ TEST(ManifestFolder, NeedsAManifest) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

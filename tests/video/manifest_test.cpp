@@ -11,7 +11,7 @@
 #include "system/error.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 using ::testing::HasSubstr;
@@ -53,7 +53,7 @@ std::string failure(const std::string& from, const std::string& to) {
   text.replace(at, from.size(), to);
   try {
     parse_manifest(text, "m.json");
-  } catch (const FileError& error) {
+  } catch (const system::FileError& error) {
     return error.what();
   }
   return "no error";
@@ -157,9 +157,9 @@ TEST(Manifest, RefusesWhatIsNotJson) {
   EXPECT_THAT(failure("\"fps\": ", "\"fps\": 1e999, \"\": "),
               HasSubstr("a number that is too large"));
   EXPECT_THAT(failure("{", ""), HasSubstr("cannot use m.json"));
-  EXPECT_THROW(parse_manifest("", "m.json"), FileError);
-  EXPECT_THROW(parse_manifest("[1]", "m.json"), FileError);
-  EXPECT_THROW(parse_manifest("\xff\xfe", "m.json"), FileError);
+  EXPECT_THROW(parse_manifest("", "m.json"), system::FileError);
+  EXPECT_THROW(parse_manifest("[1]", "m.json"), system::FileError);
+  EXPECT_THROW(parse_manifest("\xff\xfe", "m.json"), system::FileError);
 }
 
 TEST(Manifest, RefusesFramesThatAreNone) {
@@ -183,15 +183,15 @@ TEST(Manifest, HeadIsReadWithoutTheFrames) {
   const ScratchFolder scratch;
   const std::string text = format_manifest(sample());
   // The part after the head is not read.
-  write_file_atomically(scratch / "cut.json", text.substr(0, text.find("\"frame\":3")));
+  system::write_file_atomically(scratch / "cut.json", text.substr(0, text.find("\"frame\":3")));
   const Manifest head = read_manifest_head(scratch / "cut.json");
   EXPECT_TRUE(same_film(head, sample()));
   EXPECT_TRUE(head.frames.empty());
   // Another program may format it differently.
-  write_file_atomically(scratch / "other.json", nlohmann::json::parse(text).dump());
+  system::write_file_atomically(scratch / "other.json", nlohmann::json::parse(text).dump());
   EXPECT_TRUE(read_manifest_head(scratch / "other.json").frames.empty());
   EXPECT_EQ(read_manifest_head(scratch / "other.json").range, "3-9:2");
-  EXPECT_THROW(read_manifest_head(scratch / "none.json"), FileError);
+  EXPECT_THROW(read_manifest_head(scratch / "none.json"), system::FileError);
 }
 
 TEST(Manifest, RefusesDeepNesting) {
@@ -201,10 +201,10 @@ TEST(Manifest, RefusesDeepNesting) {
 
 TEST(Manifest, IsReadFromItsFolder) {
   const ScratchFolder scratch;
-  write_file_atomically(scratch / manifest_name, format_manifest(sample()));
+  system::write_file_atomically(scratch / manifest_name, format_manifest(sample()));
   EXPECT_EQ(read_manifest(scratch / "manifest.json").frames.size(), 2U);
-  EXPECT_THROW(read_manifest(scratch / "other.json"), FileError);
+  EXPECT_THROW(read_manifest(scratch / "other.json"), system::FileError);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

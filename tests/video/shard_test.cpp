@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
-namespace twrench {
+namespace twrench::video {
 namespace {
 
 TEST(Shard, IsReadAsItIsWritten) {
@@ -47,4 +47,4 @@ TEST(Shard, HasAManifestOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::video

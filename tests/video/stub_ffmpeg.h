@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "system/file.h"
 
-namespace twrench {
+namespace twrench::video {
 
 /// Sets PATH during its lifetime.
 class PathSetting {
@@ -33,7 +33,7 @@ class StubFfmpeg {
   StubFfmpeg(const ScratchFolder& scratch, const std::string& script)
       : path_((scratch / "bin").string() + ":" + PathSetting::current()) {
     std::filesystem::create_directories(scratch / "bin");
-    write_file_atomically(scratch / "bin/ffmpeg", std::string_view("#!/bin/sh\n" + script));
+    system::write_file_atomically(scratch / "bin/ffmpeg", std::string_view("#!/bin/sh\n" + script));
     std::filesystem::permissions(scratch / "bin/ffmpeg", std::filesystem::perms::owner_all);
   }
 
@@ -41,4 +41,4 @@ class StubFfmpeg {
   PathSetting path_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::video

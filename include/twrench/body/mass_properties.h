@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <span>
 
-namespace twrench {
+namespace twrench::body {
 
 /// The mass properties that determine a body's motion. The centre of mass is the origin of the body
 /// frame.
@@ -45,4 +45,4 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 /// moment that is not positive.
 Part equimomental_box(const Eigen::Vector3d& moments);
 
-}  // namespace twrench
+}  // namespace twrench::body

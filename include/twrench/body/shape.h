@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace twrench {
+namespace twrench::body {
 
 /// A solid cylinder with its axis along z in its own frame. Lengths in cm.
 struct Cylinder {
@@ -55,4 +55,4 @@ double bounding_radius(const Shape& shape);
 /// coordinate axes. Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
 Eigen::Matrix3d frame_with_z_along(const Eigen::Vector3d& axis);
 
-}  // namespace twrench
+}  // namespace twrench::body

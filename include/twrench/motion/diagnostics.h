@@ -2,7 +2,7 @@
 
 #include <twrench/motion/free_body.h>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// Returns the rotational kinetic energy 1/2 omega . (I omega) in g cm^2/s^2, eq. (14).
 double energy(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& omega);
@@ -20,4 +20,4 @@ struct Diagnostics {
 /// g cm^2/s^2.
 Diagnostics diagnose(const FreeBody& body, double initial_energy, const Sample& sample);
 
-}  // namespace twrench
+}  // namespace twrench::motion

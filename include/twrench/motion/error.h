@@ -2,7 +2,7 @@
 
 #include <twrench/base/error.h>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// A motion cannot be computed in the way that was asked for, though each value is allowed.
 class MotionError : public Error {
@@ -25,4 +25,4 @@ class MotionError : public Error {
   Reason reason_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -5,10 +5,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <numbers>
 #include <optional>
 #include <vector>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) with X(0) = Id, at
 /// any t and at a cost independent of t. docs/exact.md derives it and numbers its equations from
@@ -55,6 +56,10 @@ class ExactMotion {
     double asymptotic_interval;
     /// The angle through which the intermediate axis swings, in rad, from 0 to pi.
     double swing;
+
+    /// Returns whether the intermediate axis swings through at least a right angle: only then is
+    /// the motion a turning over rather than a wobble.
+    bool turns_over() const { return swing >= std::numbers::pi / 2; }
   };
   /// Returns the flips; nothing for steady motion or for a symmetric body, which has no
   /// intermediate axis.
@@ -95,4 +100,4 @@ class ExactMotion {
   Eigen::Quaterniond space_from_turned_;  ///< body_from_motion turn(0)^-1.
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

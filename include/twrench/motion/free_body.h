@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// A free rigid body with its initial condition: the constants of eq. (19)-(20). Body axes are any
 /// axes fixed in the body; the inertia matrix need not be diagonal in them.
@@ -26,12 +26,12 @@ class FreeBody {
   /// separatrix the rounding of I omega would matter.
   const Eigen::Vector3d& omega() const { return omega_; }
   /// Principal moments and axes of the inertia matrix.
-  const PrincipalAxes& principal() const { return principal_; }
+  const body::PrincipalAxes& principal() const { return principal_; }
 
  private:
   Eigen::Matrix3d inertia_;
   Eigen::Vector3d omega_;
-  PrincipalAxes principal_;
+  body::PrincipalAxes principal_;
   Eigen::Matrix3d inverse_;
   Eigen::Vector3d momentum_;
 };
@@ -46,4 +46,4 @@ struct Sample {
   Eigen::Vector3d omega;
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

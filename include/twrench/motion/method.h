@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace twrench {
+namespace twrench::motion {
 
 using TableauRow = std::array<double, 6>;
 
@@ -113,4 +113,4 @@ std::vector<std::string> method_names();
 /// name.
 const Method& find_method(std::string_view name, std::string_view what = "method");
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// A curve of constant energy on the sphere |mu| = 1, where mu = m/G is the direction of the
 /// momentum in principal axes: the intersection of the sphere with the energy ellipsoid sum mu_i^2
@@ -47,4 +47,4 @@ struct Annulus {
 };
 Annulus herpolhode_annulus(const EnergyLevel& level);
 
-}  // namespace twrench
+}  // namespace twrench::motion

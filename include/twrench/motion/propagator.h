@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// The smallest meaningful tolerance: the error estimate E of a step is a difference of two
 /// rotations, each known to a few 1e-16.
@@ -63,4 +63,4 @@ std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& 
                                             const StepControl& control,
                                             Direction direction = Direction::forward);
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// Returns the angular velocity in body axes, rad/s, for the attitude X: eq. (19), omega = I^-1 X^T
 /// L. A method that leaves SO(3) uses the inverse instead of the transpose, as eq. (24) prints it.
@@ -26,4 +26,4 @@ struct Step {
 /// Takes one step of h seconds (which may be negative) from X with a method that takes steps.
 Step take_step(const FreeBody& body, const Method& method, const Eigen::Matrix3d& X, double h);
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// The motion about an expansion point as a Taylor series in time of the body momentum and one
 /// angle.
@@ -66,4 +66,4 @@ class TaylorSeries {
   std::array<Pair, capacity> m12_, m3psi_;  ///< Coefficients of (mu_1, mu_2) and (mu_3, psi).
 };
 
-}  // namespace twrench
+}  // namespace twrench::motion

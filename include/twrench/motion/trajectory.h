@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace twrench {
+namespace twrench::motion {
 
 /// A sampled motion and its cost.
 struct Trajectory {
@@ -45,4 +45,4 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const AcceptedStep&)>& visit);
 
-}  // namespace twrench
+}  // namespace twrench::motion

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-namespace twrench {
+namespace twrench::study {
 
 /// Returns the true local error of a step: the Frobenius distance between its end and the exact
 /// motion started from its beginning.
-double local_error(const FreeBody& body, const AcceptedStep& step);
+double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step);
 
 /// The quality of an embedded pair's error estimate E: the true local errors of accepted steps
 /// compared with it. NaN if no step has an error above round-off.
@@ -21,15 +21,15 @@ struct EstimateQuality {
 /// Accumulates the quality over the steps of a trajectory.
 class EstimateCheck {
  public:
-  explicit EstimateCheck(const FreeBody& body) : body_(body) {}
+  explicit EstimateCheck(const motion::FreeBody& body) : body_(body) {}
 
-  void visit(const AcceptedStep& step);
+  void visit(const motion::AcceptedStep& step);
   EstimateQuality quality() const;
 
  private:
-  const FreeBody& body_;
+  const motion::FreeBody& body_;
   double largest_error_ = 0.0;
   std::vector<double> ratios_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::study

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace twrench {
+namespace twrench::study {
 
 /// Returns step sizes in s from coarse to fine, each half the previous one, for a motion of
 /// `duration` seconds at `speed` rad/s: from a round number of seconds of at most 0.2 rad per step,
@@ -31,4 +31,4 @@ struct PowerLawPoint {
 /// points.
 std::optional<double> fitted_exponent(std::span<const PowerLawPoint> points);
 
-}  // namespace twrench
+}  // namespace twrench::study

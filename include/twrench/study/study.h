@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-namespace twrench {
+namespace twrench::study {
 
 /// What a study runs.
 struct StudyPlan {
   /// The methods to compare.
-  std::vector<const Method*> methods;
+  std::vector<const motion::Method*> methods;
   /// Step sizes in s for the fixed-step methods.
   std::vector<double> steps;
   /// Tolerances for the adaptive methods.
@@ -24,7 +24,7 @@ struct StudyPlan {
   /// Duration of the motion in s.
   double duration = 0.0;
   /// Maximum number of steps of a run.
-  std::int64_t max_steps = StepControl{}.max_steps;
+  std::int64_t max_steps = motion::StepControl{}.max_steps;
 };
 
 /// One run of a method, compared with the exact solution.
@@ -64,7 +64,7 @@ struct StudyRun {
 /// All runs of a method.
 struct MethodStudy {
   /// The method.
-  const Method* method = nullptr;
+  const motion::Method* method = nullptr;
   /// Runs in the order of the plan's step sizes or tolerances.
   std::vector<StudyRun> runs;
   /// Exponent of the early error as a function of the step size.
@@ -81,7 +81,7 @@ struct Study {
   /// amplified energy errors, which may have another order.
   double early = 0.0;
   /// The flips of the exact motion.
-  std::optional<ExactMotion::Flips> flips;
+  std::optional<motion::ExactMotion::Flips> flips;
   /// Predicted flip times in s, up to the duration.
   std::vector<double> flip_times;
   /// Results by method, in the plan's order.
@@ -91,6 +91,6 @@ struct Study {
 /// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
 /// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
 /// InvalidArgument where there are no steps.
-Study run_study(const FreeBody& body, const StudyPlan& plan);
+Study run_study(const motion::FreeBody& body, const StudyPlan& plan);
 
-}  // namespace twrench
+}  // namespace twrench::study

@@ -10,11 +10,12 @@
 #include <string>
 
 #include "embedded/shaders.h"
+#include "gl/vertices.h"
 #include "render/body/facets.h"
 #include "render/body/shader_constants.h"
 #include "render/space/glm_from_eigen.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Affine3d;
@@ -31,9 +32,9 @@ std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
   return most;
 }
 
-std::vector<float> part_radii(std::span<const Part> parts, double unit) {
+std::vector<float> part_radii(std::span<const body::Part> parts, double unit) {
   std::vector<float> radii;
-  for (const Part& part : parts)
+  for (const body::Part& part : parts)
     radii.push_back(static_cast<float>(capsule_of(part).radius / unit));
   return radii;
 }
@@ -48,10 +49,10 @@ std::vector<std::size_t> side_begins(const Mesh& mesh) {
 }
 
 /// Unit vectors in body axes; 0 for parts that are not cylinders.
-std::vector<Vector3d> part_axes(std::span<const Part> parts) {
+std::vector<Vector3d> part_axes(std::span<const body::Part> parts) {
   std::vector<Vector3d> axes;
-  for (const Part& part : parts) {
-    const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+  for (const body::Part& part : parts) {
+    const bool is_cylinder = std::holds_alternative<body::Cylinder>(part.shape);
     axes.push_back(is_cylinder ? Vector3d(part.body_from_part.col(2)) : Vector3d::Zero());
   }
   return axes;
@@ -80,25 +81,6 @@ gl::Program body_program(const gl::Functions& gl, const Material& material, cons
   return {gl, vertex, fragment};
 }
 
-template <typename Values>
-void upload(const gl::Functions& gl, GLenum target, const Values& values, GLenum usage) {
-  const auto bytes = std::as_bytes(std::span(values));
-  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
-}
-
-/// GL takes an offset as a pointer.
-const void* pointer(std::size_t offset) {
-  return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
-}
-
-/// Sets a float attribute of vertices of `stride` bytes each.
-void set_attribute(const gl::Functions& gl, BodyAttribute attribute, GLint size, std::size_t stride,
-                   std::size_t offset) {
-  gl.EnableVertexAttribArray(attribute);
-  gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                         pointer(offset));
-}
-
 /// The shader's `picture` uniform without displacement.
 constexpr glm::vec3 as_drawn(1, 1, 0);
 
@@ -119,7 +101,7 @@ Matrix4d camera_from_stage(const Camera& camera, double radius) {
 
 }  // namespace
 
-BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double tolerance,
+BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, double tolerance,
                    double radius, const Material& material, const Studio& studio)
     : gl_(&gl),
       mesh_(body_mesh(parts, tolerance)),
@@ -140,22 +122,23 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const Part> parts, double 
       radius_(radius) {
   gl.BindVertexArray(array_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  upload(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, GL_STATIC_DRAW);
+  gl::upload(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, GL_STATIC_DRAW);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-  upload(gl, GL_ARRAY_BUFFER, mesh_.vertices, GL_STATIC_DRAW);
-  set_attribute(gl, position_attribute, 3, sizeof(Vertex), offsetof(Vertex, position));
-  set_attribute(gl, normal_attribute, 3, sizeof(Vertex), offsetof(Vertex, normal));
+  gl::upload(gl, GL_ARRAY_BUFFER, mesh_.vertices, GL_STATIC_DRAW);
+  gl::set_attributes(gl, sizeof(Vertex),
+                     {{position_attribute, 3, offsetof(Vertex, position)},
+                      {normal_attribute, 3, offsetof(Vertex, normal)}});
   gl.BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
-  upload(gl, GL_ARRAY_BUFFER, std::vector<float>(mesh_.vertices.size()), GL_STREAM_DRAW);
-  set_attribute(gl, offset_attribute, 1, sizeof(float), 0);
+  gl::upload(gl, GL_ARRAY_BUFFER, std::vector<float>(mesh_.vertices.size()), GL_STREAM_DRAW);
+  gl::set_attributes(gl, sizeof(float), {{offset_attribute, 1}});
 
   gl.BindVertexArray(edge_quad_array_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, edge_quad_indices_.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, edge_quads_.id());
-  set_attribute(gl, position_attribute, 3, sizeof(EdgeQuadVertex),
-                offsetof(EdgeQuadVertex, position));
-  set_attribute(gl, normal_attribute, 3, sizeof(EdgeQuadVertex), offsetof(EdgeQuadVertex, normal));
-  set_attribute(gl, offset_attribute, 1, sizeof(EdgeQuadVertex), offsetof(EdgeQuadVertex, offset));
+  gl::set_attributes(gl, sizeof(EdgeQuadVertex),
+                     {{position_attribute, 3, offsetof(EdgeQuadVertex, position)},
+                      {normal_attribute, 3, offsetof(EdgeQuadVertex, normal)},
+                      {offset_attribute, 1, offsetof(EdgeQuadVertex, offset)}});
 }
 
 void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
@@ -176,7 +159,7 @@ void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double hei
   draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
 
-void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const Area& pane) {
+void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const image::Area& pane) {
   if (!silhouette_) silhouette_.emplace(mesh_);
   const Matrix3d body_from_camera = (camera.camera_from_space() * X).inverse();
   const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
@@ -186,9 +169,9 @@ void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const Area& 
   lift_ = 1 + scale * seen.depth;
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, visible_indices_.id());
-  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
+  gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
   gl_->BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
-  upload(*gl_, GL_ARRAY_BUFFER, silhouette_->offsets(), GL_STREAM_DRAW);
+  gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->offsets(), GL_STREAM_DRAW);
   set_stage(camera, X, Affine3d::Identity());
   program_.set("picture", glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
   gl_->FrontFace(GL_CCW);
@@ -200,8 +183,8 @@ void BodyPass::draw_edge_quads(const Camera& camera, const Matrix3d& X) const {
   program_.use();
   gl_->BindVertexArray(edge_quad_array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, edge_quads_.id());
-  upload(*gl_, GL_ARRAY_BUFFER, silhouette_->edge_quads(), GL_STREAM_DRAW);
-  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, silhouette_->indices(), GL_STREAM_DRAW);
+  gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->edge_quads(), GL_STREAM_DRAW);
+  gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, silhouette_->indices(), GL_STREAM_DRAW);
   gl_->Disable(GL_CULL_FACE);
   gl_->DepthMask(GL_FALSE);
   draw_parts(edge_quad_array_, edge_quad_indices_,
@@ -246,7 +229,7 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
     if (begin == end) return;
     program_.set("side_axis", glm_from_eigen((radius_ * stage_from_body * side_axis).eval()));
     gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
-                      pointer(begin * sizeof(std::uint32_t)));
+                      gl::offset_pointer(begin * sizeof(std::uint32_t)));
     begin = end;
   };
   for (std::size_t part = 0; part < ranges.part_ends.size(); ++part) {
@@ -277,4 +260,4 @@ void BodyPass::set_occluders(const std::vector<Capsule>& capsules, const Matrix3
   program_.set("occluders_to", to);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

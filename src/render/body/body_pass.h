@@ -13,7 +13,7 @@
 #include "render/look/studio.h"
 #include "render/space/camera.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Attribute locations of the members of Vertex and EdgeQuadVertex in the body's vertex shader.
 enum BodyAttribute : GLuint { position_attribute = 0, normal_attribute = 1, offset_attribute = 2 };
@@ -24,8 +24,8 @@ class BodyPass {
  public:
   /// `radius` is the bounding radius of the parts about the origin in cm; the facets of the mesh
   /// deviate from the parts by at most `tolerance` cm.
-  BodyPass(const gl::Functions& gl, std::span<const Part> parts, double tolerance, double radius,
-           const Material& material, const Studio& studio);
+  BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, double tolerance,
+           double radius, const Material& material, const Studio& studio);
 
   /// Draws the body in the pose X, space_from_body, to the bound framebuffer.
   void draw(const Camera& camera, const Eigen::Matrix3d& X) const;
@@ -33,7 +33,7 @@ class BodyPass {
   /// The same with analytic edge antialiasing, for a framebuffer of one sample per pixel whose
   /// picture fills `pane`: first the body, shrunk by half a pixel along its silhouette, and then,
   /// when all opaque items have been drawn, the edge quads over it.
-  void draw_shrunk(const Camera& camera, const Eigen::Matrix3d& X, const Area& pane);
+  void draw_shrunk(const Camera& camera, const Eigen::Matrix3d& X, const image::Area& pane);
   void draw_edge_quads(const Camera& camera, const Eigen::Matrix3d& X) const;
 
   /// Draws the body's reflection in a horizontal mirror at y = `height` cm in space, below the
@@ -75,4 +75,4 @@ class BodyPass {
   double radius_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

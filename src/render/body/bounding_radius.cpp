@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// The distance from the origin, which is `origin` in the shape's own frame, to the shape's far
@@ -11,23 +11,23 @@ namespace {
 struct FarSide {
   Eigen::Vector3d origin;
 
-  double operator()(const Cylinder& c) const {
+  double operator()(const body::Cylinder& c) const {
     return std::hypot(std::hypot(origin.x(), origin.y()) + c.radius,
                       std::abs(origin.z()) + c.length / 2);
   }
-  double operator()(const Box& b) const { return (origin.cwiseAbs() + b.size / 2).norm(); }
-  double operator()(const Ellipsoid& e) const { return origin.norm() + e.radii.maxCoeff(); }
+  double operator()(const body::Box& b) const { return (origin.cwiseAbs() + b.size / 2).norm(); }
+  double operator()(const body::Ellipsoid& e) const { return origin.norm() + e.radii.maxCoeff(); }
 };
 
 }  // namespace
 
-double bounding_radius(std::span<const Part> parts) {
+double bounding_radius(std::span<const body::Part> parts) {
   double result = 0;
-  for (const Part& part : parts) {
+  for (const body::Part& part : parts) {
     const Eigen::Vector3d origin = -part.body_from_part.transpose() * part.position;
     result = std::max(result, std::visit(FarSide{origin}, part.shape));
   }
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

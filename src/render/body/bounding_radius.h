@@ -4,10 +4,10 @@
 
 #include <span>
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns a bounding radius in cm of the parts about the origin: the smallest one, except for an
 /// ellipsoid that is neither a sphere nor at the origin, for which it may be larger.
-double bounding_radius(std::span<const Part> parts);
+double bounding_radius(std::span<const body::Part> parts);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -5,7 +5,7 @@
 
 #include "render/body/polygon.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// The strips of a side, with indices that wrap around it.
@@ -87,4 +87,4 @@ Facets visible_facets(const Mesh& mesh, const glm::vec3& eye) {
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

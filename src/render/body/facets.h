@@ -7,7 +7,7 @@
 
 #include "render/body/mesh.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Triangles between the vertices of a mesh, with the same winding.
 struct Facets {
@@ -28,4 +28,4 @@ struct Facets {
 /// lies deep inside the cylinder, but the shader computes the shading from the exact cylinder.
 Facets visible_facets(const Mesh& mesh, const glm::vec3& eye);
 
-}  // namespace twrench
+}  // namespace twrench::render

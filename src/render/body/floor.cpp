@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/look/dither.h"
 #include "render/space/screen_area.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::ArrayXf;
@@ -28,12 +29,6 @@ constexpr double most_gaps = 60;
 double falloff(double distance) {
   const double share = 1 / (1 + distance * distance);
   return share * share;
-}
-
-/// In units of 1/255: half steps up and down in a 2 x 2 pattern, as for the background.
-float dither(int x, int y) {
-  static constexpr std::array pattern{-0.375F, 0.125F, 0.375F, -0.125F};
-  return pattern[static_cast<std::size_t>(2 * (y % 2) + x % 2)];
 }
 
 /// Filters with (1 2 1) / 4 along `count` cells that are `stride` apart.
@@ -76,8 +71,9 @@ void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
 
 }  // namespace
 
-Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
-             const Area& picture, std::span<const Part> parts, double radius)
+Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style,
+             const image::Area& pane, const image::Area& picture, std::span<const body::Part> parts,
+             double radius)
     : style_(style),
       pane_(pane),
       inner_{pane.x > picture.x, pane.x + pane.width<picture.x + picture.width, pane.y> picture.y,
@@ -92,9 +88,9 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
 
 /// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
 /// capsule.
-std::vector<Floor::Ball> Floor::balls_of(std::span<const Part> parts) {
+std::vector<Floor::Ball> Floor::balls_of(std::span<const body::Part> parts) {
   std::vector<Ball> balls;
-  for (const Part& part : parts) {
+  for (const body::Part& part : parts) {
     const auto [from, to, radius, meets] = capsule_of(part);
     const double apart = std::numbers::pi / 2 * radius;
     const int gaps = static_cast<int>(std::lround(std::min((to - from).norm() / apart, most_gaps)));
@@ -155,7 +151,7 @@ Floor::Cell* Floor::row_of(int row, int width) {
 }
 
 /// The cells of the grid in which the body's shadow may be visible.
-Area Floor::seen(const Camera& camera) const {
+image::Area Floor::seen(const Camera& camera) const {
   ScreenArea screen({0, 0, columns_, rows_}, rows_);
   screen.begin_shape();
   constexpr int points = 32;
@@ -169,7 +165,7 @@ Area Floor::seen(const Camera& camera) const {
 }
 
 gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
-                                     const Area& area) {
+                                     const image::Area& area) {
   const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
   framebuffer_.clear({&rectangle, 1});
   framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
@@ -177,7 +173,7 @@ gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, co
   return framebuffer_.begin_read(rectangle);
 }
 
-void Floor::set_reflection(const Image& image) {
+void Floor::set_reflection(const image::Image& image) {
   grid_.resize(image.pixels.size() / 4);
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     const std::uint8_t* p = &image.pixels[4 * i];
@@ -192,7 +188,7 @@ void Floor::set_reflection(const Image& image) {
 /// Adds the fraction of the light from above, a cos^4 lobe about the vertical, that the spheres
 /// block at each point: for a sphere seen under the half angle a at theta from the vertical,
 /// approximately 5 cos^4(theta) (1 - cos a).
-void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area) {
+void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Area& area) {
   const Matrix3f floor_from_cell = floor_from_grid(camera, columns_, rows_).cast<float>();
   const ArrayXf column =
       static_cast<float>(area.x) +
@@ -229,16 +225,17 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const Area& area
 }
 
 PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
-  const Area area = seen(camera);
-  return made_of(begin_reflection(camera, X, body, area), [=, this](const Image& reflection) {
-    set_reflection(reflection);
-    add_shadow(camera, X, area);
-    return enlarged(area);
-  });
+  const image::Area area = seen(camera);
+  return made_of(begin_reflection(camera, X, body, area),
+                 [=, this](const image::Image& reflection) {
+                   set_reflection(reflection);
+                   add_shadow(camera, X, area);
+                   return enlarged(area);
+                 });
 }
 
 /// Interpolates the cells' colours between their centres over the pixels of `area`.
-Layer Floor::enlarged(const Area& area) const {
+Layer Floor::enlarged(const image::Area& area) const {
   const double across = static_cast<double>(pane_.width) / columns_;
   const double down = static_cast<double>(pane_.height) / rows_;
   const auto pixel = [](double place) { return static_cast<int>(std::floor(place)); };
@@ -271,4 +268,4 @@ Layer Floor::enlarged(const Area& area) const {
   return layer;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -11,7 +11,7 @@
 #include "render/look/theme.h"
 #include "render/space/camera.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
 /// the point below its centre that fades out before the horizon, with the body's shadow and a faint
@@ -22,8 +22,9 @@ class Floor {
   /// The floor fills the pane of a picture of that size, below parts with that bounding radius
   /// about the origin, in cm. It fades out where another pane adjoins, so that floors do not meet
   /// in a line.
-  Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style, const Area& pane,
-        const Area& picture, std::span<const Part> parts, double radius);
+  Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style,
+        const image::Area& pane, const image::Area& picture, std::span<const body::Part> parts,
+        double radius);
 
   /// Returns the pool of light, which is the same from every camera at this height that looks at
   /// the origin.
@@ -48,20 +49,20 @@ class Floor {
   /// Premultiplied red, green, blue and alpha of a grid cell, 0 to 255.
   using Cell = Eigen::Array4f;
 
-  static std::vector<Ball> balls_of(std::span<const Part> parts);
+  static std::vector<Ball> balls_of(std::span<const body::Part> parts);
   Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
-  Area seen(const Camera& camera) const;
+  image::Area seen(const Camera& camera) const;
   float fade(double x, double y) const;
   gl::Readback begin_reflection(const Camera& camera, const Eigen::Matrix3d& X,
-                                const BodyPass& body, const Area& area);
-  void set_reflection(const Image& image);
-  void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const Area& area);
+                                const BodyPass& body, const image::Area& area);
+  void set_reflection(const image::Image& image);
+  void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const image::Area& area);
   const Cell* row_of(int row, int width) const;
   Cell* row_of(int row, int width);
-  Layer enlarged(const Area& area) const;
+  Layer enlarged(const image::Area& area) const;
 
   FloorStyle style_;
-  Area pane_;
+  image::Area pane_;
   Sides inner_;
   double radius_;  ///< Bounding radius in cm.
   double height_;  ///< Height of the floor, y in space, in cm; negative.
@@ -71,4 +72,4 @@ class Floor {
   std::vector<Cell> grid_;  ///< The layer in progress, row by row from the top left.
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

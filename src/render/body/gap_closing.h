@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns the parts as they are drawn, with gaps closed. This affects only the picture: the masses
 /// are those of the given parts.
@@ -14,6 +14,6 @@ namespace twrench {
 /// its handle along one line, the cylinder is extended into that part, up to its axis (for a
 /// cylinder) or the height of its centre (for a box or an ellipsoid), provided that its end is then
 /// hidden inside.
-std::vector<Part> close_gaps(std::span<const Part> parts);
+std::vector<body::Part> close_gaps(std::span<const body::Part> parts);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -8,7 +8,7 @@
 #include "render/body/polygon.h"
 #include "render/space/glm_from_eigen.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -61,7 +61,7 @@ std::vector<double> bevel_latitudes(double end, int chords) {
   return end < 0 ? steps(-quarter, 0, chords) : steps(0, quarter, chords);
 }
 
-Rings rings_of(const Cylinder& cylinder, double tolerance) {
+Rings rings_of(const body::Cylinder& cylinder, double tolerance) {
   const double bevel = bevel_of(std::min(cylinder.radius, cylinder.length / 2), tolerance);
   const double inner_radius = cylinder.radius - bevel;
   const double inner_height = cylinder.length / 2 - bevel;
@@ -84,7 +84,7 @@ Rings rings_of(const Cylinder& cylinder, double tolerance) {
 
 /// A box with rounded edges is a sphere of the bevel's radius, cut into octants that are moved
 /// apart to the corners of an inner box.
-Rings rings_of(const Box& box, double tolerance) {
+Rings rings_of(const body::Box& box, double tolerance) {
   const double bevel = bevel_of(box.size.minCoeff() / 2, tolerance);
   const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
   const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
@@ -106,7 +106,7 @@ Rings rings_of(const Box& box, double tolerance) {
   return rings;
 }
 
-Rings rings_of(const Ellipsoid& ellipsoid, double tolerance) {
+Rings rings_of(const body::Ellipsoid& ellipsoid, double tolerance) {
   const int chords = chords_of_quarter(ellipsoid.radii.maxCoeff(), tolerance, least_of_body);
   Rings rings;
   for (int j = 0; j < 2 * chords; ++j) {
@@ -123,7 +123,7 @@ Rings rings_of(const Ellipsoid& ellipsoid, double tolerance) {
 
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const Part& part) : part_(part) {}
+  explicit MeshBuilder(const body::Part& part) : part_(part) {}
 
   void add(const Point& point) {
     mesh_.vertices.push_back(
@@ -169,14 +169,14 @@ class MeshBuilder {
     return mesh_.vertices[a].position == mesh_.vertices[b].position;
   }
 
-  const Part& part_;
+  const body::Part& part_;
   Mesh mesh_;
   std::optional<CylinderSide> side_;
 };
 
 }  // namespace
 
-Mesh part_mesh(const Part& part, double tolerance) {
+Mesh part_mesh(const body::Part& part, double tolerance) {
   const Rings rings =
       std::visit([&](const auto& shape) { return rings_of(shape, tolerance); }, part.shape);
   const auto count = static_cast<std::uint32_t>(rings.front().size());
@@ -187,7 +187,7 @@ Mesh part_mesh(const Part& part, double tolerance) {
   }
   mesh.fill_ring(last_ring, count, false);
   mesh.fill_ring(0, count, true);
-  const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+  const bool is_cylinder = std::holds_alternative<body::Cylinder>(part.shape);
   const std::uint32_t side = is_cylinder ? (last_ring - count) / 2 : last_ring;
   for (std::uint32_t low = 0; low < last_ring; low += count) {
     if (low != side) mesh.join(low, low + count, count);
@@ -196,9 +196,9 @@ Mesh part_mesh(const Part& part, double tolerance) {
   return mesh.finish();
 }
 
-Mesh body_mesh(std::span<const Part> parts, double tolerance) {
+Mesh body_mesh(std::span<const body::Part> parts, double tolerance) {
   Mesh result;
-  for (const Part& part : parts) {
+  for (const body::Part& part : parts) {
     const auto offset = static_cast<std::uint32_t>(result.vertices.size());
     const Mesh mesh = part_mesh(part, tolerance);
     result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
@@ -215,4 +215,4 @@ Mesh body_mesh(std::span<const Part> parts, double tolerance) {
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

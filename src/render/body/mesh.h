@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace twrench {
+namespace twrench::render {
 
 /// A vertex, with members in the order of the vertex shader's attributes.
 struct Vertex {
@@ -43,9 +43,9 @@ struct Mesh {
 /// but at most 12 %, because a narrower line would look dashed. All other vertices lie on the exact
 /// shape, and the facets between them deviate from it by at most `tolerance` cm. Much finer facets
 /// are expensive: thin triangles rasterise poorly.
-Mesh part_mesh(const Part& part, double tolerance);
+Mesh part_mesh(const body::Part& part, double tolerance);
 
 /// Returns the meshes of all parts merged into one.
-Mesh body_mesh(std::span<const Part> parts, double tolerance);
+Mesh body_mesh(std::span<const body::Part> parts, double tolerance);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
 
-Vector3d half_sizes(const Cylinder& c) { return {c.radius, c.radius, c.length / 2}; }
-Vector3d half_sizes(const Box& b) { return b.size / 2; }
-Vector3d half_sizes(const Ellipsoid& e) { return e.radii; }
+Vector3d half_sizes(const body::Cylinder& c) { return {c.radius, c.radius, c.length / 2}; }
+Vector3d half_sizes(const body::Box& b) { return b.size / 2; }
+Vector3d half_sizes(const body::Ellipsoid& e) { return e.radii; }
 
 /// Returns the point on the capsule's segment that is nearest to `point`.
 Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {
@@ -35,7 +35,7 @@ double gap(const Capsule& a, const Capsule& b) {
 
 }  // namespace
 
-Capsule capsule_of(const Part& part) {
+Capsule capsule_of(const body::Part& part) {
   const Vector3d half = std::visit([](const auto& shape) { return half_sizes(shape); }, part.shape);
   Eigen::Index longest = 2;
   half.maxCoeff(&longest);
@@ -45,9 +45,10 @@ Capsule capsule_of(const Part& part) {
   return {part.position - along, part.position + along, radius, false};
 }
 
-std::vector<std::vector<Capsule>> find_occluders(std::span<const Part> parts, std::size_t most) {
+std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
+                                                 std::size_t most) {
   std::vector<Capsule> capsules;
-  for (const Part& part : parts) capsules.push_back(capsule_of(part));
+  for (const body::Part& part : parts) capsules.push_back(capsule_of(part));
   std::vector<std::vector<Capsule>> result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<std::pair<double, std::size_t>> near;
@@ -62,10 +63,10 @@ std::vector<std::vector<Capsule>> find_occluders(std::span<const Part> parts, st
     for (const auto& [distance, j] : near) {
       found.push_back(capsules[j]);
       found.back().meets =
-          distance < 0 && j < i && std::holds_alternative<Cylinder>(parts[j].shape);
+          distance < 0 && j < i && std::holds_alternative<body::Cylinder>(parts[j].shape);
     }
   }
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace twrench {
+namespace twrench::render {
 
 /// All points within `radius` of a segment. Lengths in cm, body axes.
 struct Capsule {
@@ -20,10 +20,11 @@ struct Capsule {
 
 /// Returns a capsule that approximates the part for soft shading: about its longest axis, with ends
 /// inset by half a radius.
-Capsule capsule_of(const Part& part);
+Capsule capsule_of(const body::Part& part);
 
 /// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
 /// close enough to shade it: nearest first, at most `most`.
-std::vector<std::vector<Capsule>> find_occluders(std::span<const Part> parts, std::size_t most);
+std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
+                                                 std::size_t most);
 
-}  // namespace twrench
+}  // namespace twrench::render

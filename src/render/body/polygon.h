@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace twrench {
+namespace twrench::render {
 
 /// Triangulates the flat polygon with vertices first to last, which is counter-clockwise as seen
 /// from outside, or clockwise, into triangles as fat as possible; a fan would consist of slivers.
@@ -16,4 +16,4 @@ void fill_polygon(std::uint32_t first, std::uint32_t last, bool clockwise, const
   fill_polygon(middle, last, clockwise, add);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 // Nine digits distinguish every float; # keeps the decimal point, without which GLSL would read an
@@ -51,4 +51,4 @@ std::string shader_constants(const Material& material, const Studio& studio) {
          of_lights("vec3", "light_radiance", studio, [](Light l) { return l.radiance; });
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// For each vertex the first one at the same position: corners of boxes have several, one per face.
@@ -104,4 +104,4 @@ void Silhouette::add_edge_quad(const Edge& edge) {
   indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -8,7 +8,7 @@
 
 #include "render/body/mesh.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A vertex of an edge quad, with members in the order of the vertex shader's attributes.
 struct EdgeQuadVertex {
@@ -70,4 +70,4 @@ class Silhouette {
   std::vector<float> offsets_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

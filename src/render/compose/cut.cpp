@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 std::vector<int> edges(int first, int from, int length, int last, int count) {
@@ -14,38 +14,39 @@ std::vector<int> edges(int first, int from, int length, int last, int count) {
 
 }  // namespace
 
-Area cut_top(Area& rest, int height, int gap) {
-  const Area piece{rest.x, rest.y, rest.width, height};
+image::Area cut_top(image::Area& rest, int height, int gap) {
+  const image::Area piece{rest.x, rest.y, rest.width, height};
   rest.y += height + gap;
   rest.height -= height + gap;
   return piece;
 }
 
-Area cut_bottom(Area& rest, int height, int gap) {
-  const Area piece{rest.x, rest.y + rest.height - height, rest.width, height};
+image::Area cut_bottom(image::Area& rest, int height, int gap) {
+  const image::Area piece{rest.x, rest.y + rest.height - height, rest.width, height};
   rest.height -= height + gap;
   return piece;
 }
 
-Area cut_left(Area& rest, int width, int gap) {
-  const Area piece{rest.x, rest.y, width, rest.height};
+image::Area cut_left(image::Area& rest, int width, int gap) {
+  const image::Area piece{rest.x, rest.y, width, rest.height};
   rest.x += width + gap;
   rest.width -= width + gap;
   return piece;
 }
 
-Area cut_right(Area& rest, int width, int gap) {
-  const Area piece{rest.x + rest.width - width, rest.y, width, rest.height};
+image::Area cut_right(image::Area& rest, int width, int gap) {
+  const image::Area piece{rest.x + rest.width - width, rest.y, width, rest.height};
   rest.width -= width + gap;
   return piece;
 }
 
-Area centred_square(const Area& area) {
+image::Area centred_square(const image::Area& area) {
   const int side = std::min(area.width, area.height);
   return {area.x + (area.width - side) / 2, area.y + (area.height - side) / 2, side, side};
 }
 
-std::vector<Share> shares(const Area& whole, const Area& middle, int columns, int rows) {
+std::vector<Share> shares(const image::Area& whole, const image::Area& middle, int columns,
+                          int rows) {
   const auto xs = edges(whole.x, middle.x, middle.width, whole.x + whole.width, columns);
   const auto ys = edges(whole.y, middle.y, middle.height, whole.y + whole.height, rows);
   std::vector<Share> result;
@@ -58,4 +59,4 @@ std::vector<Share> shares(const Area& whole, const Area& middle, int columns, in
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,28 +2,29 @@
 
 #include "image/area.h"
 
-namespace twrench {
+namespace twrench::render {
 
 // Each cuts a piece of that size in pixels, and a gap next to it, off one side of `rest`, and
 // returns the piece. The size of `rest` may become negative.
-Area cut_top(Area& rest, int height, int gap);
-Area cut_bottom(Area& rest, int height, int gap);
-Area cut_left(Area& rest, int width, int gap);
-Area cut_right(Area& rest, int width, int gap);
+image::Area cut_top(image::Area& rest, int height, int gap);
+image::Area cut_bottom(image::Area& rest, int height, int gap);
+image::Area cut_left(image::Area& rest, int width, int gap);
+image::Area cut_right(image::Area& rest, int width, int gap);
 
 /// Returns the largest centred square.
-Area centred_square(const Area& area);
+image::Area centred_square(const image::Area& area);
 
 /// One cell of an area divided into equal parts.
 struct Share {
   /// The cell.
-  Area area;
+  image::Area area;
   /// Its position in the grid.
   int column, row;
 };
 
 /// Returns the cells of a grid, row by row. Inner edges divide `middle` evenly; outer edges are
 /// those of `whole`, which contains it.
-std::vector<Share> shares(const Area& whole, const Area& middle, int columns, int rows);
+std::vector<Share> shares(const image::Area& whole, const image::Area& middle, int columns,
+                          int rows);
 
-}  // namespace twrench
+}  // namespace twrench::render

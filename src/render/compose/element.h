@@ -6,7 +6,7 @@
 #include "render/compose/pending_layer.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// An element of the picture: a view of the body, a panel, a text block.
 class Element {
@@ -19,10 +19,10 @@ class Element {
   /// Returns the layers that change, in the order in which they are composited. Layers lie entirely
   /// inside the picture and are as small as their contents. Other elements may draw before a layer
   /// is resolved; the element outlives its layers.
-  virtual std::vector<PendingLayer> draw(const FrameState& state) = 0;
+  virtual std::vector<PendingLayer> draw(const timeline::FrameState& state) = 0;
 
   /// Returns the labels of its contents, which are drawn over all elements.
-  virtual std::vector<Label> labels(const FrameState& /*state*/) const { return {}; }
+  virtual std::vector<Label> labels(const timeline::FrameState& /*state*/) const { return {}; }
 };
 
 /// An element that shows objects in space.
@@ -32,4 +32,4 @@ class SpaceView : public Element {
   virtual Camera camera(double video_time) const = 0;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

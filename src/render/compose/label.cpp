@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 
-namespace twrench {
+namespace twrench::render {
 
-std::optional<Label> label_at(const std::string& text, const Camera& camera, const Area& pane,
-                              const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                              const Color& color) {
+std::optional<Label> label_at(const std::string& text, const Camera& camera,
+                              const image::Area& pane, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to, const scene::Color& color) {
   constexpr double least_depth = 1e-3;  // in front of the eye, as a fraction of the distance
   const double depth = -(camera.view.row(2) * to.homogeneous()).value();
   if (!(depth > least_depth * camera.distance)) return std::nullopt;
@@ -20,4 +20,4 @@ std::optional<Label> label_at(const std::string& text, const Camera& camera, con
   return Label{text, anchor, away.normalized(), color};
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -7,7 +7,7 @@
 #include "render/space/camera.h"
 #include "scene/color.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The name of an object in space, drawn next to it.
 struct Label {
@@ -18,13 +18,13 @@ struct Label {
   /// Unit vector, y down, in which direction there is room for the text.
   Eigen::Vector2d away;
   /// Colour of the text.
-  Color color;
+  scene::Color color;
 };
 
 /// Returns the label at the end of an object that extends from `from` to `to` in space, for a
 /// camera whose picture fills `pane`; nothing if the end is outside.
-std::optional<Label> label_at(const std::string& text, const Camera& camera, const Area& pane,
-                              const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                              const Color& color);
+std::optional<Label> label_at(const std::string& text, const Camera& camera,
+                              const image::Area& pane, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to, const scene::Color& color);
 
-}  // namespace twrench
+}  // namespace twrench::render

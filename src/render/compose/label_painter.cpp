@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 constexpr double halo_width = 0.14;  // em
@@ -12,8 +12,8 @@ constexpr double distance = 0.1;  // em, from what is named
 
 }  // namespace
 
-LabelPainter::LabelPainter(const Font& font, double size, const Color& halo, const Area& pane,
-                           const std::vector<Area>& taken)
+LabelPainter::LabelPainter(const canvas::Font& font, double size, const scene::Color& halo,
+                           const image::Area& pane, const std::vector<image::Area>& taken)
     : font_(font), size_(size), halo_(halo), pane_(pane) {
   for (const auto& [x, y, width, height] : taken) {
     taken_.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(width),
@@ -49,7 +49,7 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
   std::vector<Layer> layers;
   std::vector<Box> taken = taken_;
   for (const Label& label : labels) {
-    const Line line = typeset(font_, label.text);
+    const canvas::Line line = canvas::typeset(font_, label.text);
     const double air = halo_width * size_ + 1;
     const double width = line.width * size_ + 2 * air;
     const double height = 1.3 * size_ + 2 * air;
@@ -63,10 +63,10 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
     const int right = std::min(pane_.x + pane_.width, static_cast<int>(std::ceil(box.x + width)));
     const int bottom =
         std::min(pane_.y + pane_.height, static_cast<int>(std::ceil(box.y + height)));
-    Layer layer{Image(right - left, bottom - top, 4), left, top};
-    Canvas canvas(layer.image, left, top);
-    const Canvas::Point at{box.x + air,
-                           box.y + air + 0.65 * size_ + font_.cap_height() * size_ / 2};
+    Layer layer{image::Image(right - left, bottom - top, 4), left, top};
+    canvas::Canvas canvas(layer.image, left, top);
+    const canvas::Canvas::Point at{box.x + air,
+                                   box.y + air + 0.65 * size_ + font_.cap_height() * size_ / 2};
     canvas.text_halo(line, size_, at, halo_width * size_, {halo_, halo_opacity});
     canvas.text(line, size_, at, {label.color});
     layers.push_back(std::move(layer));
@@ -74,4 +74,4 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
   return layers;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

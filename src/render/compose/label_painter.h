@@ -6,7 +6,7 @@
 #include "render/compose/label.h"
 #include "render/compose/layer.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Draws labels next to what they name, moved as little as possible where text or another label is
 /// in the way.
@@ -15,8 +15,8 @@ class LabelPainter {
   /// `size` is in px per em; `halo` is the colour around each letter that keeps it legible on any
   /// background; labels stay inside `pane` and avoid the areas `taken`. The font must outlive the
   /// painter.
-  LabelPainter(const Font& font, double size, const Color& halo, const Area& pane,
-               const std::vector<Area>& taken);
+  LabelPainter(const canvas::Font& font, double size, const scene::Color& halo,
+               const image::Area& pane, const std::vector<image::Area>& taken);
 
   /// Draws the labels; earlier ones have priority.
   std::vector<Layer> paint(const std::vector<Label>& labels) const;
@@ -28,11 +28,11 @@ class LabelPainter {
 
   Box placed(Box box, const std::vector<Box>& taken) const;
 
-  const Font& font_;
+  const canvas::Font& font_;
   double size_;
-  Color halo_;
-  Area pane_;
+  scene::Color halo_;
+  image::Area pane_;
   std::vector<Box> taken_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

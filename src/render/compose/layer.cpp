@@ -4,10 +4,10 @@
 #include <cassert>
 #include <cstring>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
-std::size_t offset(const Image& image, int x, int y) {
+std::size_t offset(const image::Image& image, int x, int y) {
   return static_cast<std::size_t>(y) * image.row_bytes() +
          static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels);
 }
@@ -35,15 +35,15 @@ void lay_row_over(std::uint8_t* out, const std::uint8_t* in, int width) {
 
 }  // namespace
 
-Layer layer_around(const Area& area, int margin, const Area& picture) {
-  const Area all =
-      common({area.x - margin, area.y - margin, area.width + 2 * margin, area.height + 2 * margin},
-             picture);
-  return {Image(all.width, all.height, 4), all.x, all.y};
+Layer layer_around(const image::Area& area, int margin, const image::Area& picture) {
+  const image::Area all = image::common(
+      {area.x - margin, area.y - margin, area.width + 2 * margin, area.height + 2 * margin},
+      picture);
+  return {image::Image(all.width, all.height, 4), all.x, all.y};
 }
 
-Area composite_over(Image& image, const Layer& layer) {
-  const Area area = common(layer.area(), {0, 0, image.width, image.height});
+image::Area composite_over(image::Image& image, const Layer& layer) {
+  const image::Area area = image::common(layer.area(), {0, 0, image.width, image.height});
   assert(area == layer.area() && "a layer leaves the picture");
   const auto lay_row = image.channels == 4 ? lay_row_over<4> : lay_row_over<3>;
   for (int y = area.y; y < area.y + area.height; ++y) {
@@ -54,7 +54,7 @@ Area composite_over(Image& image, const Layer& layer) {
   return area;
 }
 
-void unpremultiply(Image& image, const Area& area) {
+void unpremultiply(image::Image& image, const image::Area& area) {
   for (int row = 0; row < area.height; ++row) {
     std::uint8_t* p = image.pixels.data() + offset(image, area.x, area.y + row);
     for (int column = 0; column < area.width; ++column, p += 4) {
@@ -67,4 +67,4 @@ void unpremultiply(Image& image, const Area& area) {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

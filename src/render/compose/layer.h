@@ -3,26 +3,26 @@
 #include "image/area.h"
 #include "image/image.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// An image to be composited over another: RGBA with premultiplied alpha.
 struct Layer {
   /// The pixels.
-  Image image;
+  image::Image image;
   /// Position of its top left pixel.
   int x = 0, y = 0;
 
-  Area area() const { return {x, y, image.width, image.height}; }
+  image::Area area() const { return {x, y, image.width, image.height}; }
 };
 
 /// Returns a transparent layer for the part of `picture` within `reach` px of `area`.
-Layer layer_around(const Area& area, int margin, const Area& picture);
+Layer layer_around(const image::Area& area, int margin, const image::Area& picture);
 
 /// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
 /// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
-Area composite_over(Image& image, const Layer& layer);
+image::Area composite_over(image::Image& image, const Layer& layer);
 
 /// Converts premultiplied to unpremultiplied alpha in `area`.
-void unpremultiply(Image& image, const Area& area);
+void unpremultiply(image::Image& image, const image::Area& area);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,7 +9,7 @@
 #include "render/compose/cut.h"
 #include "scene/names.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Pane = Layout::Pane;
@@ -29,10 +29,10 @@ constexpr double words_width = 28;         // em, width of the text beside the b
 constexpr int longest = 3;
 
 int rounded(double length) { return static_cast<int>(std::lround(length)); }
-int shorter(const Area& area) { return std::min(area.width, area.height); }
+int shorter(const image::Area& area) { return std::min(area.width, area.height); }
 
 /// Whether the components are legible in the area.
-bool holds_plots(const Area& area) {
+bool holds_plots(const image::Area& area) {
   return area.width >= least_components &&
          area.height >= (is_strip(area) ? least_inset : least_square);
 }
@@ -41,21 +41,22 @@ bool holds_plots(const Area& area) {
 enum Part { poinsot_part, momentum_part, components_part, figures_part, title_part, part_count };
 using Parts = std::array<bool, part_count>;
 
-Parts parts_of(const Overlay& overlay) {
+Parts parts_of(const scene::Overlay& overlay) {
   const bool single = overlay.compare.size() < 2;
-  const bool insets = single && overlay.view == View::wrench;
+  const bool insets = single && overlay.view == scene::View::wrench;
   Parts parts{};
-  parts[poinsot_part] = insets && overlay.shows(Feature::poinsot);
-  parts[momentum_part] = insets && overlay.shows(Feature::sphere);
-  parts[components_part] = overlay.view == View::wrench && overlay.shows(Feature::components);
-  parts[figures_part] = parts[title_part] = overlay.shows(Feature::hud);
+  parts[poinsot_part] = insets && overlay.shows(scene::Feature::poinsot);
+  parts[momentum_part] = insets && overlay.shows(scene::Feature::sphere);
+  parts[components_part] =
+      overlay.view == scene::View::wrench && overlay.shows(scene::Feature::components);
+  parts[figures_part] = parts[title_part] = overlay.shows(scene::Feature::hud);
   return parts;
 }
 
 /// A layout in progress; `rest` is the free area.
 class Draft {
  public:
-  Draft(const Scene& scene, const Parts& parts);
+  Draft(const scene::Scene& scene, const Parts& parts);
 
   /// Returns nothing if something does not fit.
   std::optional<Layout> finish();
@@ -66,33 +67,33 @@ class Draft {
   }
   bool upright() const { return 10 * picture_.height > 11 * picture_.width; }
   void place_words();
-  int rows_of_figures(const Area& column) const;
+  int rows_of_figures(const image::Area& column) const;
   double readouts_height(int rows) const {
-    return twrench::readouts_height(layout_.text, layout_.compact, rows);
+    return twrench::render::readouts_height(layout_.text, layout_.compact, rows);
   }
   void place_insets();
-  Area cut_insets(int squares);
+  image::Area cut_insets(int squares);
   void place_strip();
   void place_views();
   std::vector<Share> equal_shares(int count) const;
   void place_panes();
-  void place_legend(Area& pane);
+  void place_legend(image::Area& pane);
   void place_quarters();
-  bool is_safe(const Area& area) const;
+  bool is_safe(const image::Area& area) const;
   bool has_room_for_words() const;
   bool has_room() const;
 
-  const Overlay& overlay_;
+  const scene::Overlay& overlay_;
   Parts parts_;
-  Area picture_;
-  Area safe_;
+  image::Area picture_;
+  image::Area safe_;
   int gap_;
-  Area rest_;
+  image::Area rest_;
   int solutions_;
   Layout layout_;
 };
 
-Draft::Draft(const Scene& scene, const Parts& parts)
+Draft::Draft(const scene::Scene& scene, const Parts& parts)
     : overlay_(scene.overlay),
       parts_(parts),
       picture_{0, 0, scene.film.width, scene.film.height},
@@ -116,7 +117,7 @@ void Draft::place_words() {
   const bool readouts = parts_[figures_part] && solutions_ == 1;
   const bool aside = is_long() && !upright() && solutions_ == 1 && (parts_[title_part] || readouts);
   const int width = rounded(std::min(words_width * figure, rest_.width / 3.0));
-  Area column = aside ? cut_left(rest_, width, 2 * gap_) : rest_;
+  image::Area column = aside ? cut_left(rest_, width, 2 * gap_) : rest_;
   if (parts_[title_part]) layout_.title = cut_top(column, rounded(title_height), gap_);
   if (readouts) {
     const int height = rounded(readouts_height(rows_of_figures(column)));
@@ -126,7 +127,7 @@ void Draft::place_words() {
 }
 
 /// One row or, in a long picture, as many as the readouts need and as fit.
-int Draft::rows_of_figures(const Area& column) const {
+int Draft::rows_of_figures(const image::Area& column) const {
   if (!is_long()) return 1;
   const double wanted = std::ceil(least_words * layout_.text.readout / column.width);
   int rows = 1;
@@ -140,7 +141,7 @@ void Draft::place_insets() {
   const int squares = (parts_[momentum_part] ? 1 : 0) + (parts_[poinsot_part] ? 1 : 0);
   if (squares == 0 && !parts_[components_part]) return;
   const bool in_row = upright() != is_long();
-  Area insets = cut_insets(squares);
+  image::Area insets = cut_insets(squares);
   const auto cut = [&](int length) {
     return in_row ? cut_right(insets, length, gap_) : cut_bottom(insets, length, gap_);
   };
@@ -156,13 +157,13 @@ void Draft::place_insets() {
   for (auto* const inset : {&layout_.momentum, &layout_.poinsot}) {
     const Part part = inset == &layout_.momentum ? momentum_part : poinsot_part;
     if (!parts_[part]) continue;
-    const Area square = centred_square(cut(length));
+    const image::Area square = centred_square(cut(length));
     *inset = Pane{square, square};
   }
 }
 
 /// Cuts the area of the insets: the components, if shown, and that many squares.
-Area Draft::cut_insets(int squares) {
+image::Area Draft::cut_insets(int squares) {
   const int breadth = upright() ? rest_.width : rest_.height;
   const bool strip = !upright() && breadth < least_square;
   const double aspect = strip ? strip_aspect / 2 : components_aspect;
@@ -177,7 +178,7 @@ Area Draft::cut_insets(int squares) {
     return cut_right(rest_, rounded(std::min(line, most_insets * rest_.width)), 2 * gap_);
   const int width =
       std::max(rounded(0.26 * picture_.width), std::min(least_components, picture_.width / 3));
-  Area column = cut_right(rest_, width, 2 * gap_);
+  image::Area column = cut_right(rest_, width, 2 * gap_);
   for (auto* const words : {&layout_.title, &layout_.readouts}) {
     if (*words) (*words)->width = rest_.width;
   }
@@ -196,7 +197,7 @@ void Draft::place_strip() {
 
 /// Places the method and its readouts in the pane's corner: above the body, or beside it if the
 /// body would otherwise be smaller.
-void Draft::place_legend(Area& pane) {
+void Draft::place_legend(image::Area& pane) {
   if (!parts_[figures_part]) return;
   const auto& [title, figure, caption] = layout_.text;
   const int above = rounded(1.25 * title + readouts_height(1));
@@ -216,7 +217,7 @@ std::vector<Share> Draft::equal_shares(int count) const {
 void Draft::place_panes() {
   const std::vector<Share> all = equal_shares(solutions_);
   for (const auto& [area, column, row] : all) {
-    Area focus = common(area, rest_);
+    image::Area focus = image::common(area, rest_);
     if (solutions_ > 1 && rest_ != picture_) {
       const int air = gap_ / 2;  // between panes
       if (column > 0) cut_left(focus, 0, air);
@@ -231,41 +232,43 @@ void Draft::place_panes() {
 
 void Draft::place_quarters() {
   const std::vector<Share> all = equal_shares(4);
-  const auto pane = [&](std::size_t i) { return Pane{all[i].area, common(all[i].area, rest_)}; };
+  const auto pane = [&](std::size_t i) {
+    return Pane{all[i].area, image::common(all[i].area, rest_)};
+  };
   layout_.panes.push_back(pane(0));
   layout_.momentum = pane(1);
   layout_.poinsot = pane(2);
-  Area last = common(all[3].area, rest_);
+  image::Area last = image::common(all[3].area, rest_);
   if (all[3].column > 0) cut_left(last, 0, gap_);
   if (all[3].row > 0) cut_top(last, 0, gap_);
-  last = common(last, safe_);
+  last = image::common(last, safe_);
   if (holds_plots(last)) layout_.components = last;
 }
 
 void Draft::place_views() {
-  if (overlay_.view == View::quad) return place_quarters();
-  if (overlay_.view == View::momentum) layout_.momentum = Pane{picture_, rest_};
-  if (overlay_.view == View::poinsot) layout_.poinsot = Pane{picture_, rest_};
-  if (overlay_.view == View::wrench) place_panes();
+  if (overlay_.view == scene::View::quad) return place_quarters();
+  if (overlay_.view == scene::View::momentum) layout_.momentum = Pane{picture_, rest_};
+  if (overlay_.view == scene::View::poinsot) layout_.poinsot = Pane{picture_, rest_};
+  if (overlay_.view == scene::View::wrench) place_panes();
 }
 
-bool Draft::is_safe(const Area& area) const {
-  return shorter(area) > 0 && common(area, safe_) == area;
+bool Draft::is_safe(const image::Area& area) const {
+  return shorter(area) > 0 && image::common(area, safe_) == area;
 }
 
 /// Whether every line of text shows more than an ellipsis.
 bool Draft::has_room_for_words() const {
   const double title = layout_.text.title, figure = layout_.text.readout;
   const double corner = solutions_ > 1 ? 6 * figure : 0;
-  const auto room = [&](const Area& area, double width) {
+  const auto room = [&](const image::Area& area, double width) {
     return is_safe(area) && area.width >= width;
   };
-  const bool overlap =
-      layout_.title && layout_.readouts && shorter(common(*layout_.title, *layout_.readouts)) > 0;
+  const bool overlap = layout_.title && layout_.readouts &&
+                       shorter(image::common(*layout_.title, *layout_.readouts)) > 0;
   return !overlap && (!layout_.title || room(*layout_.title, 6 * title + corner)) &&
          (!layout_.readouts || room(*layout_.readouts, 6 * figure)) &&
          std::ranges::all_of(layout_.legends,
-                             [&](const Area& legend) { return room(legend, 8 * figure); });
+                             [&](const image::Area& legend) { return room(legend, 8 * figure); });
 }
 
 bool Draft::has_room() const {
@@ -311,13 +314,13 @@ double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows) {
   return rows * row + (rows - 1) * readout_row_gap * sizes.readout;
 }
 
-bool is_strip(const Area& components) { return components.width > 4 * components.height; }
+bool is_strip(const image::Area& components) { return components.width > 4 * components.height; }
 
-Layout compute_layout(const Scene& scene) {
-  if (scene.overlay.compare.size() > 1 && scene.overlay.view != View::wrench) {
-    throw InvalidArgument("compare",
-                          "the view '" + name_of(scene.overlay.view) + "' shows only one motion",
-                          "use the view 'wrench' to compare methods");
+Layout compute_layout(const scene::Scene& scene) {
+  if (scene.overlay.compare.size() > 1 && scene.overlay.view != scene::View::wrench) {
+    throw InvalidArgument(
+        "compare", "the view '" + scene::name_of(scene.overlay.view) + "' shows only one motion",
+        "use the view 'wrench' to compare methods");
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {
@@ -327,4 +330,4 @@ Layout compute_layout(const Scene& scene) {
   return *Draft(scene, parts).finish();
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

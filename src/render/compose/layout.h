@@ -6,7 +6,7 @@
 #include "image/area.h"
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The layout of the picture. Text and insets stay 5 % of the picture's sides away from its edges,
 /// and overlap neither each other nor the focus of any pane. In a picture more than three times as
@@ -18,8 +18,8 @@ namespace twrench {
 struct Layout {
   /// A three-dimensional view.
   struct Pane {
-    Area area;          ///< The entire pane.
-    Area focus;         ///< The part in which the body is framed, free of other items.
+    image::Area area;   ///< The entire pane.
+    image::Area focus;  ///< The part in which the body is framed, free of other items.
     bool named = true;  ///< Whether there is room for labels.
   };
 
@@ -39,13 +39,13 @@ struct Layout {
   /// The momentum sphere and Poinsot's construction.
   std::optional<Pane> momentum, poinsot;
   /// The nine components.
-  std::optional<Area> components;
+  std::optional<image::Area> components;
   /// The title, with the method below it or, in a comparison, the time on the right.
-  std::optional<Area> title;
+  std::optional<image::Area> title;
   /// The readouts of a single motion.
-  std::optional<Area> readouts;
+  std::optional<image::Area> readouts;
   /// In a comparison, the method and readouts of each pane.
-  std::vector<Area> legends;
+  std::vector<image::Area> legends;
 
   /// Text sizes.
   TextSizes text{};
@@ -63,10 +63,10 @@ inline constexpr double readout_row_gap = 0.35;
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);
 
 /// Returns whether the nine components stand in one row there instead of three rows of three.
-bool is_strip(const Area& components);
+bool is_strip(const image::Area& components);
 
 /// Computes the layout. Throws InvalidArgument for a comparison in a view that shows only one
 /// motion.
-Layout compute_layout(const Scene& scene);
+Layout compute_layout(const scene::Scene& scene);
 
-}  // namespace twrench
+}  // namespace twrench::render

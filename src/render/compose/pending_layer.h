@@ -5,7 +5,7 @@
 
 #include "render/compose/layer.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A layer whose pixels may still be in transfer. If so it is deferred: get() waits for them and
 /// completes the layer on the calling thread, which must be the one that drew it. Otherwise it is
@@ -32,7 +32,9 @@ PendingLayer made_of(Pixels pixels, Make make) {
 /// Returns the pixels unchanged as a layer at `x`, `y`.
 template <typename Pixels>
 PendingLayer made_of(Pixels pixels, int x, int y) {
-  return made_of(std::move(pixels), [x, y](Image image) { return Layer{std::move(image), x, y}; });
+  return made_of(std::move(pixels), [x, y](image::Image image) {
+    return Layer{std::move(image), x, y};
+  });
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,32 +9,34 @@
 #include "render/compose/layout.h"
 #include "render/look/theme.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The nine components of X against time: the past in full strength, the future faint, with a
 /// cursor between them. In a comparison, each plot shows the curves of all methods.
 class ComponentPanel : public Element {
  public:
-  ComponentPanel(const Scene& scene, const std::vector<Solution>& solutions, const Layout& layout,
-                 const Typeface& typeface, const OverlayColors& colors);
+  ComponentPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                 const Layout& layout, const canvas::Typeface& typeface,
+                 const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const FrameState& state) override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
 
  private:
   /// One of the nine plots.
   struct Plot {
     int row, column;
-    Area area;
+    image::Area area;
 
     double x(double share) const { return area.x + share * area.width; }
     double y(double value) const;
   };
 
-  void place_plots(const Area& area, double label_size);
-  void draw_frames(Canvas& canvas, const Layout& layout, const Typeface& typeface) const;
-  void draw_curves(Canvas& canvas, const Solution& solution, std::size_t index,
+  void place_plots(const image::Area& area, double label_size);
+  void draw_frames(canvas::Canvas& canvas, const Layout& layout,
+                   const canvas::Typeface& typeface) const;
+  void draw_curves(canvas::Canvas& canvas, const timeline::Solution& solution, std::size_t index,
                    double opacity) const;
-  Color ink(const Plot& plot, std::size_t solution) const;
+  scene::Color ink(const Plot& plot, std::size_t solution) const;
 
   const OverlayColors& colors_;
   double duration_;
@@ -45,4 +47,4 @@ class ComponentPanel : public Element {
   Layer past_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

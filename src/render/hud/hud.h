@@ -5,26 +5,26 @@
 #include "render/compose/element.h"
 #include "render/hud/text_block.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns the colour that identifies a method in a comparison.
-Color solution_color(const OverlayColors& colors, std::size_t solution);
+scene::Color solution_color(const OverlayColors& colors, std::size_t solution);
 
 /// The text of the video: title, method, and the readouts of time, drift and flips.
 class Hud : public Element {
  public:
   /// All but `scene` and `takes` outlive it. Throws MissingGlyph where the typeface lacks a
   /// character of the title or, without one, of the scene's name.
-  Hud(const Scene& scene, const std::vector<Solution>& solutions, const Layout& layout,
-      const Typeface& typeface, const OverlayColors& colors);
+  Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+      const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const FrameState& state) override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
 
   /// Returns the areas of the text blocks, which labels must keep clear of.
-  std::vector<Area> extents() const;
+  std::vector<image::Area> extents() const;
 
  private:
   std::vector<TextBlock> blocks_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

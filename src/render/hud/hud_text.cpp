@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace twrench::hud_text {
+namespace twrench::render::hud_text {
 namespace {
 
 constexpr const char* figure_space = "\u2007";
@@ -64,12 +64,13 @@ std::string setting(double value) {
   return text.starts_with("1e") ? "10" + raised(std::stoi(text.substr(2))) : typographic(text);
 }
 
-std::string method(const Solution& solution) {
+std::string method(const timeline::Solution& solution) {
   const std::string name(solution.method->name);
-  if (std::holds_alternative<ClosedForm>(solution.method->scheme)) return name + ", closed form";
+  if (std::holds_alternative<motion::ClosedForm>(solution.method->scheme))
+    return name + ", closed form";
   if (solution.method->adaptive())
     return name + ", tolerance " + setting(solution.control.tolerance);
   return name + ", step " + setting(solution.control.step) + " s";
 }
 
-}  // namespace twrench::hud_text
+}  // namespace twrench::render::hud_text

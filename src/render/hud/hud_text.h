@@ -5,7 +5,7 @@
 #include "timeline/timeline.h"
 
 // Formatting of numbers and names for the HUD, as UTF-8 for typeset().
-namespace twrench::hud_text {
+namespace twrench::render::hud_text {
 
 /// Formats seconds between 0 and `longest` with constant width: leading digits are padded with
 /// "\u2007". Shows as many decimals as `resolution` (in s) requires, at most three.
@@ -21,6 +21,6 @@ std::string error(double value);
 std::string setting(double value);
 
 /// Returns, for example, "rkmk45, tolerance 10⁻¹⁰".
-std::string method(const Solution& solution);
+std::string method(const timeline::Solution& solution);
 
-}  // namespace twrench::hud_text
+}  // namespace twrench::render::hud_text

@@ -10,12 +10,12 @@
 #include "render/look/theme.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The style of a text block.
 struct TextStyle {
   /// The font.
-  const Typeface& typeface;
+  const canvas::Typeface& typeface;
   /// Colours of text and panel.
   const OverlayColors& colors;
   /// Text sizes.
@@ -30,7 +30,7 @@ struct Readout {
   std::string caption;
   /// A text at least as wide as every value.
   std::string widest;
-  std::function<std::string(const FrameState&)> value;
+  std::function<std::string(const timeline::FrameState&)> value;
 };
 
 /// A text block on a soft panel, which keeps it legible on any background. Everything except the
@@ -38,12 +38,12 @@ struct Readout {
 class TextBlock {
  public:
   /// Uses the part of `area` that the text needs, starting at its top left.
-  TextBlock(const TextStyle& style, const Area& area);
+  TextBlock(const TextStyle& style, const image::Area& area);
 
   /// Adds a line. If it is too long, it is set smaller, down to the readouts' size, and then
   /// truncated. With `curve`, a sample of the curve precedes it.
-  void add_line(const std::string& text, const Font& font, double size, const Color& ink,
-                const Color* curve = nullptr);
+  void add_line(const std::string& text, const canvas::Font& font, double size,
+                const scene::Color& ink, const scene::Color* curve = nullptr);
 
   /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
   /// there is not enough room.
@@ -53,42 +53,42 @@ class TextBlock {
   void add_corner(Readout readout);
 
   /// Completes the block. The panel's soft edges may extend within `picture`.
-  void finish(const Area& picture);
+  void finish(const image::Area& picture);
 
-  Layer draw(const FrameState& state) const;
+  Layer draw(const timeline::FrameState& state) const;
 
   /// Returns the area that the text covers.
-  const Area& extent() const { return extent_; }
+  const image::Area& extent() const { return extent_; }
 
   /// Returns whether no text fitted.
   bool is_empty() const { return extent_.width <= 0 || extent_.height <= 0; }
 
  private:
   struct Text {
-    Line line;
+    canvas::Line line;
     double size;
-    Canvas::Point at;
-    Color ink;
+    canvas::Canvas::Point at;
+    scene::Color ink;
   };
   struct Value {
-    std::function<std::string(const FrameState&)> text;
+    std::function<std::string(const timeline::FrameState&)> text;
     double size;
-    Canvas::Point at;
-    Canvas::Align align;
+    canvas::Canvas::Point at;
+    canvas::Canvas::Align align;
   };
 
   void extend(double right, double bottom);
   void place(const Readout& readout, double x, double y, double caption_width);
 
   TextStyle style_;
-  Area area_;
-  Area extent_;
+  image::Area area_;
+  image::Area extent_;
   double y_;  ///< Where the next line begins.
   double corner_width_ = 0;
   std::vector<Text> texts_;
   std::vector<Value> values_;
-  std::vector<std::pair<Area, Color>> samples_;  ///< Samples of curves.
+  std::vector<std::pair<image::Area, scene::Color>> samples_;  ///< Samples of curves.
   Layer ground_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

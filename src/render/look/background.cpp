@@ -7,19 +7,13 @@
 #include <random>
 #include <vector>
 
+#include "render/look/dither.h"
 #include "render/look/theme.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Array3d;
-
-/// Ordered dither with a 2 x 2 pattern, in [0, 1): quarter steps are fine enough to hide bands, and
-/// a pattern this short costs a PNG file half as much as noise.
-double dither(int x, int y) {
-  static constexpr std::array pattern{0.125, 0.625, 0.875, 0.375};
-  return pattern[static_cast<std::size_t>(y % 2 * 2 + x % 2)];
-}
 
 double smooth_step(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -34,13 +28,13 @@ struct ColumnTerms {
   double droop, vignette;
 };
 
-Array3d array_of(const Color& color) {
+Array3d array_of(const scene::Color& color) {
   return Eigen::Array3i(color.red, color.green, color.blue).cast<double>();
 }
 
 /// Stars are soft dots at least two pixels wide; video encoding would remove smaller ones or make
 /// them twinkle. A generator with a fixed seed places them, independently of the picture's size.
-void add_stars(Image& image, int count) {
+void add_stars(image::Image& image, int count) {
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
   for (int i = 0; i < count; ++i) {
@@ -69,8 +63,8 @@ void add_stars(Image& image, int count) {
   }
 }
 
-Image flat(const Color& color, int width, int height) {
-  Image image(width, height, 3);
+image::Image flat(const scene::Color& color, int width, int height) {
+  image::Image image(width, height, 3);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
     image.pixels[i] = static_cast<std::uint8_t>(color.red);
     image.pixels[i + 1] = static_cast<std::uint8_t>(color.green);
@@ -81,7 +75,7 @@ Image flat(const Color& color, int width, int height) {
 
 }  // namespace
 
-Image background(const Look& look, int width, int height) {
+image::Image background(const scene::Look& look, int width, int height) {
   if (look.background) return flat(*look.background, width, height);
   const Backdrop& backdrop = style_of(look.theme).backdrop;
   const Array3d above = array_of(backdrop.above);
@@ -89,7 +83,7 @@ Image background(const Look& look, int width, int height) {
   std::vector<ColumnTerms> columns;
   columns.reserve(static_cast<std::size_t>(width));
   for (int x = 0; x < width; ++x) columns.emplace_back(backdrop, (2 * x + 1.0) / width - 1);
-  Image image(width, height, 3);
+  image::Image image(width, height, 3);
   auto out = image.pixels.begin();
   for (int y = 0; y < height; ++y) {
     const double v = (y + 0.5) / height;
@@ -97,7 +91,7 @@ Image background(const Look& look, int width, int height) {
       const ColumnTerms& column = columns[static_cast<std::size_t>(x)];
       const double depth = smooth_step(0.15, 0.85, v - column.droop);
       const Array3d color = (above + depth * (below - above)) * column.vignette;
-      const double offset = dither(x, y);  // rounds up in proportion to the fraction
+      const double offset = 0.5 + static_cast<double>(dither(x, y));
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
     }
   }
@@ -105,4 +99,4 @@ Image background(const Look& look, int width, int height) {
   return image;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -3,10 +3,10 @@
 #include "image/image.h"
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns the background as RGB: the look's flat colour, or the theme's gradient. It is the same
 /// in every frame, so it is drawn once.
-Image background(const Look& look, int width, int height);
+image::Image background(const scene::Look& look, int width, int height);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -5,16 +5,16 @@
 #include "render/look/theme.h"
 #include "render/space/glm_from_eigen.h"
 
-namespace twrench {
+namespace twrench::render {
 
 double linear_from_srgb(double value) {
   const double s = value / 255;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-Material material(const Look& look) {
+Material material(const scene::Look& look) {
   const ThemeStyle& style = style_of(look.theme);
-  const Color srgb = look.color.value_or(style.metal);
+  const scene::Color srgb = look.color.value_or(style.metal);
   const double metallic = look.metallic.value_or(style.metallic);
   const Eigen::Vector3d color(linear_from_srgb(srgb.red), linear_from_srgb(srgb.green),
                               linear_from_srgb(srgb.blue));
@@ -25,4 +25,4 @@ Material material(const Look& look) {
           static_cast<float>(look.roughness.value_or(style.roughness))};
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,7 +4,7 @@
 
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Returns the linear light, 0 to 1, of an sRGB value from 0 to 255 (IEC 61966-2-1).
 double linear_from_srgb(double value);
@@ -19,6 +19,6 @@ struct Material {
   float roughness;
 };
 
-Material material(const Look& look);
+Material material(const scene::Look& look);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// A softbox at `centre` that faces the body, with `width` and `height` and level sides.
@@ -50,4 +50,4 @@ Studio sunlight() {
           {0.05F, 0.056F, 0.07F}};
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

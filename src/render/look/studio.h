@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
-namespace twrench {
+namespace twrench::render {
 
 /// A rectangular area light with uniform radiance (a softbox). Coordinates are those of the stage:
 /// the camera's axes (x right, y up, z towards the camera), with the body's centre at the origin
@@ -41,4 +41,4 @@ Studio white_studio();
 /// Returns the lights in space: one small sun, with faint light from below.
 Studio sunlight();
 
-}  // namespace twrench
+}  // namespace twrench::render

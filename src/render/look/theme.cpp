@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// Interpolates from a to b, each channel by `share`.
-Color mixed(const Color& a, const Color& b, double share) {
+scene::Color mixed(const scene::Color& a, const scene::Color& b, double share) {
   const auto channel = [&](int from, int to) {
     return static_cast<int>(std::lround(from + share * (to - from)));
   };
@@ -14,9 +14,9 @@ Color mixed(const Color& a, const Color& b, double share) {
 }
 
 /// The axes' colours for the columns; rows from near `first` to near `last`.
-std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& first,
-                            const Color& last) {
-  std::array<Color, 9> result{};
+std::array<scene::Color, 9> curves(const std::array<scene::Color, 3>& axis,
+                                   const scene::Color& first, const scene::Color& last) {
+  std::array<scene::Color, 9> result{};
   for (std::size_t column = 0; column < 3; ++column) {
     result[column] = mixed(axis[column], first, 0.3);
     result[3 + column] = axis[column];
@@ -30,7 +30,7 @@ std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& first
 // between any two for normal, protan, deutan and tritan vision (Machado et al. 2009).
 
 OverlayColors on_dark() {
-  const std::array<Color, 3> axis{{{213, 114, 53}, {9, 213, 139}, {85, 139, 247}}};
+  const std::array<scene::Color, 3> axis{{{213, 114, 53}, {9, 213, 139}, {85, 139, 247}}};
   return {.text = {245, 247, 250},
           .dim = {216, 220, 228},
           .panel = {14, 16, 21},
@@ -44,7 +44,7 @@ OverlayColors on_dark() {
 }
 
 OverlayColors on_paper() {
-  const std::array<Color, 3> axis{{{185, 73, 15}, {1, 125, 89}, {0, 42, 205}}};
+  const std::array<scene::Color, 3> axis{{{185, 73, 15}, {1, 125, 89}, {0, 42, 205}}};
   return {.text = {16, 18, 22},
           .dim = {70, 74, 82},
           .panel = {255, 255, 255},
@@ -57,7 +57,7 @@ OverlayColors on_paper() {
           .curve = curves(axis, {0, 0, 0}, {255, 255, 255})};
 }
 
-constexpr Color steel{184, 188, 196};
+constexpr scene::Color steel{184, 188, 196};
 
 ThemeStyle studio() {
   return {.metal = steel,
@@ -91,9 +91,9 @@ ThemeStyle space() {
 
 }  // namespace
 
-const ThemeStyle& style_of(Theme theme) {
+const ThemeStyle& style_of(scene::Theme theme) {
   static const std::array<ThemeStyle, 3> styles{studio(), paper(), space()};
   return styles[static_cast<std::size_t>(theme)];
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,7 +6,7 @@
 #include "render/look/studio.h"
 #include "scene/scene.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The colours of overlays. Text in `text` or `dim` is legible anywhere on the theme's background
 /// and on a panel; the distinguishing colours are legible as text on a panel and, except in the
@@ -14,34 +14,34 @@ namespace twrench {
 /// are distinguishable with every type of colour vision.
 struct OverlayColors {
   /// Text.
-  Color text;
+  scene::Color text;
   /// For secondary content: units, grid lines, the future of a curve.
-  Color dim;
+  scene::Color dim;
   /// Panels behind text and curves.
-  Color panel;
+  scene::Color panel;
   /// 0 to 1.
   double panel_opacity;
   /// The body's x, y and z axes.
-  std::array<Color, 3> axis;
+  std::array<scene::Color, 3> axis;
   /// The angular momentum L.
-  Color momentum;
+  scene::Color momentum;
   /// The angular velocity.
-  Color omega;
+  scene::Color omega;
   /// The trail of a point.
-  Color trail;
+  scene::Color trail;
   /// The invariable plane.
-  Color plane;
+  scene::Color plane;
   /// The components of X row by row: a column has its axis' hue, a row its lightness. Curves of one
   /// row are distinguishable.
-  std::array<Color, 9> curve;
+  std::array<scene::Color, 9> curve;
 };
 
 /// The background: a vertical gradient, and stars.
 struct Backdrop {
   /// Colour at the top of the picture.
-  Color above;
+  scene::Color above;
   /// Colour at the bottom of the picture.
-  Color below;
+  scene::Color below;
   /// Darkening of the sides, 0 to 1.
   double vignette;
   /// Number of stars.
@@ -52,7 +52,7 @@ struct Backdrop {
 struct FloorStyle {
   /// Light added in the middle of the pool. It is gray because on a dark floor the 8-bit chroma
   /// planes of a video would turn changes of hue into visible contours.
-  Color light;
+  scene::Color light;
   /// Fraction of the light that the deepest shadow removes, 0 to 1.
   double shadow;
   /// Visible fraction of the body's mirror image, 0 to 1.
@@ -62,7 +62,7 @@ struct FloorStyle {
 /// Everything that a theme determines.
 struct ThemeStyle {
   /// Colour of the body, metal or paint, unless the scene sets it.
-  Color metal;
+  scene::Color metal;
   /// Metalness of the body, 0 (paint) to 1 (metal).
   double metallic;
   /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).
@@ -77,6 +77,6 @@ struct ThemeStyle {
   OverlayColors overlay;
 };
 
-const ThemeStyle& style_of(Theme theme);
+const ThemeStyle& style_of(scene::Theme theme);
 
-}  // namespace twrench
+}  // namespace twrench::render

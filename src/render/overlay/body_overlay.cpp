@@ -10,7 +10,7 @@
 
 #include "render/overlay/trail_point.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -24,7 +24,7 @@ constexpr double trail_width = 0.016, plane_line = 0.004;
 /// Points on the circle of that radius about `centre`, normal to `normal`.
 std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
                              int count) {
-  const Matrix3d frame = frame_with_z_along(normal);
+  const Matrix3d frame = body::frame_with_z_along(normal);
   std::vector<Vector3d> points;
   for (int i = 0; i <= count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
@@ -35,26 +35,27 @@ std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, dou
 
 }  // namespace
 
-BodyOverlay::BodyOverlay(const Scene& scene, const Solution& solution, double radius)
+BodyOverlay::BodyOverlay(const scene::Scene& scene, const timeline::Solution& solution,
+                         double radius)
     : colors_(style_of(scene.look.theme).overlay),
-      shows_axes_(scene.overlay.shows(Feature::axes)),
-      shows_momentum_(scene.overlay.shows(Feature::momentum)),
-      shows_omega_(scene.overlay.shows(Feature::omega)),
-      shows_plane_(scene.overlay.shows(Feature::plane)),
-      shows_trail_(scene.overlay.shows(Feature::trail)),
-      shows_labels_(scene.overlay.shows(Feature::labels)),
+      shows_axes_(scene.overlay.shows(scene::Feature::axes)),
+      shows_momentum_(scene.overlay.shows(scene::Feature::momentum)),
+      shows_omega_(scene.overlay.shows(scene::Feature::omega)),
+      shows_plane_(scene.overlay.shows(scene::Feature::plane)),
+      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
+      shows_labels_(scene.overlay.shows(scene::Feature::labels)),
       radius_(radius),
-      trail_length_(trail_length(scene)),
+      trail_length_(timeline::trail_length(scene)),
       trail_point_(trail_point(scene)),
       up_(solution.body.momentum().stableNormalized()) {
-  const FreeBody& body = solution.body;
+  const motion::FreeBody& body = solution.body;
   if (body.momentum().isZero(0.0)) {
     shows_momentum_ = shows_omega_ = shows_plane_ = false;
     return;
   }
   const auto level =
-      level_through(body.principal().moments, body.principal().axes.transpose() * up_);
-  const double outer = level ? herpolhode_annulus(*level).outer : 0;
+      motion::level_through(body.principal().moments, body.principal().axes.transpose() * up_);
+  const double outer = level ? motion::herpolhode_annulus(*level).outer : 0;
   const double height = body.omega().dot(up_);  // rad/s
   const double longest = std::max(height * std::hypot(1, outer), body.omega().norm());
   scale_ = radius * std::min(plane_distance / height, longest_omega / longest);
@@ -75,7 +76,7 @@ std::vector<Vector3d> BodyOverlay::extent() const {
   return points;
 }
 
-void BodyOverlay::draw(const SolutionState& instant, DrawList& opaque,
+void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
                        DrawList& translucent) const {
   const Matrix3d& X = instant.sample.X;
   const Vector3d centre = Vector3d::Zero();
@@ -92,7 +93,7 @@ void BodyOverlay::draw(const SolutionState& instant, DrawList& opaque,
     opaque.arrow(centre, omega_tip(instant.sample), omega_shaft * radius_, {colors_.omega});
   }
   if (shows_plane_) draw_plane(translucent);
-  if (shows_trail_) draw_trail(instant.trail, translucent);
+  if (shows_trail_) draw_trail(instant, translucent);
 }
 
 void BodyOverlay::draw_plane(DrawList& translucent) const {
@@ -119,11 +120,11 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
 }
 
 template <typename Place>
-void BodyOverlay::draw_fading(const std::vector<Sample>& trail, double width, const Color& color,
-                              Place place, DrawList& translucent) const {
+void BodyOverlay::draw_fading(const timeline::SolutionState& instant, double width,
+                              const scene::Color& color, Place place, DrawList& translucent) const {
   std::vector<DrawList::Point> line;
-  for (const Sample& sample : trail) {
-    const double age = std::clamp((trail.back().t - sample.t) / trail_length_, 0.0, 1.0);
+  for (const motion::Sample& sample : instant.trail) {
+    const double age = instant.trail_age(sample, trail_length_);
     const Vector3d point = place(sample);
     line.push_back({point,
                     width * radius_ * (1 - 0.6 * age) * translucent.pixels(point),
@@ -132,22 +133,23 @@ void BodyOverlay::draw_fading(const std::vector<Sample>& trail, double width, co
   translucent.line(line);
 }
 
-void BodyOverlay::draw_trail(const std::vector<Sample>& trail, DrawList& translucent) const {
+void BodyOverlay::draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const {
   if (shows_plane_ && shows_omega_) {
     draw_fading(
-        trail, 0.6 * trail_width, colors_.omega,
-        [&](const Sample& sample) { return omega_tip(sample); }, translucent);
+        instant, 0.6 * trail_width, colors_.omega,
+        [&](const motion::Sample& sample) { return omega_tip(sample); }, translucent);
   }
   draw_fading(
-      trail, trail_width, colors_.trail,
-      [&](const Sample& sample) -> Vector3d { return sample.X * trail_point_; }, translucent);
+      instant, trail_width, colors_.trail,
+      [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; },
+      translucent);
 }
 
-std::vector<Label> BodyOverlay::labels(const SolutionState& instant, const Camera& camera,
-                                       const Area& pane) const {
+std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, const Camera& camera,
+                                       const image::Area& pane) const {
   std::vector<Label> labels;
   if (!shows_labels_) return labels;
-  const auto add = [&](const char* text, const Vector3d& tip, const Color& color) {
+  const auto add = [&](const char* text, const Vector3d& tip, const scene::Color& color) {
     if (auto label = label_at(text, camera, pane, Vector3d::Zero(), tip, color)) {
       labels.push_back(std::move(*label));
     }
@@ -162,4 +164,4 @@ std::vector<Label> BodyOverlay::labels(const SolutionState& instant, const Camer
   return labels;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -7,7 +7,7 @@
 #include "render/overlay/draw_list.h"
 #include "timeline/timeline.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The overlays shown in space around the rotating body, as selected by the scene: the body's axes,
 /// L and omega, the invariable plane, and the trail of a point.
@@ -19,7 +19,7 @@ namespace twrench {
 class BodyOverlay {
  public:
   /// `radius` is the bounding radius of the body in every pose, in cm.
-  BodyOverlay(const Scene& scene, const Solution& solution, double radius);
+  BodyOverlay(const scene::Scene& scene, const timeline::Solution& solution, double radius);
 
   /// Returns the bounding radius in cm of everything that rotates with the body.
   double bounding_radius() const { return shows_axes_ ? axis_length * radius_ : radius_; }
@@ -28,14 +28,14 @@ class BodyOverlay {
   std::vector<Eigen::Vector3d> extent() const;
 
   /// Adds the overlays at that instant to the draw lists for opaque and for translucent items.
-  void draw(const SolutionState& instant, DrawList& opaque, DrawList& translucent) const;
+  void draw(const timeline::SolutionState& instant, DrawList& opaque, DrawList& translucent) const;
 
-  std::vector<Label> labels(const SolutionState& instant, const Camera& camera,
-                            const Area& pane) const;
+  std::vector<Label> labels(const timeline::SolutionState& instant, const Camera& camera,
+                            const image::Area& pane) const;
 
   /// Return the tips of the arrows in space, cm; for a body at rest they are at the origin.
   Eigen::Vector3d momentum_tip() const { return momentum_length * radius_ * up_; }
-  Eigen::Vector3d omega_tip(const Sample& sample) const {
+  Eigen::Vector3d omega_tip(const motion::Sample& sample) const {
     return scale_ * (sample.X * sample.omega);
   }
 
@@ -48,10 +48,10 @@ class BodyOverlay {
   static constexpr double momentum_length = 1.42;
 
   void draw_plane(DrawList& translucent) const;
-  void draw_trail(const std::vector<Sample>& trail, DrawList& translucent) const;
+  void draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const;
   template <typename Place>
-  void draw_fading(const std::vector<Sample>& trail, double width, const Color& color, Place place,
-                   DrawList& translucent) const;
+  void draw_fading(const timeline::SolutionState& instant, double width, const scene::Color& color,
+                   Place place, DrawList& translucent) const;
 
   OverlayColors colors_;
   bool shows_axes_, shows_momentum_, shows_omega_, shows_plane_, shows_trail_, shows_labels_;
@@ -65,4 +65,4 @@ class BodyOverlay {
   double plane_radius_ = 0;  ///< Radius in cm of the plane's disc.
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

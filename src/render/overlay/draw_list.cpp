@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -47,7 +47,7 @@ Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
 
 }  // namespace
 
-void DrawList::begin(const Camera& camera, const Area& pane) {
+void DrawList::begin(const Camera& camera, const image::Area& pane) {
   clip_from_space_ = camera.projection * camera.view;
   camera_from_space_ = camera.camera_from_space();
   eye_ = -camera_from_space_.transpose() * camera.view.col(3).head<3>();
@@ -279,7 +279,7 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
   begin_thing();
   const double scale = std::min(1.0, length / (head_length * radius));
   const double head = head_length * radius * scale, shaft = length - head;
-  const Matrix3d frame = frame_with_z_along(to - from);
+  const Matrix3d frame = body::frame_with_z_along(to - from);
   const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0};
   if (shaft > 0) cone({frame, from, shaft, radius, radius}, ink);
   cone(tip, ink);
@@ -289,7 +289,7 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
 void DrawList::disc(const Vector3d& centre, const Vector3d& normal, double radius,
                     const Ink& middle, const Ink& rim) {
   begin_thing();
-  const Matrix3d frame = frame_with_z_along(normal);
+  const Matrix3d frame = body::frame_with_z_along(normal);
   const std::uint32_t hub = add(clip(centre), middle, everywhere);
   for (std::uint32_t i = 0; i < around_disc; ++i) {
     const double angle = 2 * std::numbers::pi * i / around_disc;
@@ -305,7 +305,7 @@ void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double
   const Vector3d eye = space_from_unit.inverse() * eye_;
   if (!(eye.norm() > 1)) return;
   begin_thing();
-  const Matrix3d frame = frame_with_z_along(eye);
+  const Matrix3d frame = body::frame_with_z_along(eye);
   const Matrix3d normal_from_unit = space_from_unit.inverse().transpose();
   const double size = space_from_unit.norm() * pixels(Vector3d::Zero());
   const auto rings = static_cast<std::uint32_t>(std::clamp(1.1 * std::sqrt(size), 8.0, 32.0));
@@ -353,4 +353,4 @@ void DrawList::add_to(ScreenArea& area) const {
   }
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -11,12 +11,12 @@
 #include "render/space/screen_area.h"
 #include "scene/color.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The colour of an item.
 struct Ink {
   /// sRGB colour.
-  Color color;
+  scene::Color color;
   /// 0 to 1.
   double opacity = 1;
 };
@@ -50,7 +50,7 @@ class DrawList {
   };
 
   /// Clears the list; later items are seen by `camera`, whose picture fills `pane`.
-  void begin(const Camera& camera, const Area& pane);
+  void begin(const Camera& camera, const image::Area& pane);
 
   /// Adds an antialiased line that faces the eye.
   void line(std::span<const Point> points);
@@ -130,4 +130,4 @@ class DrawList {
   std::vector<std::uint32_t> indices_, edge_quad_indices_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twrench {
+namespace twrench::render {
 
 void DrawListLayer::begin(const Camera& camera) {
   opaque.begin(camera, area_);
@@ -17,7 +17,7 @@ PendingLayer DrawListLayer::layer() const {
   ScreenArea screen(area_, framebuffer_.height());
   opaque.add_to(screen);
   translucent.add_to(screen);
-  const Area area = screen.bounds();
+  const image::Area area = screen.bounds();
   const gl::Rectangle rectangle = screen.rectangle(area);
   framebuffer_.clear({&rectangle, 1});
   framebuffer_.draw_within(rectangle, screen.viewport());
@@ -27,4 +27,4 @@ PendingLayer DrawListLayer::layer() const {
   return made_of(framebuffer_.begin_read(rectangle), area.x, area.y);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,13 +4,14 @@
 #include "render/compose/pending_layer.h"
 #include "render/overlay/draw_list_pass.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The canvas of a view without a body: a part of the picture in which opaque and then translucent
 /// items are drawn for one camera.
 class DrawListLayer {
  public:
-  DrawListLayer(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Area& area)
+  DrawListLayer(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+                const image::Area& area)
       : framebuffer_(framebuffer), pass_(gl), area_(area) {}
 
   /// Clears the canvas.
@@ -27,7 +28,7 @@ class DrawListLayer {
  private:
   const gl::Framebuffer& framebuffer_;
   DrawListPass pass_;
-  Area area_;
+  image::Area area_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,8 +4,9 @@
 #include <cstddef>
 
 #include "embedded/shaders.h"
+#include "gl/vertices.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// Attribute locations of the members of DrawList::Vertex in the vertex shader.
@@ -19,19 +20,6 @@ gl::Program draw_list_program(const gl::Functions& gl) {
   return {gl, vertex, fragment};
 }
 
-void set_attribute(const gl::Functions& gl, DrawListAttribute attribute, GLint size,
-                   std::size_t offset) {
-  gl.EnableVertexAttribArray(attribute);
-  gl.VertexAttribPointer(
-      attribute, size, GL_FLOAT, GL_FALSE, sizeof(DrawList::Vertex),
-      // GL takes an offset for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-      reinterpret_cast<const void*>(offset));
-}
-
-void upload(const gl::Functions& gl, GLenum target, std::span<const std::byte> bytes) {
-  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STREAM_DRAW);
-}
-
 }  // namespace
 
 DrawListPass::DrawListPass(const gl::Functions& gl)
@@ -39,9 +27,10 @@ DrawListPass::DrawListPass(const gl::Functions& gl)
   gl.BindVertexArray(array_.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  set_attribute(gl, clip_attribute, 4, offsetof(DrawList::Vertex, clip));
-  set_attribute(gl, paint_attribute, 4, offsetof(DrawList::Vertex, paint));
-  set_attribute(gl, edge_attribute, 3, offsetof(DrawList::Vertex, edge));
+  gl::set_attributes(gl, sizeof(DrawList::Vertex),
+                     {{clip_attribute, 4, offsetof(DrawList::Vertex, clip)},
+                      {paint_attribute, 4, offsetof(DrawList::Vertex, paint)},
+                      {edge_attribute, 3, offsetof(DrawList::Vertex, edge)}});
 }
 
 void DrawListPass::draw(const DrawList& list, const std::vector<std::uint32_t>& indices,
@@ -50,8 +39,8 @@ void DrawListPass::draw(const DrawList& list, const std::vector<std::uint32_t>& 
   program_.use();
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-  upload(*gl_, GL_ARRAY_BUFFER, std::as_bytes(std::span(list.vertices())));
-  upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
+  gl::upload(*gl_, GL_ARRAY_BUFFER, list.vertices(), GL_STREAM_DRAW);
+  gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, indices, GL_STREAM_DRAW);
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Disable(GL_CULL_FACE);
   gl_->Enable(GL_BLEND);
@@ -62,4 +51,4 @@ void DrawListPass::draw(const DrawList& list, const std::vector<std::uint32_t>& 
   gl_->Disable(GL_BLEND);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

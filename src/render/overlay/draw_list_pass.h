@@ -4,7 +4,7 @@
 #include "gl/program.h"
 #include "render/overlay/draw_list.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Renders draw lists to the bound framebuffer as premultiplied colour.
 class DrawListPass {
@@ -32,4 +32,4 @@ class DrawListPass {
   gl::Buffer indices_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

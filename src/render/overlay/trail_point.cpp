@@ -4,18 +4,18 @@
 #include <cmath>
 #include <vector>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
 
 /// From the shape's centre to its ends along its own axes.
 struct Ends {
-  std::vector<Vector3d> operator()(const Cylinder& c) const {
+  std::vector<Vector3d> operator()(const body::Cylinder& c) const {
     return {Vector3d(0, 0, c.length / 2), Vector3d(0, 0, -c.length / 2)};
   }
-  std::vector<Vector3d> operator()(const Box& b) const { return along_axes(b.size / 2); }
-  std::vector<Vector3d> operator()(const Ellipsoid& e) const { return along_axes(e.radii); }
+  std::vector<Vector3d> operator()(const body::Box& b) const { return along_axes(b.size / 2); }
+  std::vector<Vector3d> operator()(const body::Ellipsoid& e) const { return along_axes(e.radii); }
 
   static std::vector<Vector3d> along_axes(const Vector3d& size) {
     std::vector<Vector3d> ends;
@@ -27,9 +27,9 @@ struct Ends {
   }
 };
 
-std::vector<Vector3d> ends_of(const std::vector<Part>& parts) {
+std::vector<Vector3d> ends_of(const std::vector<body::Part>& parts) {
   std::vector<Vector3d> ends;
-  for (const Part& part : parts) {
+  for (const body::Part& part : parts) {
     for (const Vector3d& end : std::visit(Ends{}, part.shape)) {
       ends.emplace_back(part.position + part.body_from_part * end);
     }
@@ -39,12 +39,12 @@ std::vector<Vector3d> ends_of(const std::vector<Part>& parts) {
 
 }  // namespace
 
-Vector3d trail_point(const Scene& scene) {
+Vector3d trail_point(const scene::Scene& scene) {
   if (scene.overlay.trail_point) {
-    return *scene.overlay.trail_point - mass_properties(scene.body).centre_of_mass;
+    return *scene.overlay.trail_point - scene::mass_properties(scene.body).centre_of_mass;
   }
   constexpr double same = 1e-6, outside = 1.03;
-  std::vector<Vector3d> ends = ends_of(visible_parts(scene.body));
+  std::vector<Vector3d> ends = ends_of(scene::visible_parts(scene.body));
   std::ranges::stable_sort(ends, std::greater<>(), [](const Vector3d& v) { return v.norm(); });
   const auto alone = [&](std::size_t i) {
     const auto near = [&](std::size_t k) {
@@ -57,4 +57,4 @@ Vector3d trail_point(const Scene& scene) {
   return outside * ends[chosen < ends.size() ? chosen : 0];
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix4d;
@@ -66,13 +66,13 @@ double distance_to_see(const Framing& framing, std::span<const Vector3d> points)
   return distance / camera.distance;
 }
 
-Eigen::Vector2d pixel_of(const Camera& camera, const Area& pane, const Vector3d& place) {
+Eigen::Vector2d pixel_of(const Camera& camera, const image::Area& pane, const Vector3d& place) {
   const Eigen::Vector4d clip = camera.projection * camera.view * place.homogeneous();
   return {pane.x + (0.5 + 0.5 * clip.x() / clip.w()) * pane.width,
           pane.y + (0.5 - 0.5 * clip.y() / clip.w()) * pane.height};
 }
 
-Camera widened(const Camera& camera, const Area& focus, const Area& pane) {
+Camera widened(const Camera& camera, const image::Area& focus, const image::Area& pane) {
   Camera wide = camera;
   const double scale_x = static_cast<double>(focus.width) / pane.width;
   const double scale_y = static_cast<double>(focus.height) / pane.height;
@@ -89,4 +89,4 @@ Vector3d direction_of(double azimuth, double elevation) {
           std::cos(azimuth) * std::cos(elevation)};
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

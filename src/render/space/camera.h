@@ -5,7 +5,7 @@
 
 #include "image/area.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// A perspective camera that looks at the origin of space, the centre of mass. Matrices are for
 /// column vectors in OpenGL's conventions: clip = projection * view * point.
@@ -42,12 +42,13 @@ double distance_to_see(const Framing& framing, std::span<const Eigen::Vector3d> 
 
 /// Returns the position of a point in space in pixels from the top left, if the camera's picture
 /// fills `pane`. The point must not be behind the eye.
-Eigen::Vector2d pixel_of(const Camera& camera, const Area& pane, const Eigen::Vector3d& place);
+Eigen::Vector2d pixel_of(const Camera& camera, const image::Area& pane,
+                         const Eigen::Vector3d& place);
 
 /// Returns the camera whose picture in `focus` is unchanged but extends to fill `pane`.
-Camera widened(const Camera& camera, const Area& focus, const Area& pane);
+Camera widened(const Camera& camera, const image::Area& focus, const image::Area& pane);
 
 /// Returns the unit vector from the origin to the eye; angles in rad.
 Eigen::Vector3d direction_of(double azimuth, double elevation);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -5,7 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-namespace twrench {
+namespace twrench::render {
 
 /// The one place where the doubles of the physics become the floats of the renderer. Both Eigen and
 /// GLM store matrices by columns, for column vectors.
@@ -28,4 +28,4 @@ inline glm::mat4 glm_from_eigen(const Eigen::Matrix4d& m) {
   return result;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 namespace geometry = boost::geometry;
@@ -79,7 +79,7 @@ void ScreenArea::add(const Eigen::Vector4f& clip) {
 }
 
 /// The pixels of the pane that are touched; at least one.
-Area ScreenArea::pixels_between(const Pixel& low, const Pixel& high) const {
+image::Area ScreenArea::pixels_between(const Pixel& low, const Pixel& high) const {
   // Compared as doubles first: a point just in front of the eye's plane may be out of an int's
   // range.
   const auto first = [](double place, int start, int size) {
@@ -94,7 +94,7 @@ Area ScreenArea::pixels_between(const Pixel& low, const Pixel& high) const {
           std::max(1, end(high.y(), pane_.y, pane_.height) - y)};
 }
 
-Area ScreenArea::bounds() const {
+image::Area ScreenArea::bounds() const {
   if (all_) return pane_;
   Pixel low(infinity, infinity), high(-infinity, -infinity);
   for (const auto& [points, margin] : shapes_) {
@@ -106,7 +106,7 @@ Area ScreenArea::bounds() const {
   return pixels_between(low, high);
 }
 
-std::vector<Area> ScreenArea::bands(int height) const {
+std::vector<image::Area> ScreenArea::bands(int height) const {
   if (all_) return {pane_};
   const int first = pane_.y / height;
   const int count = (pane_.y + pane_.height - 1) / height - first + 1;
@@ -123,7 +123,7 @@ std::vector<Area> ScreenArea::bands(int height) const {
       spans[static_cast<std::size_t>(band)].push_back({span.low - margin, span.high + margin});
     }
   }
-  std::vector<Area> areas;
+  std::vector<image::Area> areas;
   for (int band = 0; band < count; ++band) {
     const double top = (first + band) * height;
     for (const Span& span : joined(std::move(spans[static_cast<std::size_t>(band)]))) {
@@ -134,4 +134,4 @@ std::vector<Area> ScreenArea::bands(int height) const {
   return areas;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,14 +6,15 @@
 #include "gl/framebuffer.h"
 #include "image/area.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The part of a pane that is covered by drawing: convex shapes, each given by points, grown by one
 /// pixel because GL may round differently.
 class ScreenArea {
  public:
   /// For a picture `picture_height` pixels high.
-  ScreenArea(const Area& pane, int picture_height) : pane_(pane), picture_height_(picture_height) {}
+  ScreenArea(const image::Area& pane, int picture_height)
+      : pane_(pane), picture_height_(picture_height) {}
 
   /// Starts a new shape that extends `margin` pixels beyond its points.
   void begin_shape(double margin = 0) { shapes_.push_back({{}, margin + 1}); }
@@ -22,14 +23,14 @@ class ScreenArea {
   void add(const Eigen::Vector4f& clip);
 
   /// Returns the bounding rectangle of all shapes, at least one pixel in size.
-  Area bounds() const;
+  image::Area bounds() const;
 
   /// Returns disjoint rectangles that cover all shapes: the extent of the shapes in each band of
   /// `height` rows of the picture.
-  std::vector<Area> bands(int height) const;
+  std::vector<image::Area> bands(int height) const;
 
   /// Converts to GL's coordinates.
-  gl::Rectangle rectangle(const Area& area) const {
+  gl::Rectangle rectangle(const image::Area& area) const {
     return {area.x, picture_height_ - area.y - area.height, area.width, area.height};
   }
   gl::Rectangle viewport() const { return rectangle(pane_); }
@@ -42,12 +43,12 @@ class ScreenArea {
     double margin;
   };
 
-  Area pixels_between(const Pixel& low, const Pixel& high) const;
+  image::Area pixels_between(const Pixel& low, const Pixel& high) const;
 
-  Area pane_;
+  image::Area pane_;
   int picture_height_;
   bool all_ = false;
   std::vector<Shape> shapes_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -10,21 +10,22 @@
 #include "render/look/theme.h"
 #include "render/views/exposure.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 
-Framing framing_at(const CameraPath& path, const Layout::Pane& pane, double radius,
+Framing framing_at(const scene::CameraPath& path, const Layout::Pane& pane, double radius,
                    double video_time) {
   return {direction_of(path.azimuth + path.orbit * video_time, path.elevation), path.field_of_view,
           static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance};
 }
 
 /// Returns the path, moved away as far as needed to keep the overlay in view at all times.
-CameraPath path_of(const Scene& scene, const Layout::Pane& pane, const BodyOverlay& overlay) {
-  CameraPath path = scene.camera;
+scene::CameraPath path_of(const scene::Scene& scene, const Layout::Pane& pane,
+                          const BodyOverlay& overlay) {
+  scene::CameraPath path = scene.camera;
   constexpr int places = 32;  // along the path of a moving camera
   const double film = scene.motion.duration / scene.film.speed;
   double distance = 1;
@@ -54,7 +55,7 @@ class PendingExposure {
   bool is_ready() const { return on_their_way_.empty(); }
 
   /// Returns the mean of all.
-  Image finish() {
+  image::Image finish() {
     while (!is_ready()) add_first();
     return exposure_.mean();
   }
@@ -85,26 +86,27 @@ int band_height(const gl::Framebuffer& framebuffer) {
 
 }  // namespace
 
-BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
-                   const std::vector<Solution>& solutions, std::size_t solution,
-                   const Layout::Pane& pane)
+BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+                   const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                   std::size_t solution, const Layout::Pane& pane)
     : framebuffer_(framebuffer),
       band_height_(band_height(framebuffer)),
       solution_(solution),
       pane_(pane),
-      radius_(bounding_radius(visible_parts(scene.body))),
+      radius_(bounding_radius(scene::visible_parts(scene.body))),
       overlay_(scene, solutions[solution], radius_),
       path_(path_of(scene, pane, overlay_)),
-      body_(gl, close_gaps(visible_parts(scene.body)), tolerance(camera(0), pane.area.height),
-            radius_, material(scene.look), style_of(scene.look.theme).studio),
+      body_(gl, close_gaps(scene::visible_parts(scene.body)),
+            tolerance(camera(0), pane.area.height), radius_, material(scene.look),
+            style_of(scene.look.theme).studio),
       multisampled_(scene.look.samples > 1),
       draw_list_pass_(gl) {
   const auto& floor = style_of(scene.look.theme).floor;
-  if (floor && scene.overlay.shows(Feature::floor) && !scene.look.transparent &&
+  if (floor && scene.overlay.shows(scene::Feature::floor) && !scene.look.transparent &&
       scene.camera.elevation >= 0) {
-    const Area picture{0, 0, framebuffer.width(), framebuffer.height()};
+    const image::Area picture{0, 0, framebuffer.width(), framebuffer.height()};
     floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, picture,
-                   visible_parts(scene.body), radius_);
+                   scene::visible_parts(scene.body), radius_);
     floor_lit_ = !scene.look.background;
   }
 }
@@ -144,10 +146,11 @@ ScreenArea BodyView::covered(const Camera& camera, std::span<const Matrix3d> pos
 
 /// Reads the areas, which contain everything that is drawn.
 std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d& X,
-                                            const ScreenArea& screen, std::span<const Area> areas) {
+                                            const ScreenArea& screen,
+                                            std::span<const image::Area> areas) {
   std::vector<gl::Rectangle> rectangles;
   rectangles.reserve(areas.size());
-  for (const Area& area : areas) rectangles.push_back(screen.rectangle(area));
+  for (const image::Area& area : areas) rectangles.push_back(screen.rectangle(area));
   framebuffer_.clear(rectangles);
   framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
   if (multisampled_) {
@@ -169,7 +172,7 @@ std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d
 void BodyView::draw_sharp(const Camera& camera, const Matrix3d& X,
                           std::vector<PendingLayer>& layers) {
   const ScreenArea screen = covered(camera, {&X, 1});
-  const std::vector<Area> areas = screen.bands(band_height_);
+  const std::vector<image::Area> areas = screen.bands(band_height_);
   std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     layers.push_back(made_of(std::move(pixels[i]), areas[i].x, areas[i].y));
@@ -179,10 +182,10 @@ void BodyView::draw_sharp(const Camera& camera, const Matrix3d& X,
 void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> poses,
                             std::vector<PendingLayer>& layers) {
   const ScreenArea screen = covered(camera, poses);
-  const std::vector<Area> areas = screen.bands(band_height_);
+  const std::vector<image::Area> areas = screen.bands(band_height_);
   std::vector<PendingExposure> exposures;
   exposures.reserve(areas.size());
-  for (const Area& area : areas) exposures.emplace_back(area.width, area.height);
+  for (const image::Area& area : areas) exposures.emplace_back(area.width, area.height);
   for (const Matrix3d& X : poses) {
     std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
     for (std::size_t i = 0; i < areas.size(); ++i) exposures[i].add(std::move(pixels[i]));
@@ -192,8 +195,8 @@ void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> pose
   }
 }
 
-std::vector<PendingLayer> BodyView::draw(const FrameState& state) {
-  const SolutionState& instant = state.solutions[solution_];
+std::vector<PendingLayer> BodyView::draw(const timeline::FrameState& state) {
+  const timeline::SolutionState& instant = state.solutions[solution_];
   const Matrix3d& X = instant.sample.X;
   const Camera now = camera(state.video_time);
   opaque_.begin(now, pane_.area);
@@ -209,9 +212,9 @@ std::vector<PendingLayer> BodyView::draw(const FrameState& state) {
   return layers;
 }
 
-std::vector<Label> BodyView::labels(const FrameState& state) const {
+std::vector<Label> BodyView::labels(const timeline::FrameState& state) const {
   if (!pane_.named) return {};
   return overlay_.labels(state.solutions[solution_], camera(state.video_time), pane_.area);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -10,26 +10,27 @@
 #include "render/space/camera.h"
 #include "render/space/screen_area.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The rotating body, seen by the scene's camera.
 class BodyView final : public SpaceView {
  public:
   /// Shows the motion with that index in `pane`, drawn through `framebuffer`, which has the frame
   /// size and must outlive the view.
-  BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
-           const std::vector<Solution>& solutions, std::size_t solution, const Layout::Pane& pane);
+  BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const scene::Scene& scene,
+           const std::vector<timeline::Solution>& solutions, std::size_t solution,
+           const Layout::Pane& pane);
 
   std::vector<Layer> static_layers() override;
-  std::vector<PendingLayer> draw(const FrameState& state) override;
-  std::vector<Label> labels(const FrameState& state) const override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Label> labels(const timeline::FrameState& state) const override;
 
   Camera camera(double video_time) const override;
 
  private:
   ScreenArea covered(const Camera& camera, std::span<const Eigen::Matrix3d> poses) const;
   std::vector<gl::Readback> picture(const Camera& camera, const Eigen::Matrix3d& X,
-                                    const ScreenArea& screen, std::span<const Area> areas);
+                                    const ScreenArea& screen, std::span<const image::Area> areas);
   void draw_sharp(const Camera& camera, const Eigen::Matrix3d& X,
                   std::vector<PendingLayer>& layers);
   void draw_blurred(const Camera& camera, std::span<const Eigen::Matrix3d> poses,
@@ -41,7 +42,7 @@ class BodyView final : public SpaceView {
   Layout::Pane pane_;
   double radius_;  ///< Bounding radius of the body in every pose, in cm.
   BodyOverlay overlay_;
-  CameraPath path_;  ///< Chosen so that the overlay is in view too.
+  scene::CameraPath path_;  ///< Chosen so that the overlay is in view too.
   BodyPass body_;
   bool multisampled_;  ///< Otherwise edges are antialiased analytically.
   DrawListPass draw_list_pass_;
@@ -50,4 +51,4 @@ class BodyView final : public SpaceView {
   bool floor_lit_ = false;  ///< Whether the floor is lit; a flat background keeps its colour.
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

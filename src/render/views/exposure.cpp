@@ -6,7 +6,7 @@
 
 #include "render/look/material.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 // Of linear light: finer than sRGB's smallest step except in the darkest tones.
@@ -38,7 +38,7 @@ Exposure::Exposure(int width, int height)
       height_(height),
       sums_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-void Exposure::add(const Image& image) {
+void Exposure::add(const image::Image& image) {
   static const std::array<float, 256> linear = linear_table();
   ++count_;
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
@@ -53,9 +53,9 @@ void Exposure::add(const Image& image) {
   }
 }
 
-Image Exposure::mean() const {
+image::Image Exposure::mean() const {
   static const std::vector<float> srgb = srgb_table();
-  Image image(width_, height_, 4);
+  image::Image image(width_, height_, 4);
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
     const float alpha = sums_[i + 3];
     if (alpha == 0) continue;
@@ -69,4 +69,4 @@ Image Exposure::mean() const {
   return image;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -4,7 +4,7 @@
 
 #include "image/image.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Averages images in linear light, as an open shutter does.
 class Exposure {
@@ -13,10 +13,10 @@ class Exposure {
   Exposure(int width, int height);
 
   /// Adds an image: RGBA, premultiplied.
-  void add(const Image& image);
+  void add(const image::Image& image);
 
   /// Returns the mean of the images added, at least one, as premultiplied RGBA.
-  Image mean() const;
+  image::Image mean() const;
 
  private:
   int width_, height_;
@@ -25,4 +25,4 @@ class Exposure {
   std::vector<float> sums_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

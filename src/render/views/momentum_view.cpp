@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -36,13 +36,14 @@ Vector3d eye_direction(const Vector3d& mu) {
 }  // namespace
 
 MomentumView::MomentumView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
-                           const Scene& scene, const std::vector<Solution>& solutions,
-                           std::size_t solution, const Layout::Pane& pane)
+                           const scene::Scene& scene,
+                           const std::vector<timeline::Solution>& solutions, std::size_t solution,
+                           const Layout::Pane& pane)
     : colors_(style_of(scene.look.theme).overlay),
       path_(scene.camera),
-      shows_trail_(scene.overlay.shows(Feature::trail)),
-      shows_labels_(pane.named && scene.overlay.shows(Feature::labels)),
-      trail_length_(trail_length(scene)),
+      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
+      shows_labels_(pane.named && scene.overlay.shows(scene::Feature::labels)),
+      trail_length_(timeline::trail_length(scene)),
       solution_(solution),
       body_(solutions[solution].body),
       frame_(body_, colors_),
@@ -70,7 +71,7 @@ Camera MomentumView::camera(double video_time) const {
   return widened(frame_sphere(framing), pane_.focus, pane_.area);
 }
 
-Vector3d MomentumView::place_of(const Sample& sample) const {
+Vector3d MomentumView::place_of(const motion::Sample& sample) const {
   const double G = body_.momentum().stableNorm();
   if (G == 0) return Vector3d::Zero();
   return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
@@ -87,12 +88,12 @@ void MomentumView::add_curve(Place place, double width, const Ink& ink) {
   pad_.translucent.line(line);
 }
 
-void MomentumView::add_level(const EnergyLevel& level, double width, const Ink& ink) {
+void MomentumView::add_level(const motion::EnergyLevel& level, double width, const Ink& ink) {
   add_curve([&](double phi) { return level.at(phi); }, width, ink);
 }
 
 void MomentumView::add_separatrix() {
-  const auto circles = separatrix(body_.principal().moments);
+  const auto circles = motion::separatrix(body_.principal().moments);
   if (!circles) return;
   for (const Vector3d& side : *circles) {
     add_curve(
@@ -110,21 +111,21 @@ void MomentumView::add_sphere() {
                       {frame_.colors[static_cast<std::size_t>(i)]});
   }
   pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75);
-  for (const EnergyLevel& level : level_family(body_.principal().moments, levels)) {
+  for (const motion::EnergyLevel& level : motion::level_family(body_.principal().moments, levels)) {
     add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
   }
   if (frame_.level) add_level(*frame_.level, 1, {colors_.momentum, 0.55});
   add_separatrix();
 }
 
-void MomentumView::add_momentum(const SolutionState& instant) {
+void MomentumView::add_momentum(const timeline::SolutionState& instant) {
   const auto fading = [&](const Vector3d& point, double opacity) {
     return opacity * shown(point, point, pad_.translucent.eye());
   };
   std::vector<DrawList::Point> line;
-  for (const Sample& sample : instant.trail) {
+  for (const motion::Sample& sample : instant.trail) {
     if (!shows_trail_) break;
-    const double age = std::clamp((instant.sample.t - sample.t) / trail_length_, 0.0, 1.0);
+    const double age = instant.trail_age(sample, trail_length_);
     const Vector3d point = lifted * place_of(sample);
     line.push_back({point,
                     (3.2 - 2 * age) * pad_.hairline(),
@@ -150,7 +151,7 @@ std::vector<Layer> MomentumView::static_layers() {
   return layers;
 }
 
-std::vector<PendingLayer> MomentumView::draw(const FrameState& state) {
+std::vector<PendingLayer> MomentumView::draw(const timeline::FrameState& state) {
   pad_.begin(camera(state.video_time));
   if (path_.orbit != 0) add_sphere();
   if (frame_.direction.isZero(0.0) && path_.orbit == 0) return {};
@@ -160,10 +161,10 @@ std::vector<PendingLayer> MomentumView::draw(const FrameState& state) {
   return layers;
 }
 
-std::vector<Label> MomentumView::labels(const FrameState& state) const {
+std::vector<Label> MomentumView::labels(const timeline::FrameState& state) const {
   std::vector<Label> labels;
   const Camera now = camera(state.video_time);
-  const auto add = [&](const std::string& text, const Vector3d& tip, const Color& color) {
+  const auto add = [&](const std::string& text, const Vector3d& tip, const scene::Color& color) {
     const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
     if (label && shows_labels_) labels.push_back(*label);
   };
@@ -177,4 +178,4 @@ std::vector<Label> MomentumView::labels(const FrameState& state) const {
   return labels;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

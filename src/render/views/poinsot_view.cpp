@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -21,14 +21,14 @@ constexpr int around = 120;            // points of a curve
 /// With L up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
   if (momentum.isZero(0.0)) return Matrix3d::Identity();
-  const Matrix3d frame = frame_with_z_along(momentum);
+  const Matrix3d frame = body::frame_with_z_along(momentum);
   Matrix3d m;
   m << frame.col(1).transpose(), frame.col(2).transpose(), frame.col(0).transpose();
   return m;
 }
 
 /// Radii of x . I x = 1 in units of the plane's distance or, at rest, of the largest radius.
-Vector3d radii_of(const FreeBody& body) {
+Vector3d radii_of(const motion::FreeBody& body) {
   const Vector3d radii = body.principal().moments.cwiseSqrt().cwiseInverse();
   if (body.momentum().isZero(0.0)) return radii / radii.maxCoeff();
   const double G = body.momentum().stableNorm();
@@ -41,13 +41,14 @@ constexpr double widest_turn = 0.35;
 }  // namespace
 
 PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
-                         const Scene& scene, const std::vector<Solution>& solutions,
-                         std::size_t solution, const Layout::Pane& pane)
+                         const scene::Scene& scene,
+                         const std::vector<timeline::Solution>& solutions, std::size_t solution,
+                         const Layout::Pane& pane)
     : colors_(style_of(scene.look.theme).overlay),
       path_(scene.camera),
-      shows_trail_(scene.overlay.shows(Feature::trail)),
-      shows_labels_(pane.named && scene.overlay.shows(Feature::labels)),
-      trail_length_(trail_length(scene)),
+      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
+      shows_labels_(pane.named && scene.overlay.shows(scene::Feature::labels)),
+      trail_length_(timeline::trail_length(scene)),
       solution_(solution),
       body_(solutions[solution].body),
       frame_(body_, colors_),
@@ -56,12 +57,12 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
       radii_(radii_of(body_)),
       pane_(pane),
       pad_(gl, framebuffer, pane.area) {
-  if (frame_.level) annulus_ = herpolhode_annulus(*frame_.level);
+  if (frame_.level) annulus_ = motion::herpolhode_annulus(*frame_.level);
   plane_radius_ = std::max(1.25 * annulus_.outer, least_plane);
-  const std::vector<Sample>& whole = solutions[solution].whole;
+  const std::vector<motion::Sample>& whole = solutions[solution].whole;
   const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
   if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
-  for (const Sample& sample : whole) herpolhode_.push_back(contact(sample));
+  for (const motion::Sample& sample : whole) herpolhode_.push_back(contact(sample));
 }
 
 Camera PoinsotView::camera(double video_time) const {
@@ -84,7 +85,7 @@ Matrix3d PoinsotView::ellipsoid(const Matrix3d& X) const {
   return view_from_space_ * X * body_.principal().axes * radii_.asDiagonal();
 }
 
-Vector3d PoinsotView::contact(const Sample& sample) const {
+Vector3d PoinsotView::contact(const motion::Sample& sample) const {
   return view_from_space_ * (sample.X * sample.omega) / unit_;
 }
 
@@ -113,7 +114,7 @@ void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
 void PoinsotView::add_polhode(const Matrix3d& X) {
   if (!frame_.level) return;
   const Matrix3d turned = view_from_space_ * X * frame_.axes;
-  const EnergyLevel& level = *frame_.level;
+  const motion::EnergyLevel& level = *frame_.level;
   std::vector<DrawList::Point> line;
   for (int i = 0; i <= 2 * around; ++i) {
     const Vector3d mu = level.at(std::numbers::pi * i / around);
@@ -135,7 +136,7 @@ void PoinsotView::add_ring(double radius, double width, const Ink& ink) {
   pad_.translucent.line(line);
 }
 
-void PoinsotView::add_plane(const SolutionState& instant) {
+void PoinsotView::add_plane(const timeline::SolutionState& instant) {
   DrawList& translucent = pad_.translucent;
   translucent.disc(Vector3d::UnitY(), Vector3d::UnitY(), plane_radius_, {colors_.plane, 0.36},
                    {colors_.plane, 0.22});
@@ -149,9 +150,9 @@ void PoinsotView::add_plane(const SolutionState& instant) {
   }
   translucent.line(line);
   line.clear();
-  for (const Sample& sample : instant.trail) {
+  for (const motion::Sample& sample : instant.trail) {
     if (!shows_trail_) break;
-    const double age = std::clamp((instant.sample.t - sample.t) / trail_length_, 0.0, 1.0);
+    const double age = instant.trail_age(sample, trail_length_);
     line.push_back({contact(sample),
                     (3 - 1.6 * age) * pad_.hairline(),
                     {colors_.omega, std::pow(1 - age, 1.2)}});
@@ -162,8 +163,8 @@ void PoinsotView::add_plane(const SolutionState& instant) {
   translucent.dot(now, 3.4 * pad_.hairline(), {colors_.omega, 1});
 }
 
-std::vector<PendingLayer> PoinsotView::draw(const FrameState& state) {
-  const SolutionState& instant = state.solutions[solution_];
+std::vector<PendingLayer> PoinsotView::draw(const timeline::FrameState& state) {
+  const timeline::SolutionState& instant = state.solutions[solution_];
   pad_.begin(camera(state.video_time));
   const Matrix3d view_from_unit = ellipsoid(instant.sample.X);
   pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9);
@@ -180,11 +181,11 @@ std::vector<PendingLayer> PoinsotView::draw(const FrameState& state) {
   return layers;
 }
 
-std::vector<Label> PoinsotView::labels(const FrameState& state) const {
+std::vector<Label> PoinsotView::labels(const timeline::FrameState& state) const {
   std::vector<Label> labels;
   if (at_rest() || !shows_labels_) return labels;
   const Camera now = camera(state.video_time);
-  const auto add = [&](const char* text, const Vector3d& tip, const Color& color) {
+  const auto add = [&](const char* text, const Vector3d& tip, const scene::Color& color) {
     const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
     if (label) labels.push_back(*label);
   };
@@ -193,4 +194,4 @@ std::vector<Label> PoinsotView::labels(const FrameState& state) const {
   return labels;
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,7 +6,7 @@
 #include "render/overlay/draw_list_layer.h"
 #include "render/views/principal_frame.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// Poinsot's construction: the inertia ellipsoid x . I x = 1, which rotates with the body about its
 /// fixed centre, rolls without slipping on the invariable plane. The contact point omega / sqrt(2T)
@@ -18,12 +18,12 @@ namespace twrench {
 class PoinsotView : public SpaceView {
  public:
   /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
-  PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer, const Scene& scene,
-              const std::vector<Solution>& solutions, std::size_t solution,
-              const Layout::Pane& pane);
+  PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+              const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+              std::size_t solution, const Layout::Pane& pane);
 
-  std::vector<PendingLayer> draw(const FrameState& state) override;
-  std::vector<Label> labels(const FrameState& state) const override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Label> labels(const timeline::FrameState& state) const override;
 
   Camera camera(double video_time) const override;
 
@@ -31,22 +31,22 @@ class PoinsotView : public SpaceView {
   Eigen::Matrix3d ellipsoid(const Eigen::Matrix3d& X) const;
 
   /// Returns the contact point with the plane, whose height is 1.
-  Eigen::Vector3d contact(const Sample& sample) const;
+  Eigen::Vector3d contact(const motion::Sample& sample) const;
 
  private:
   bool at_rest() const { return frame_.direction.isZero(0.0); }
   void add_grid(const Eigen::Matrix3d& view_from_unit);
   void add_polhode(const Eigen::Matrix3d& X);
-  void add_plane(const SolutionState& instant);
+  void add_plane(const timeline::SolutionState& instant);
   void add_ring(double radius, double width, const Ink& ink);
 
   OverlayColors colors_;
-  CameraPath path_;
+  scene::CameraPath path_;
   bool shows_trail_, shows_labels_;
   /// Duration of the trail in s.
   double trail_length_;
   std::size_t solution_;
-  FreeBody body_;
+  motion::FreeBody body_;
   PrincipalFrame frame_;
   Eigen::Matrix3d view_from_space_;
   /// Unit of omega, 2T/G, in rad/s.
@@ -54,7 +54,7 @@ class PoinsotView : public SpaceView {
   /// Radii of the ellipsoid.
   Eigen::Vector3d radii_;
   /// Of the herpolhode.
-  Annulus annulus_{0, 0};
+  motion::Annulus annulus_{0, 0};
   double plane_radius_;
   /// The full curve, unless it is too dense to be legible.
   std::vector<Eigen::Vector3d> herpolhode_;
@@ -62,4 +62,4 @@ class PoinsotView : public SpaceView {
   DrawListLayer pad_;
 };
 
-}  // namespace twrench
+}  // namespace twrench::render

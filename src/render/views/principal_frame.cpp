@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-namespace twrench {
+namespace twrench::render {
 
-PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palette)
+PrincipalFrame::PrincipalFrame(const motion::FreeBody& body, const OverlayColors& palette)
     : axes(body.principal().axes) {
   constexpr double along = 1 - 1e-9;
   static constexpr std::array letters{"x", "y", "z"};
@@ -21,7 +21,7 @@ PrincipalFrame::PrincipalFrame(const FreeBody& body, const OverlayColors& palett
     names[i] = most > along ? letters[letter] : fmt::format("I{}", i + 1);
   }
   direction = axes.transpose() * body.momentum().stableNormalized();
-  if (!direction.isZero(0.0)) level = level_through(body.principal().moments, direction);
+  if (!direction.isZero(0.0)) level = motion::level_through(body.principal().moments, direction);
 }
 
 double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,
@@ -32,4 +32,4 @@ double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,
   return through + (1 - through) * t * t * (3 - 2 * t);
 }
 
-}  // namespace twrench
+}  // namespace twrench::render

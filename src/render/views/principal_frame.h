@@ -9,21 +9,21 @@
 
 #include "render/look/theme.h"
 
-namespace twrench {
+namespace twrench::render {
 
 /// The body's principal axes as the momentum views show them, least moment first.
 struct PrincipalFrame {
-  PrincipalFrame(const FreeBody& body, const OverlayColors& colors);
+  PrincipalFrame(const motion::FreeBody& body, const OverlayColors& colors);
 
   /// Rotation body_from_own: each axis has its largest component positive, so that the axes are
   /// left-handed as often as not.
   Eigen::Matrix3d axes;
   /// The body axis' colour, if the principal axis coincides with one.
-  std::array<Color, 3> colors;
+  std::array<scene::Color, 3> colors;
   /// Likewise x, y or z; otherwise I1, I2, I3.
   std::array<std::string, 3> names;
   /// The energy level of the momentum.
-  std::optional<EnergyLevel> level;
+  std::optional<motion::EnergyLevel> level;
   /// Direction of the momentum at t = 0; 0 at rest.
   Eigen::Vector3d direction;
 };
@@ -33,4 +33,4 @@ struct PrincipalFrame {
 double shown(const Eigen::Vector3d& place, const Eigen::Vector3d& outward,
              const Eigen::Vector3d& eye);
 
-}  // namespace twrench
+}  // namespace twrench::render

@@ -15,7 +15,7 @@
 #include "render/body/gap_closing.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// GL's own description of a program, through functions that only this test uses.
@@ -94,7 +94,7 @@ TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
 }
 
 /// The largest channel difference of a pixel between two pictures.
-int difference(const Image& a, const Image& b, std::size_t pixel) {
+int difference(const image::Image& a, const image::Image& b, std::size_t pixel) {
   int most = 0;
   for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) {
     most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
@@ -103,7 +103,7 @@ int difference(const Image& a, const Image& b, std::size_t pixel) {
 }
 
 /// The pixels of a picture at least four pixels inside what is drawn.
-std::vector<std::size_t> within_outline(const Image& image) {
+std::vector<std::size_t> within_outline(const image::Image& image) {
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t rows = static_cast<std::size_t>(image.height) - 4;
   std::vector<std::size_t> pixels;
@@ -133,7 +133,7 @@ TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
   for (const double angle : {0.3, 1.2, 2.6}) {
     const Eigen::Matrix3d X =
         Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    const Image wide = picture(0.003, X), narrow = picture(0.003 / 16, X);
+    const image::Image wide = picture(0.003, X), narrow = picture(0.003 / 16, X);
     const std::vector<std::size_t> pixels = within_outline(narrow);
     ASSERT_GT(pixels.size(), 10'000);
     const auto differ = std::ranges::count_if(
@@ -144,4 +144,4 @@ TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

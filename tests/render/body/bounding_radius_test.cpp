@@ -10,7 +10,7 @@
 #include "render/body/mesh.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 TEST(Reach, OfTheTWrenchIsToTheRimOfTheHandle) {
@@ -18,15 +18,17 @@ TEST(Reach, OfTheTWrenchIsToTheRimOfTheHandle) {
 }
 
 TEST(Reach, OfASphereIsItsFarSide) {
-  const std::vector<Part> ball{{Ellipsoid{{2, 2, 2}}, 1.0, {3, 0, 4}, Eigen::Matrix3d::Identity()}};
+  const std::vector<body::Part> ball{
+      {body::Ellipsoid{{2, 2, 2}}, 1.0, {3, 0, 4}, Eigen::Matrix3d::Identity()}};
   EXPECT_NEAR(bounding_radius(ball), 7, 1e-12);
 }
 
 TEST(Reach, HoldsTheMeshOfAnyPartClosely) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.1, Eigen::Vector3d(3, -1, 2).normalized()).toRotationMatrix();
-  for (const Shape& shape : {Shape{Cylinder{1, 3}}, Shape{Box{{2, 3, 4}}}}) {
-    const std::vector<Part> parts{{shape, 1.0, {1, -2, 0.5}, turn}};
+  for (const body::Shape& shape :
+       {body::Shape{body::Cylinder{1, 3}}, body::Shape{body::Box{{2, 3, 4}}}}) {
+    const std::vector<body::Part> parts{{shape, 1.0, {1, -2, 0.5}, turn}};
     double farthest = 0;
     for (const Vertex& vertex : body_mesh(parts, 1e-3).vertices) {
       const Eigen::Vector3d p(vertex.position.x, vertex.position.y, vertex.position.z);
@@ -38,4 +40,4 @@ TEST(Reach, HoldsTheMeshOfAnyPartClosely) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

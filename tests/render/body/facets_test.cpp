@@ -13,7 +13,7 @@
 #include "render/body/gap_closing.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -26,8 +26,9 @@ const std::array<glm::vec3, 5> eyes{
 Mesh wrench() { return body_mesh(close_gaps(t_wrench().body.parts), tolerance); }
 
 Mesh upright_cylinder() {
-  return body_mesh(std::array{Part{Cylinder{1, 6}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()}},
-                   tolerance);
+  return body_mesh(
+      std::array{body::Part{body::Cylinder{1, 6}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()}},
+      tolerance);
 }
 
 bool faces(const Mesh& mesh, const std::uint32_t* corners, const glm::vec3& eye) {
@@ -114,14 +115,14 @@ TEST(Facets, HaveNoSideForAnEyeAtTheEnd) {
 }
 
 TEST(Facets, OfOtherShapesAreTheMeshs) {
-  const Mesh mesh =
-      body_mesh(std::array{Part{Box{{2, 3, 4}}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()},
-                           Part{Ellipsoid{{1, 2, 3}}, 1, {4, 0, 0}, Eigen::Matrix3d::Identity()}},
-                tolerance);
+  const Mesh mesh = body_mesh(
+      std::array{body::Part{body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()},
+                 body::Part{body::Ellipsoid{{1, 2, 3}}, 1, {4, 0, 0}, Eigen::Matrix3d::Identity()}},
+      tolerance);
   const Facets facets = visible_facets(mesh, eyes[1]);
   EXPECT_EQ(facets.indices, mesh.indices);
   EXPECT_EQ(facets.part_ends, mesh.part_ends);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -10,7 +10,7 @@
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -20,14 +20,15 @@ class FloorTest : public testing::Test {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
 
-  Image drawn(const Scene& scene, const Matrix3d& X, const std::set<Feature>& features) const {
+  image::Image drawn(const scene::Scene& scene, const Matrix3d& X,
+                     const std::set<scene::Feature>& features) const {
     return PoseRenderer(*context, scene, features).draw(X);
   }
 
   /// The effect of the floor: the red of each pixel with it, minus that without.
-  std::vector<int> change(const Scene& scene, const Matrix3d& X) const {
-    const Image with = drawn(scene, X, {Feature::floor});
-    const Image without = drawn(scene, X, {});
+  std::vector<int> change(const scene::Scene& scene, const Matrix3d& X) const {
+    const image::Image with = drawn(scene, X, {scene::Feature::floor});
+    const image::Image without = drawn(scene, X, {});
     std::vector<int> result;
     for (std::size_t i = 0; i < with.pixels.size(); i += 3) {
       result.push_back(with.pixels[i] - without.pixels[i]);
@@ -35,15 +36,15 @@ class FloorTest : public testing::Test {
     return result;
   }
 
-  static Scene white() {
-    Scene scene = t_wrench(320, 180);
-    scene.look.background = Color{255, 255, 255};
+  static scene::Scene white() {
+    scene::Scene scene = t_wrench(320, 180);
+    scene.look.background = scene::Color{255, 255, 255};
     scene.camera.distance = 1.5;
     return scene;
   }
 
   /// The centre of the shadow on a white floor, column and row.
-  Eigen::Vector2d shadow(const Scene& scene, const Matrix3d& X) const {
+  Eigen::Vector2d shadow(const scene::Scene& scene, const Matrix3d& X) const {
     const std::vector<int> darker = change(scene, X);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0;
@@ -57,7 +58,7 @@ class FloorTest : public testing::Test {
 };
 
 TEST_F(FloorTest, IsLightThatFadesBeforeAHorizon) {
-  const Scene scene = t_wrench(320, 180);
+  const scene::Scene scene = t_wrench(320, 180);
   const std::vector<int> light = change(scene, Matrix3d::Identity());
   const auto at = [&](int column, int row) {
     return light[static_cast<std::size_t>(320 * row + column)];
@@ -70,14 +71,14 @@ TEST_F(FloorTest, IsLightThatFadesBeforeAHorizon) {
 }
 
 TEST_F(FloorTest, LeavesAFlatBackgroundItsColourAndShadesIt) {
-  const Scene scene = white();
+  const scene::Scene scene = white();
   const std::vector<int> darker = change(scene, Matrix3d::Identity());
   EXPECT_EQ(darker.front(), 0);
   EXPECT_LT(*std::ranges::min_element(darker), -40);
 }
 
 TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
-  const Scene scene = white();
+  const scene::Scene scene = white();
   // The leg, which casts most of it, points right, or left.
   const Eigen::Vector2d right = shadow(scene, Matrix3d::Identity());
   const Eigen::Vector2d left = shadow(scene, so3::exp(Vector3d(0, 3.14, 0)));
@@ -89,8 +90,8 @@ TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
 }
 
 TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
-  Scene scene = white();
-  scene.overlay.view = View::quad;  // the body is in the upper left quarter
+  scene::Scene scene = white();
+  scene.overlay.view = scene::View::quad;  // the body is in the upper left quarter
   scene.camera.distance = 1.0;
   const std::vector<int> darker = change(scene, Matrix3d::Identity());
   const auto at = [&](int column, int row) {
@@ -103,24 +104,24 @@ TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
 
 TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   const Matrix3d Id = Matrix3d::Identity();
-  Scene below = t_wrench(160, 90);
+  scene::Scene below = t_wrench(160, 90);
   below.camera.elevation = -0.2;
-  Scene clear = t_wrench(160, 90);
+  scene::Scene clear = t_wrench(160, 90);
   clear.look.transparent = true;
-  Scene space = t_wrench(160, 90);
-  space.look.theme = Theme::space;
-  for (const Scene& scene : {below, clear, space}) {
-    EXPECT_EQ(drawn(scene, Id, {Feature::floor}).pixels, drawn(scene, Id, {}).pixels);
+  scene::Scene space = t_wrench(160, 90);
+  space.look.theme = scene::Theme::space;
+  for (const scene::Scene& scene : {below, clear, space}) {
+    EXPECT_EQ(drawn(scene, Id, {scene::Feature::floor}).pixels, drawn(scene, Id, {}).pixels);
   }
 }
 
 // Not with a sphere per radius, of which its length is ten million.
 TEST_F(FloorTest, IsDrawnBelowAWire) {
-  Scene scene = white();
+  scene::Scene scene = white();
   scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};
   scene.motion.omega.setZero();
   EXPECT_NO_THROW(change(scene, Matrix3d::Identity()));
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,12 +6,12 @@
 
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
 
-double length_of(const Part& part) { return std::get<Cylinder>(part.shape).length; }
+double length_of(const body::Part& part) { return std::get<body::Cylinder>(part.shape).length; }
 
 TEST(JoinedParts, CarriesTheLegOnToTheHandlesAxis) {
   const auto parts = close_gaps(t_wrench().body.parts);
@@ -24,14 +24,14 @@ TEST(JoinedParts, CarriesTheLegOnToTheHandlesAxis) {
 
 TEST(JoinedParts, JoinsEitherEnd) {
   auto given = t_wrench().body.parts;
-  given[1].body_from_part = frame_with_z_along(-Vector3d::UnitX());
+  given[1].body_from_part = body::frame_with_z_along(-Vector3d::UnitX());
   const auto parts = close_gaps(given);
   EXPECT_NEAR(length_of(parts[1]), 5, 1e-12);
   EXPECT_LT((parts[1].position - Vector3d(1.5, 0, 0)).norm(), 1e-12);
 }
 
 TEST(JoinedParts, CarriesARodIntoABall) {
-  const Part ball{Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
+  const body::Part ball{body::Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
   const auto parts = close_gaps(std::vector{ball, cylinder(0.5, 4, {4, 0, 0}, Vector3d::UnitX())});
   EXPECT_NEAR(length_of(parts[1]), 6, 1e-12);
 }
@@ -50,7 +50,7 @@ TEST(JoinedParts, LeavesPartsThatAlreadyOverlap) {
 
 TEST(JoinedParts, LeavesAnEndThatWouldShowOnTheOtherSide) {
   auto given = t_wrench().body.parts;
-  std::get<Cylinder>(given[1].shape).radius = 1.5;
+  std::get<body::Cylinder>(given[1].shape).radius = 1.5;
   EXPECT_EQ(length_of(close_gaps(given)[1]), 4);
 }
 
@@ -62,4 +62,4 @@ TEST(JoinedParts, LeavesADiscThatIsWiderThanTheRodItSitsOn) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

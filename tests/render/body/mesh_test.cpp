@@ -11,7 +11,7 @@
 #include <ostream>
 #include <string>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector3d;
@@ -21,7 +21,7 @@ Vector3d vector(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 struct Case {
   std::string name;
-  Shape shape;
+  body::Shape shape;
   double volume;  ///< of the shape as drawn, including bevels
   double area;
 };
@@ -43,7 +43,7 @@ Case rounded_cylinder() {
   const double cap = pi * inner * inner;
   const double rim = 2 * pi * arc * (inner + 2 / pi * bevel);
   const double side = 2 * pi * radius * (length - 2 * bevel);
-  return {"cylinder", Cylinder{radius, length}, pi * radius * radius * length - 2 * lost,
+  return {"cylinder", body::Cylinder{radius, length}, pi * radius * radius * length - 2 * lost,
           2 * (cap + rim) + side};
 }
 
@@ -53,7 +53,7 @@ Case rounded_box() {
   const Vector3d inner = size.array() - 2 * bevel;
   const double faces = 2 * (inner.x() * inner.y() + inner.y() * inner.z() + inner.z() * inner.x());
   const double edges = 4 * inner.sum();
-  return {"box", Box{size},
+  return {"box", body::Box{size},
           inner.prod() + bevel * faces + pi / 4 * bevel * bevel * edges +
               4 * pi / 3 * bevel * bevel * bevel,
           faces + pi / 2 * bevel * edges + 4 * pi * bevel * bevel};
@@ -63,16 +63,16 @@ Case prolate_ellipsoid() {
   const double a = 1;
   const double c = 3;
   const double e = std::sqrt(1 - a * a / (c * c));
-  return {"ellipsoid", Ellipsoid{{a, a, c}}, 4 * pi / 3 * a * a * c,
+  return {"ellipsoid", body::Ellipsoid{{a, a, c}}, 4 * pi / 3 * a * a * c,
           2 * pi * a * a * (1 + c / (a * e) * std::asin(e))};
 }
 
 class PartMesh : public testing::TestWithParam<Case> {
  protected:
-  Part part{GetParam().shape,
-            1.0,
-            {0.5, -2, 1},
-            Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix()};
+  body::Part part{GetParam().shape,
+                  1.0,
+                  {0.5, -2, 1},
+                  Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix()};
   Mesh mesh = part_mesh(part, tolerance);
 
   std::array<Vector3d, 3> corners(std::size_t triangle) const {
@@ -133,8 +133,8 @@ TEST_P(PartMesh, StaysInsideTheShapesBoundingSphere) {
   for (const Vertex& vertex : mesh.vertices) {
     farthest = std::max(farthest, (vector(vertex.position) - part.position).norm());
   }
-  EXPECT_LE(farthest, bounding_radius(part.shape) + 1e-5);
-  EXPECT_GE(farthest, bounding_radius(part.shape) - bevel);
+  EXPECT_LE(farthest, body::bounding_radius(part.shape) + 1e-5);
+  EXPECT_GE(farthest, body::bounding_radius(part.shape) - bevel);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PartMesh,
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PartMesh,
                          [](const auto& param) { return param.param.name; });
 
 TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
-  const Part part{Cylinder{2, 10}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  const body::Part part{body::Cylinder{2, 10}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     const double across = std::hypot(p.x(), p.y());
@@ -159,7 +159,7 @@ TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
 
 TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
   const Vector3d radii(1, 2, 3);
-  const Part part{Ellipsoid{radii}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  const body::Part part{body::Ellipsoid{radii}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     ASSERT_NEAR(p.cwiseQuotient(radii).norm(), 1, 1e-6);
@@ -169,7 +169,7 @@ TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
 }
 
 TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
-  const Part ball{Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
+  const body::Part ball{body::Ellipsoid{{2, 2, 2}}, 1.0, {0, 0, 0}, Eigen::Matrix3d::Identity()};
   std::size_t count = 0;
   for (const double bound : {0.02, 0.005, 0.001}) {
     const Mesh mesh = part_mesh(ball, bound);
@@ -187,8 +187,8 @@ TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
 }
 
 TEST(BodyMesh, JoinsTheMeshesOfItsParts) {
-  const Part ball{Ellipsoid{{1, 1, 1}}, 1.0, {5, 0, 0}, Eigen::Matrix3d::Identity()};
-  const Part box{Box{{1, 1, 1}}, 1.0, {-5, 0, 0}, Eigen::Matrix3d::Identity()};
+  const body::Part ball{body::Ellipsoid{{1, 1, 1}}, 1.0, {5, 0, 0}, Eigen::Matrix3d::Identity()};
+  const body::Part box{body::Box{{1, 1, 1}}, 1.0, {-5, 0, 0}, Eigen::Matrix3d::Identity()};
   const std::array parts{ball, box};
   const Mesh mesh = body_mesh(parts, tolerance);
   EXPECT_EQ(mesh.vertices.size(),
@@ -202,4 +202,4 @@ TEST(BodyMesh, JoinsTheMeshesOfItsParts) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

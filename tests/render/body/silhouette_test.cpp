@@ -11,7 +11,7 @@
 #include "render/body/gap_closing.h"
 #include "render/t_wrench.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
@@ -20,11 +20,11 @@ using Eigen::Vector3d;
 const glm::vec3 eyes[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
 
 std::vector<std::pair<const char*, Mesh>> meshes() {
-  return {
-      {"cylinder", part_mesh(cylinder(1, 8, {0, 0, 0}, Vector3d(1, 1, 0)), 0.01)},
-      {"box", part_mesh({Box{{2, 3, 4}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
-      {"ellipsoid", part_mesh({Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
-      {"wrench", body_mesh(close_gaps(t_wrench().body.parts), 0.01)}};
+  return {{"cylinder", part_mesh(cylinder(1, 8, {0, 0, 0}, Vector3d(1, 1, 0)), 0.01)},
+          {"box", part_mesh({body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
+          {"ellipsoid",
+           part_mesh({body::Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
+          {"wrench", body_mesh(close_gaps(t_wrench().body.parts), 0.01)}};
 }
 
 // An edge of a closed mesh lies between a front-facing and a back-facing triangle, or it is not on
@@ -47,7 +47,8 @@ TEST(Silhouette, IsClosedLoops) {
 
 TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
   constexpr float radius = 2;
-  const Part sphere{Ellipsoid{{radius, radius, radius}}, 1, {0, 0, 0}, Matrix3d::Identity()};
+  const body::Part sphere{
+      body::Ellipsoid{{radius, radius, radius}}, 1, {0, 0, 0}, Matrix3d::Identity()};
   Silhouette outline(part_mesh(sphere, 0.001));
   for (const glm::vec3& eye : eyes) {
     outline.find(eye, 30);
@@ -104,4 +105,4 @@ TEST(Silhouette, FinsHaveAnInnerAndAnOuterSide) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

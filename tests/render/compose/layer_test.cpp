@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using testing::Each;
 using testing::ElementsAre;
 
 Layer layer_of(std::vector<std::uint8_t> rgba, int x = 0, int y = 0) {
-  Layer layer{Image(static_cast<int>(rgba.size() / 4), 1, 4), x, y};
+  Layer layer{image::Image(static_cast<int>(rgba.size() / 4), 1, 4), x, y};
   layer.image.pixels = std::move(rgba);
   return layer;
 }
 
 TEST(LayOver, CoversBlendsAndLeaves) {
-  Image image(4, 2, 3);
+  image::Image image(4, 2, 3);
   image.pixels.assign(image.pixels.size(), 100);
   const Layer layer = layer_of({200, 10, 0, 255, 100, 5, 0, 128, 0, 0, 0, 0}, 1, 1);
   composite_over(image, layer);
@@ -31,7 +31,7 @@ TEST(LayOver, CoversBlendsAndLeaves) {
 TEST(LayOver, RoundsToTheNearest) {
   for (int alpha = 0; alpha <= 255; ++alpha) {
     for (int below = 0; below <= 255; ++below) {
-      Image image(1, 1, 3);
+      image::Image image(1, 1, 3);
       image.pixels.assign(3, static_cast<std::uint8_t>(below));
       composite_over(image, layer_of({0, 0, 0, static_cast<std::uint8_t>(alpha)}));
       ASSERT_EQ(image.pixels[0], std::lround(below * (255 - alpha) / 255.0));
@@ -40,39 +40,39 @@ TEST(LayOver, RoundsToTheNearest) {
 }
 
 TEST(LayOver, AddsUpCoverage) {
-  Image image(2, 1, 4);
+  image::Image image(2, 1, 4);
   image.pixels = {0, 0, 0, 0, 100, 0, 0, 100};
   composite_over(image, layer_of({10, 20, 30, 128, 0, 0, 0, 51}));
   EXPECT_THAT(image.pixels, ElementsAre(10, 20, 30, 128, 80, 0, 0, 131));
 }
 
 TEST(LayOver, SaysWhereTheLayerLies) {
-  Image image(4, 2, 3);
+  image::Image image(4, 2, 3);
   EXPECT_EQ(composite_over(image, layer_of(std::vector<std::uint8_t>(8), 2, 1)),
-            (Area{2, 1, 2, 1}));
+            (image::Area{2, 1, 2, 1}));
 }
 
 TEST(LayerAround, EndsAtThePicturesEdges) {
-  const Area picture{0, 0, 20, 10};
-  EXPECT_EQ(layer_around({5, 4, 3, 2}, 2, picture).area(), (Area{3, 2, 7, 6}));
-  EXPECT_EQ(layer_around({5, 4, 3, 2}, 8, picture).area(), (Area{0, 0, 16, 10}));
+  const image::Area picture{0, 0, 20, 10};
+  EXPECT_EQ(layer_around({5, 4, 3, 2}, 2, picture).area(), (image::Area{3, 2, 7, 6}));
+  EXPECT_EQ(layer_around({5, 4, 3, 2}, 8, picture).area(), (image::Area{0, 0, 16, 10}));
   EXPECT_EQ(layer_around({30, 4, 3, 2}, 2, picture).image.pixels.size(), 0U);
 }
 
 // An assertion if enabled; otherwise the part inside is composited, and nothing else is touched.
 TEST(LayOverDeathTest, CutsOffWhatLeavesThePicture) {
   for (const auto& [x, y] : {std::pair(-1, 0), {2, 0}, {0, -1}, {0, 3}, {-9, -9}, {9, 9}}) {
-    Image image(4, 3, 3);
+    image::Image image(4, 3, 3);
     const Layer layer = layer_of(std::vector<std::uint8_t>(16, 255), x, y);
     EXPECT_DEBUG_DEATH(composite_over(image, layer), "leaves the picture");
     const auto changed = std::ranges::count(image.pixels, 255);
-    const Area seen = common(layer.area(), {0, 0, 4, 3});
+    const image::Area seen = image::common(layer.area(), {0, 0, 4, 3});
     EXPECT_TRUE(changed == 0 || changed == 3L * seen.width * seen.height) << x << " " << y;
   }
 }
 
 TEST(MakeStraight, DividesByTheCoverageWithinTheArea) {
-  Image image(4, 1, 4);
+  image::Image image(4, 1, 4);
   image.pixels = {9, 9, 9, 18, 200, 100, 50, 255, 100, 50, 25, 128, 0, 0, 0, 0};
   unpremultiply(image, {1, 0, 3, 1});
   EXPECT_THAT(image.pixels,
@@ -80,4 +80,4 @@ TEST(MakeStraight, DividesByTheCoverageWithinTheArea) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -8,7 +8,7 @@
 #include "render/t_wrench.h"
 #include "scene/names.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// Picture sides, combined with each other: from 1:1024 to 1024:1.
@@ -16,11 +16,11 @@ constexpr int sides[]{16,  17,   20,   24,   33,   48,   64,   72,   90,   100, 
                       164, 180,  240,  270,  300,  360,  480,  540,  600,  728,  854,
                       996, 1000, 1080, 1280, 1600, 1920, 2160, 2400, 3840, 8192, 16384};
 
-bool overlap(const Area& a, const Area& b) {
+bool overlap(const image::Area& a, const image::Area& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-bool inside(const Area& a, const Area& b) {
+bool inside(const image::Area& a, const image::Area& b) {
   return a.width > 0 && a.height > 0 && a.x >= b.x && a.y >= b.y &&
          a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
 }
@@ -33,17 +33,17 @@ std::vector<Layout::Pane> all_panes(const Layout& layout) {
   return panes;
 }
 
-std::string text(const Area& a) {
+std::string text(const image::Area& a) {
   return std::to_string(a.x) + "," + std::to_string(a.y) + " " + std::to_string(a.width) + "x" +
          std::to_string(a.height);
 }
 
-std::vector<Area> words_and_insets(const Layout& layout, View view) {
-  std::vector<Area> areas = layout.legends;
+std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
+  std::vector<image::Area> areas = layout.legends;
   for (const auto& area : {layout.title, layout.readouts, layout.components}) {
     if (area) areas.push_back(*area);
   }
-  if (view == View::wrench) {
+  if (view == scene::View::wrench) {
     for (const auto& inset : {layout.momentum, layout.poinsot}) {
       if (inset) areas.push_back(inset->area);
     }
@@ -52,10 +52,10 @@ std::vector<Area> words_and_insets(const Layout& layout, View view) {
 }
 
 /// All areas that must not overlap: text, insets, and the focus of each view.
-std::vector<Area> all_areas(const Layout& layout, View view) {
-  std::vector<Area> areas = words_and_insets(layout, view);
+std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
+  std::vector<image::Area> areas = words_and_insets(layout, view);
   for (const Layout::Pane& pane : layout.panes) areas.push_back(pane.focus);
-  if (view != View::wrench) {
+  if (view != scene::View::wrench) {
     for (const auto& pane : {layout.momentum, layout.poinsot}) {
       if (pane) areas.push_back(pane->focus);
     }
@@ -64,15 +64,15 @@ std::vector<Area> all_areas(const Layout& layout, View view) {
 }
 
 /// For each size, with all optional items and with each selection of them.
-void for_each_layout(View view, int compared,
-                     const std::function<void(const Scene&, const Layout&)>& check) {
-  constexpr Feature features[]{Feature::poinsot, Feature::sphere, Feature::components,
-                               Feature::hud};
-  Scene scene = t_wrench();
+void for_each_layout(scene::View view, int compared,
+                     const std::function<void(const scene::Scene&, const Layout&)>& check) {
+  constexpr scene::Feature features[]{scene::Feature::poinsot, scene::Feature::sphere,
+                                      scene::Feature::components, scene::Feature::hud};
+  scene::Scene scene = t_wrench();
   scene.overlay.view = view;
   scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
   for (unsigned choice = 0; choice < 16; ++choice) {
-    scene.overlay.show = {Feature::floor, Feature::labels};
+    scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
     for (unsigned i = 0; i < 4; ++i) {
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
@@ -87,23 +87,23 @@ void for_each_layout(View view, int compared,
   }
 }
 
-std::string text(const Scene& scene) {
+std::string text(const scene::Scene& scene) {
   std::string shown;
-  for (const Feature feature : scene.overlay.show) shown += " " + name_of(feature);
+  for (const scene::Feature feature : scene.overlay.show) shown += " " + scene::name_of(feature);
   return std::to_string(scene.film.width) + "x" + std::to_string(scene.film.height) + shown;
 }
 
-class LayoutOf : public testing::TestWithParam<std::pair<View, int>> {
+class LayoutOf : public testing::TestWithParam<std::pair<scene::View, int>> {
  protected:
-  static void check_each(const std::function<void(const Scene&, const Layout&)>& check) {
+  static void check_each(const std::function<void(const scene::Scene&, const Layout&)>& check) {
     for_each_layout(GetParam().first, GetParam().second, check);
   }
 };
 
 TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
-  check_each([](const Scene& scene, const Layout& layout) {
+  check_each([](const scene::Scene& scene, const Layout& layout) {
     const auto [width, height] = std::pair(scene.film.width, scene.film.height);
-    for (const Area& area : words_and_insets(layout, scene.overlay.view)) {
+    for (const image::Area& area : words_and_insets(layout, scene.overlay.view)) {
       EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << text(scene);
       EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << text(scene);
       EXPECT_LE(area.x + area.width, 0.95 * width) << text(area) << " of " << text(scene);
@@ -113,9 +113,9 @@ TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
 }
 
 TEST_P(LayoutOf, CoversNothing) {
-  check_each([](const Scene& scene, const Layout& layout) {
-    const Area picture{0, 0, scene.film.width, scene.film.height};
-    const std::vector<Area> areas = all_areas(layout, scene.overlay.view);
+  check_each([](const scene::Scene& scene, const Layout& layout) {
+    const image::Area picture{0, 0, scene.film.width, scene.film.height};
+    const std::vector<image::Area> areas = all_areas(layout, scene.overlay.view);
     for (std::size_t i = 0; i < areas.size(); ++i) {
       EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " of " << text(scene);
       for (std::size_t j = 0; j < i; ++j) {
@@ -127,7 +127,7 @@ TEST_P(LayoutOf, CoversNothing) {
 }
 
 TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
-  check_each([](const Scene& scene, const Layout& layout) {
+  check_each([](const scene::Scene& scene, const Layout& layout) {
     long long pixels = 0;
     for (const auto& [area, focus, named] : all_panes(layout)) {
       EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
@@ -137,28 +137,29 @@ TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
     for (const Layout::Pane& pane : layout.panes) {
       pixels += static_cast<long long>(pane.area.width) * pane.area.height;
     }
-    if (scene.overlay.view == View::wrench) {
+    if (scene.overlay.view == scene::View::wrench) {
       EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height)
           << text(scene);
     }
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LayoutOf,
-                         testing::Values(std::pair(View::wrench, 0), std::pair(View::wrench, 1),
-                                         std::pair(View::wrench, 2), std::pair(View::wrench, 3),
-                                         std::pair(View::wrench, 4), std::pair(View::momentum, 0),
-                                         std::pair(View::poinsot, 0), std::pair(View::quad, 0)));
+INSTANTIATE_TEST_SUITE_P(
+    All, LayoutOf,
+    testing::Values(std::pair(scene::View::wrench, 0), std::pair(scene::View::wrench, 1),
+                    std::pair(scene::View::wrench, 2), std::pair(scene::View::wrench, 3),
+                    std::pair(scene::View::wrench, 4), std::pair(scene::View::momentum, 0),
+                    std::pair(scene::View::poinsot, 0), std::pair(scene::View::quad, 0)));
 
 TEST(Layout, GivesTheBareBodyTheWholePicture) {
   for (const int width : sides) {
     for (const int height : sides) {
-      Scene scene = t_wrench(width, height);
-      scene.overlay.show = {Feature::floor, Feature::trail, Feature::momentum};
+      scene::Scene scene = t_wrench(width, height);
+      scene.overlay.show = {scene::Feature::floor, scene::Feature::trail, scene::Feature::momentum};
       const Layout layout = compute_layout(scene);
       ASSERT_EQ(layout.panes.size(), 1U);
-      EXPECT_EQ(layout.panes[0].area, (Area{0, 0, width, height}));
-      EXPECT_EQ(layout.panes[0].focus, (Area{0, 0, width, height}));
+      EXPECT_EQ(layout.panes[0].area, (image::Area{0, 0, width, height}));
+      EXPECT_EQ(layout.panes[0].focus, (image::Area{0, 0, width, height}));
     }
   }
 }
@@ -167,8 +168,8 @@ TEST(Layout, DropsInTheStatedOrder) {
   std::size_t before = 5;
   std::set<std::size_t> counts;
   for (int height = 1080; height >= 20; height -= 4) {
-    Scene scene = t_wrench(height * 16 / 9, height);
-    scene.overlay.show.insert(Feature::poinsot);
+    scene::Scene scene = t_wrench(height * 16 / 9, height);
+    scene.overlay.show.insert(scene::Feature::poinsot);
     const Layout layout = compute_layout(scene);
     const std::vector<bool> kept{layout.title.has_value(), layout.readouts.has_value(),
                                  layout.components.has_value(), layout.momentum.has_value(),
@@ -189,7 +190,7 @@ TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
     const Layout layout = compute_layout(t_wrench(width, height));
     EXPECT_TRUE(layout.title && layout.readouts && layout.components && layout.momentum) << width;
     EXPECT_FALSE(layout.compact);
-    const Area& focus = layout.panes[0].focus;
+    const image::Area& focus = layout.panes[0].focus;
     EXPECT_GE(std::min(focus.width, focus.height), 0.55 * std::min(width, height)) << width;
   }
 }
@@ -220,13 +221,13 @@ TEST(Layout, SetsTheWordsOfSmallPicturesNoSmallerThanCanBeRead) {
 }
 
 TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
-  Scene scene = t_wrench(640, 360);
+  scene::Scene scene = t_wrench(640, 360);
   scene.overlay.compare = {"rk4", "exact"};
-  for (const View view : {View::momentum, View::poinsot, View::quad}) {
+  for (const scene::View view : {scene::View::momentum, scene::View::poinsot, scene::View::quad}) {
     scene.overlay.view = view;
     EXPECT_THROW(compute_layout(scene), InvalidArgument);
   }
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -7,12 +7,12 @@
 #include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
-Scene film(int width = 1280, int height = 720) {
-  Scene scene = film_of(width, height);
-  scene.overlay.show = {Feature::components};
+scene::Scene film(int width = 1280, int height = 720) {
+  scene::Scene scene = film_of(width, height);
+  scene.overlay.show = {scene::Feature::components};
   return scene;
 }
 
@@ -20,8 +20,8 @@ ComponentPanel panel_of(const OverlayScene& film) {
   return {film.scene, film.timeline.solutions(), film.layout, film.typeface, film.colors};
 }
 
-FrameState at(const OverlayScene& film, double t) {
-  FrameState state = film.timeline.frame_state(0);
+timeline::FrameState at(const OverlayScene& film, double t) {
+  timeline::FrameState state = film.timeline.frame_state(0);
   const auto& whole = film.timeline.solutions()[0].whole;
   const double share = t / film.scene.motion.duration;
   state.solutions[0].sample =
@@ -59,7 +59,7 @@ TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
   ComponentPanel panel = panel_of(scene);
   const Layer early = drawn_layers(panel, at(scene, 24)).at(0);
   const Layer late = drawn_layers(panel, at(scene, 72)).at(0);
-  const Area area = *scene.layout.components;
+  const image::Area area = *scene.layout.components;
   // The first plot of each row begins at the area's left edge; the past at both times is the same.
   const int plot = area.width / 3;
   const int before = area.x - early.x;
@@ -85,19 +85,19 @@ TEST(ComponentPanel, DrawsTheSameWhateverItDrewBefore) {
 TEST(ComponentPanel, PutsTheCursorsDotOnTheCurve) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
-  FrameState state = at(scene, 48);
+  timeline::FrameState state = at(scene, 48);
   const auto drawn = drawn_layers(panel, state);
   state.solutions[0].sample.X.row(0).swap(state.solutions[0].sample.X.row(1));
   EXPECT_FALSE(same(drawn_layers(panel, state), drawn)) << "it follows the sample of the state";
 }
 
 TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
-  Scene scene = film(1280, 720);
+  scene::Scene scene = film(1280, 720);
   scene.overlay.compare = {"euler", "exact"};
   scene.motion.control.step = 0.2;
   const OverlayScene comparison(scene);
   ComponentPanel panel = panel_of(comparison);
-  FrameState state = comparison.timeline.frame_state(0);
+  timeline::FrameState state = comparison.timeline.frame_state(0);
   state.solutions[0].sample.X *= 1e9;
   const Layer layer = drawn_layers(panel, state).at(0);
   EXPECT_LE(layer.y + layer.image.height, 720);
@@ -105,39 +105,39 @@ TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
 }
 
 TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
-  const Area picture{0, 0, 200, 100};
+  const image::Area picture{0, 0, 200, 100};
   OverlayScene small(film(picture.width, picture.height));
-  for (const Area& area : {Area{10, 5, 180, 90},
-                           {90, 45, 12, 8},
-                           {0, 0, 1, 1},
-                           {199, 99, 1, 1},
-                           {0, 0, 200, 100},
-                           {0, 40, 200, 9}}) {
+  for (const image::Area& area : {image::Area{10, 5, 180, 90},
+                                  {90, 45, 12, 8},
+                                  {0, 0, 1, 1},
+                                  {199, 99, 1, 1},
+                                  {0, 0, 200, 100},
+                                  {0, 40, 200, 9}}) {
     small.layout.components = area;
     ComponentPanel panel = panel_of(small);
     for (const Layer& layer : drawn_layers(panel, at(small, 48))) {
-      EXPECT_EQ(common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
+      EXPECT_EQ(image::common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
     }
   }
 }
 
 // No layout produces such an area; where one did, memory was overwritten.
 TEST(ComponentPanel, IsCutOffAtThePicturesEdges) {
-  const Area picture{0, 0, 200, 100};
+  const image::Area picture{0, 0, 200, 100};
   OverlayScene small(film(picture.width, picture.height));
-  for (const Area& area : {Area{20, -30, 180, 160},
-                           {-40, 10, 120, 80},
-                           {150, 10, 120, 80},
-                           {20, 20, 160, 200},
-                           {300, 20, 160, 80},
-                           {-20, -20, 240, 140}}) {
+  for (const image::Area& area : {image::Area{20, -30, 180, 160},
+                                  {-40, 10, 120, 80},
+                                  {150, 10, 120, 80},
+                                  {20, 20, 160, 200},
+                                  {300, 20, 160, 80},
+                                  {-20, -20, 240, 140}}) {
     small.layout.components = area;
     ComponentPanel panel = panel_of(small);
     for (const Layer& layer : drawn_layers(panel, at(small, 96))) {
-      EXPECT_EQ(common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
+      EXPECT_EQ(image::common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
     }
   }
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -8,7 +8,7 @@
 #include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 constexpr std::pair<int, int> sizes[]{{320, 180},   {640, 360},   {1920, 1080}, {3840, 2160},
@@ -27,7 +27,7 @@ double luminance(const std::array<double, 3>& color) {
   return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
-std::array<double, 3> of(const Color& color) {
+std::array<double, 3> of(const scene::Color& color) {
   return {color.red / 255.0, color.green / 255.0, color.blue / 255.0};
 }
 
@@ -43,7 +43,7 @@ TEST(Hud, KeepsItsWordsInItsAreasAtEverySize) {
           "A title so long that it would run through the whole picture "
           "and out of it again, were it not made smaller and shortened"}) {
       const OverlayScene film(film_of(width, height, title));
-      for (const Area& area : hud_of(film).extents()) {
+      for (const image::Area& area : hud_of(film).extents()) {
         EXPECT_GE(area.x, 0.05 * width);
         EXPECT_GE(area.y, 0.05 * height);
         EXPECT_LE(area.x + area.width, 0.95 * width + 1) << width << "x" << height;
@@ -56,14 +56,14 @@ TEST(Hud, KeepsItsWordsInItsAreasAtEverySize) {
 TEST(Hud, HasRoomForLongNamesInEveryPane) {
   for (const auto& [width, height] : sizes) {
     for (std::size_t count = 2; count <= 4; ++count) {
-      Scene scene = film_of(width, height);
+      scene::Scene scene = film_of(width, height);
       scene.overlay.compare.assign(count, "implicit-trapezoid");
       scene.motion.duration = 1;
       const OverlayScene film(scene);
-      const std::vector<Area> extents = hud_of(film).extents();
+      const std::vector<image::Area> extents = hud_of(film).extents();
       for (std::size_t i = 0; i < film.layout.legends.size(); ++i) {
-        const Area& legend = film.layout.legends[i];
-        const Area& extent = extents[extents.size() - film.layout.legends.size() + i];
+        const image::Area& legend = film.layout.legends[i];
+        const image::Area& extent = extents[extents.size() - film.layout.legends.size() + i];
         EXPECT_LE(extent.width, legend.width + 1) << width << "x" << height << " " << count;
         EXPECT_LE(extent.height, legend.height + 2) << width << "x" << height << " " << count;
       }
@@ -74,13 +74,13 @@ TEST(Hud, HasRoomForLongNamesInEveryPane) {
 TEST(Hud, ShowsEachMethodsDriftInTheSmallestPanes) {
   for (const auto& [width, height] : {std::pair(320, 180), {180, 320}}) {
     for (const std::size_t count : {2U, 3U}) {
-      Scene scene = film_of(width, height);
+      scene::Scene scene = film_of(width, height);
       scene.overlay.compare.assign(count, "exact");
       scene.motion.duration = 1;
       const OverlayScene film(scene);
       Hud hud = hud_of(film);
       ASSERT_EQ(film.layout.legends.size(), count);
-      FrameState state = film.timeline.frame_state(0);
+      timeline::FrameState state = film.timeline.frame_state(0);
       const auto before = drawn_layers(hud, state);
       state.solutions[1].diagnostics.energy_drift = 0.5;
       EXPECT_FALSE(same(drawn_layers(hud, state), before))
@@ -92,7 +92,7 @@ TEST(Hud, ShowsEachMethodsDriftInTheSmallestPanes) {
 TEST(Hud, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene film(film_of(640, 360));
   Hud hud = hud_of(film);
-  FrameState state = film.timeline.frame_state(0);
+  timeline::FrameState state = film.timeline.frame_state(0);
   const auto first = drawn_layers(hud, state);
   state.solutions[0].sample.t = 42.5;
   state.solutions[0].diagnostics.energy_drift = -1.2e-15;
@@ -105,7 +105,7 @@ TEST(Hud, HoldsWhateverTheNumbers) {
   const OverlayScene film(film_of(320, 180));
   Hud hud = hud_of(film);
   for (const double drift : {0.0, -1.2e-15, 1e300, -9.99e-300}) {
-    FrameState state = film.timeline.frame_state(0);
+    timeline::FrameState state = film.timeline.frame_state(0);
     state.solutions[0].diagnostics.energy_drift = drift;
     state.solutions[0].next_flip.reset();
     for (const Layer& layer : drawn_layers(hud, state)) {
@@ -117,7 +117,7 @@ TEST(Hud, HoldsWhateverTheNumbers) {
 }
 
 TEST(Hud, SaysNothingOfFlipsWhereThereAreNone) {
-  Scene steady = film_of(1920, 1080);
+  scene::Scene steady = film_of(1920, 1080);
   steady.motion.omega = {0, 0, 1};
   const OverlayScene with(film_of(1920, 1080)), without(steady);
   const int wide = hud_of(with).extents()[1].width;
@@ -125,7 +125,8 @@ TEST(Hud, SaysNothingOfFlipsWhereThereAreNone) {
 }
 
 TEST(Hud, CanBeReadOnWhateverLiesBelow) {
-  for (const Theme theme : {Theme::studio, Theme::paper, Theme::space}) {
+  for (const scene::Theme theme :
+       {scene::Theme::studio, scene::Theme::paper, scene::Theme::space}) {
     const OverlayColors& colors = style_of(theme).overlay;
     for (const double below : {0.0, 0.5, 1.0}) {
       std::array<double, 3> ground = of(colors.panel);
@@ -163,8 +164,8 @@ Hud hud_in(OverlayScene& film, int width, int height) {
   return hud_of(film);
 }
 
-std::vector<Area> places_of_words(const Layout& layout) {
-  std::vector<Area> places;
+std::vector<image::Area> places_of_words(const Layout& layout) {
+  std::vector<image::Area> places;
   if (layout.title) places.push_back(*layout.title);
   if (layout.readouts) places.push_back(*layout.readouts);
   places.insert(places.end(), layout.legends.begin(), layout.legends.end());
@@ -174,7 +175,7 @@ std::vector<Area> places_of_words(const Layout& layout) {
 TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
   const std::string titles[]{"A", "A\u0301\u0302", "Вращение твёрдого тела, долгое", ""};
   for (const std::size_t compared : {0U, 2U, 4U}) {
-    Scene scene = film_of(1920, 1080);
+    scene::Scene scene = film_of(1920, 1080);
     scene.motion.duration = 1;
     scene.overlay.compare.assign(compared, "implicit-trapezoid");
     for (const char* font : {"sans", "mono"}) {
@@ -184,16 +185,16 @@ TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
         for (const int height : {16, 48, 72, 100, 164, 300, 728, 1600}) {
           film.scene.title = titles[static_cast<std::size_t>(width + height) % std::size(titles)];
           Hud hud = hud_in(film, width, height);
-          const std::vector<Area> extents = hud.extents();
-          const std::vector<Area> places = places_of_words(film.layout);
+          const std::vector<image::Area> extents = hud.extents();
+          const std::vector<image::Area> places = places_of_words(film.layout);
           ASSERT_EQ(extents.size(), places.size());
           for (std::size_t i = 0; i < places.size(); ++i) {
-            EXPECT_EQ(common(extents[i], places[i]).width, extents[i].width)
+            EXPECT_EQ(image::common(extents[i], places[i]).width, extents[i].width)
                 << font << " " << width << "x" << height << " " << i;
             EXPECT_LE(extents[i].height, places[i].height + 2) << width << "x" << height;
           }
           for (const Layer& layer : drawn_layers(hud, film.timeline.frame_state(0))) {
-            EXPECT_EQ(common(layer.area(), {0, 0, width, height}), layer.area());
+            EXPECT_EQ(image::common(layer.area(), {0, 0, width, height}), layer.area());
           }
         }
       }
@@ -203,16 +204,16 @@ TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
 
 TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
   OverlayScene film(film_of(640, 360));
-  film.layout.title = Area{40, 40, 4, 4};
-  film.layout.readouts = Area{40, 80, 4, 4};
+  film.layout.title = image::Area{40, 40, 4, 4};
+  film.layout.readouts = image::Area{40, 80, 4, 4};
   Hud hud = hud_of(film);
   EXPECT_TRUE(drawn_layers(hud, film.timeline.frame_state(0)).empty());
 }
 
-std::string refusal_of(const Scene& scene) {
+std::string refusal_of(const scene::Scene& scene) {
   try {
     hud_of(OverlayScene(scene));
-  } catch (const MissingGlyph& error) {
+  } catch (const canvas::MissingGlyph& error) {
     return error.what();
   }
   return "none";
@@ -223,7 +224,7 @@ TEST(Hud, NamesATitlesCharacterThatNoFontHas) {
     return "title: contains the character " + character +
            ", which neither the font nor the built-in sans can draw";
   };
-  Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
+  scene::Scene scene = film_of(640, 360, "Flip \xEE\x84\xA3");
   EXPECT_EQ(refusal_of(scene), refusal_for("U+E123"));
   scene.title = "e\u0301 \u0628";
   EXPECT_EQ(refusal_of(scene), refusal_for("U+0628"));
@@ -241,4 +242,4 @@ TEST(Hud, TakesTitlesOfManyTongues) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

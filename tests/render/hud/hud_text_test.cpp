@@ -7,7 +7,7 @@
 
 #include "canvas/typesetting.h"
 
-namespace twrench::hud_text {
+namespace twrench::render::hud_text {
 namespace {
 
 TEST(Seconds, ShowsWhatAFrameMovesOn) {
@@ -26,11 +26,12 @@ TEST(Seconds, GroupsLongNumbers) {
 }
 
 TEST(Seconds, IsAsWideWhateverTheNumber) {
-  const Typeface typeface = load_typeface("sans");
+  const canvas::Typeface typeface = canvas::load_typeface("sans");
   for (const double longest : {5.0, 96.0, 1234.5, 1e6, 1e9}) {
-    const double width = typeset(typeface.regular, seconds(longest, longest, 0.1)).width;
+    const double width = canvas::typeset(typeface.regular, seconds(longest, longest, 0.1)).width;
     for (double t = 0.04; t < longest; t *= 3.7) {
-      EXPECT_NEAR(typeset(typeface.regular, seconds(t, longest, 0.1)).width, width, 1e-9) << t;
+      EXPECT_NEAR(canvas::typeset(typeface.regular, seconds(t, longest, 0.1)).width, width, 1e-9)
+          << t;
     }
   }
 }
@@ -57,8 +58,8 @@ TEST(Setting, IsAsShortAsCanBe) {
 
 TEST(Method, SaysWhatItsErrorHangsOn) {
   const auto words = [](const char* name) {
-    const FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX());
-    Solution solution{&find_method(name), {}, body, 0, {}, {}, {}};
+    const motion::FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX());
+    timeline::Solution solution{&motion::find_method(name), {}, body, 0, {}, {}, {}};
     solution.control.step = 0.025;
     solution.control.tolerance = 1e-8;
     return method(solution);
@@ -69,4 +70,4 @@ TEST(Method, SaysWhatItsErrorHangsOn) {
 }
 
 }  // namespace
-}  // namespace twrench::hud_text
+}  // namespace twrench::render::hud_text

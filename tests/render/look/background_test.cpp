@@ -5,20 +5,20 @@
 #include <cmath>
 #include <numeric>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 /// Mean of all channels over a row.
-double mean_of_row(const Image& image, int y) {
+double mean_of_row(const image::Image& image, int y) {
   const auto begin = image.pixels.begin() + y * static_cast<std::ptrdiff_t>(image.row_bytes());
   return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(image.row_bytes()), 0.0) /
          static_cast<double>(image.row_bytes());
 }
 
 TEST(Background, IsExactlyTheFlatColour) {
-  Look look;
-  look.background = Color{1, 200, 255};
-  const Image image = background(look, 3, 2);
+  scene::Look look;
+  look.background = scene::Color{1, 200, 255};
+  const image::Image image = background(look, 3, 2);
   ASSERT_EQ(image.pixels.size(), 18U);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
     EXPECT_EQ(image.pixels[i], 1);
@@ -28,7 +28,7 @@ TEST(Background, IsExactlyTheFlatColour) {
 }
 
 TEST(Background, GoesFromDarkAboveToLighterBelow) {
-  const Image image = background(Look(), 320, 180);
+  const image::Image image = background(scene::Look(), 320, 180);
   EXPECT_LT(mean_of_row(image, 0), 15);
   EXPECT_GT(mean_of_row(image, 179), 40);
   EXPECT_LT(mean_of_row(image, 179), 60);
@@ -37,7 +37,7 @@ TEST(Background, GoesFromDarkAboveToLighterBelow) {
 TEST(Background, HasNoBands) {
   // Rows at most one 8-bit step apart differ in their mean by less than that step, because of
   // dithering.
-  const Image image = background(Look(), 1920, 1080);
+  const image::Image image = background(scene::Look(), 1920, 1080);
   int equal = 0;
   for (int y = 300; y < 900; ++y) {
     const double step = mean_of_row(image, y + 1) - mean_of_row(image, y);
@@ -48,11 +48,11 @@ TEST(Background, HasNoBands) {
 }
 
 TEST(Background, HasTheSameStarsInEverySize) {
-  Look look;
-  look.theme = Theme::space;
-  const Image small = background(look, 640, 360);
-  const Image large = background(look, 1280, 720);
-  const auto is_star = [](const Image& image, int x, int y) {
+  scene::Look look;
+  look.theme = scene::Theme::space;
+  const image::Image small = background(look, 640, 360);
+  const image::Image large = background(look, 1280, 720);
+  const auto is_star = [](const image::Image& image, int x, int y) {
     return image.pixels[static_cast<std::size_t>(y) * image.row_bytes() +
                         static_cast<std::size_t>(x) * 3] > 60;
   };
@@ -71,4 +71,4 @@ TEST(Background, HasTheSameStarsInEverySize) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 TEST(LinearFromSrgb, FollowsTheStandard) {
@@ -13,8 +13,8 @@ TEST(LinearFromSrgb, FollowsTheStandard) {
 }
 
 TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
-  Look look;
-  look.color = Color{255, 128, 0};
+  scene::Look look;
+  look.color = scene::Color{255, 128, 0};
   look.metallic = 1;
   look.roughness = 0.3;
   const Material metal = material(look);
@@ -26,8 +26,8 @@ TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
 }
 
 TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
-  Look look;
-  look.color = Color{255, 128, 0};
+  scene::Look look;
+  look.color = scene::Color{255, 128, 0};
   look.metallic = 0;
   const Material plastic = material(look);
   EXPECT_NEAR(plastic.diffuse.y, 0.2158605, 1e-6);
@@ -36,4 +36,4 @@ TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -9,21 +9,23 @@
 #include "render/look/background.h"
 #include "render/look/material.h"
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d linear(const Color& color) {
+Vector3d linear(const scene::Color& color) {
   return {linear_from_srgb(color.red), linear_from_srgb(color.green), linear_from_srgb(color.blue)};
 }
 
 /// WCAG 2.1, "relative luminance".
-double luminance(const Color& color) { return Vector3d(0.2126, 0.7152, 0.0722).dot(linear(color)); }
+double luminance(const scene::Color& color) {
+  return Vector3d(0.2126, 0.7152, 0.0722).dot(linear(color));
+}
 
 /// WCAG 2.1, "contrast ratio".
-double contrast(const Color& a, const Color& b) {
+double contrast(const scene::Color& a, const scene::Color& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);
 }
@@ -54,7 +56,7 @@ Vector3d lab(const Vector3d& rgb) {
 }
 
 /// The CIE76 difference for the type of vision that sees the least; 2.3 is just noticeable.
-double distance(const Color& a, const Color& b) {
+double distance(const scene::Color& a, const scene::Color& b) {
   double least = 1e9;
   for (const Matrix3d& eye : eyes()) {
     least = std::min(least, (lab(eye * linear(a)) - lab(eye * linear(b))).norm());
@@ -63,9 +65,9 @@ double distance(const Color& a, const Color& b) {
 }
 
 /// From the background's darkest to its brightest colour, with the floor's light.
-std::vector<Color> grounds(const ThemeStyle& style) {
-  const Color& below = style.backdrop.below;
-  const Color light = style.floor ? style.floor->light : Color{0, 0, 0};
+std::vector<scene::Color> grounds(const ThemeStyle& style) {
+  const scene::Color& below = style.backdrop.below;
+  const scene::Color light = style.floor ? style.floor->light : scene::Color{0, 0, 0};
   return {style.backdrop.above,
           below,
           {std::min(255, below.red + light.red), std::min(255, below.green + light.green),
@@ -73,7 +75,7 @@ std::vector<Color> grounds(const ThemeStyle& style) {
 }
 
 /// The panel composited over a background.
-Color panel_on(const OverlayColors& colors, const Color& ground) {
+scene::Color panel_on(const OverlayColors& colors, const scene::Color& ground) {
   const auto over = [&](int panel, int behind) {
     return static_cast<int>(
         std::lround(colors.panel_opacity * panel + (1 - colors.panel_opacity) * behind));
@@ -82,40 +84,42 @@ Color panel_on(const OverlayColors& colors, const Color& ground) {
           over(colors.panel.blue, ground.blue)};
 }
 
-std::vector<Color> telling(const OverlayColors& c) {
+std::vector<scene::Color> telling(const OverlayColors& c) {
   return {c.axis[0], c.axis[1], c.axis[2], c.momentum, c.omega, c.trail, c.plane};
 }
 
-class ThemeTest : public testing::TestWithParam<Theme> {
+class ThemeTest : public testing::TestWithParam<scene::Theme> {
  protected:
   const ThemeStyle& style = style_of(GetParam());
   const OverlayColors& colors = style.overlay;
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, ThemeTest,
-                         testing::Values(Theme::studio, Theme::paper, Theme::space));
+                         testing::Values(scene::Theme::studio, scene::Theme::paper,
+                                         scene::Theme::space));
 
 TEST_P(ThemeTest, HasTextThatCanBeReadAnywhere) {
-  for (const Color& ground : grounds(style)) {
-    for (const Color& text : {colors.text, colors.dim}) {
-      EXPECT_GE(contrast(text, ground), 4.5) << to_string(text) << " on " << to_string(ground);
+  for (const scene::Color& ground : grounds(style)) {
+    for (const scene::Color& text : {colors.text, colors.dim}) {
+      EXPECT_GE(contrast(text, ground), 4.5)
+          << scene::to_string(text) << " on " << scene::to_string(ground);
       EXPECT_GE(contrast(text, panel_on(colors, ground)), 4.5);
     }
   }
 }
 
 TEST_P(ThemeTest, HasColoursThatCanBeReadOnAPanelAndAwayFromTheLight) {
-  for (const Color& color : telling(colors)) {
-    for (const Color& ground : grounds(style)) {
+  for (const scene::Color& color : telling(colors)) {
+    for (const scene::Color& ground : grounds(style)) {
       EXPECT_GE(contrast(color, panel_on(colors, ground)), 4.5)
-          << to_string(color) << " on a panel on " << to_string(ground);
+          << scene::to_string(color) << " on a panel on " << scene::to_string(ground);
     }
-    EXPECT_GE(contrast(color, style.backdrop.above), 4.5) << to_string(color);
+    EXPECT_GE(contrast(color, style.backdrop.above), 4.5) << scene::to_string(color);
   }
   // Lines: WCAG 2.1, 1.4.11.
-  for (const Color& color : colors.curve) {
-    for (const Color& ground : grounds(style)) {
-      EXPECT_GE(contrast(color, panel_on(colors, ground)), 3) << to_string(color);
+  for (const scene::Color& color : colors.curve) {
+    for (const scene::Color& ground : grounds(style)) {
+      EXPECT_GE(contrast(color, panel_on(colors, ground)), 3) << scene::to_string(color);
     }
   }
 }
@@ -124,7 +128,8 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
   const auto told = telling(colors);
   for (std::size_t i = 0; i < told.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GE(distance(told[i], told[j]), 20) << to_string(told[i]) << " " << to_string(told[j]);
+      EXPECT_GE(distance(told[i], told[j]), 20)
+          << scene::to_string(told[i]) << " " << scene::to_string(told[j]);
     }
   }
   for (std::size_t i = 0; i < 9; ++i) {
@@ -140,4 +145,4 @@ TEST(Contrast, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

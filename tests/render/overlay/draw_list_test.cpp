@@ -8,13 +8,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const Area pane{20, 10, 400, 300};
+const image::Area pane{20, 10, 400, 300};
 const Ink red{{255, 0, 0}};
 
 Camera camera() { return frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 1.5}); }
@@ -130,7 +130,7 @@ TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {
 
 TEST_F(DrawListTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawnBefore) {
   const Vector3d eye = list.eye();
-  const Eigen::Matrix3d frame = frame_with_z_along(eye);
+  const Eigen::Matrix3d frame = body::frame_with_z_along(eye);
   // A disc about the origin, wider than the eye is far, whose plane passes the eye by.
   const Eigen::Matrix3d disc = frame *
                                Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix() *
@@ -157,11 +157,11 @@ TEST_F(DrawListTest, TellsTheAreaItCovers) {
   ScreenArea screen(pane, 320);
   list.add_to(screen);
   const Vector2d middle = pixel_of(camera(), pane, {0.3, 0.2, 0.1});
-  const Area area = screen.bounds();
+  const image::Area area = screen.bounds();
   EXPECT_LT(area.x, middle.x() - 5.5);
   EXPECT_GT(area.x + area.width, middle.x() + 5.5);
   EXPECT_LT(area.width, 17);
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

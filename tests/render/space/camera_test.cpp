@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector2d;
@@ -85,4 +85,4 @@ TEST(Camera, IsDefinedStraightFromAboveAndBelow) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <random>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
 using Eigen::Vector2d;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr Area pane{40, 20, 300, 200};
+constexpr image::Area pane{40, 20, 300, 200};
 constexpr int picture_height = 260;
 constexpr int band = 32;
 
@@ -23,12 +23,12 @@ Eigen::Vector4f clip(const Vector2d& place, double w = 1) {
   return (w * Eigen::Vector4d(2 * share.x() - 1, 1 - 2 * share.y(), 0, 1)).cast<float>();
 }
 
-bool holds(const Area& area, const Vector2d& place) {
+bool holds(const image::Area& area, const Vector2d& place) {
   return place.x() >= area.x && place.x() <= area.x + area.width && place.y() >= area.y &&
          place.y() <= area.y + area.height;
 }
 
-bool overlap(const Area& a, const Area& b) {
+bool overlap(const image::Area& a, const image::Area& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
@@ -49,7 +49,7 @@ TEST(ScreenArea, BoundsAllWithAPixelToSpare) {
   screen.add(clip({100.5, 60.5}));
   screen.begin_shape(2);
   screen.add(clip({150.5, 90.5}));
-  EXPECT_EQ(screen.bounds(), (Area{99, 59, 55, 35}));
+  EXPECT_EQ(screen.bounds(), (image::Area{99, 59, 55, 35}));
   const gl::Rectangle rectangle = screen.rectangle(screen.bounds());
   EXPECT_EQ(rectangle.y, picture_height - 59 - 35);
 }
@@ -90,8 +90,9 @@ TEST(ScreenArea, HoldsEveryPointOfConvexShapesInBandsThatDoNotOverlap) {
         Vector2d place = corners.front();  // a random point of the shape: a mixture of its corners
         for (const Vector2d& corner : corners) place += share(random) * (corner - place);
         if (!holds(pane, place)) continue;
-        EXPECT_TRUE(std::ranges::any_of(bands, [&](const Area& a) { return holds(a, place); }))
-            << place.transpose();
+        EXPECT_TRUE(std::ranges::any_of(bands, [&](const image::Area& a) {
+          return holds(a, place);
+        })) << place.transpose();
       }
     }
     for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -110,7 +111,7 @@ TEST(ScreenArea, TakesOfEachBandNoMoreThanTheShapesDo) {
   add_bar(screen, {240, 40}, {80, 200}, 10);
   const double across = 10 * std::sqrt(2.0), reach = 160 + across;  // of a bar along a row, of both
   double taken = 0;
-  for (const Area& area : screen.bands(band)) {
+  for (const image::Area& area : screen.bands(band)) {
     // At most two bars and a gap too narrow to separate them.
     EXPECT_LE(area.width, 2 * (band + across + 6) + 32);
     taken += 1.0 * area.width * area.height;
@@ -141,4 +142,4 @@ TEST(ScreenArea, PartsShapesThatAreFarApartAndJoinsThoseThatAreNear) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render

@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-namespace twrench {
+namespace twrench::render {
 namespace {
 
-Image pixel(std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a) {
-  Image image(1, 1, 4);
+image::Image pixel(std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a) {
+  image::Image image(1, 1, 4);
   image.pixels = {r, g, b, a};
   return image;
 }
 
-std::vector<std::uint8_t> mean(const std::vector<Image>& images) {
+std::vector<std::uint8_t> mean(const std::vector<image::Image>& images) {
   Exposure exposure(1, 1);
-  for (const Image& image : images) exposure.add(image);
+  for (const image::Image& image : images) exposure.add(image);
   return exposure.mean().pixels;
 }
 
@@ -40,4 +40,4 @@ TEST(Exposure, KeepsTheColourWhereTheCoverageIsPartial) {
 }
 
 }  // namespace
-}  // namespace twrench
+}  // namespace twrench::render
