@@ -342,5 +342,5 @@ int main(int count, char** words) {
   }
   const auto number = [&](int i) { return static_cast<std::uint32_t>(std::stoul(words[i])); };
   return twrench::torture::run(std::stod(words[1]), number(2),
-                          count == 4 ? std::optional(number(3)) : std::nullopt);
+                               count == 4 ? std::optional(number(3)) : std::nullopt);
 }
