@@ -9,6 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # which take too long there.
 programs=(
   math_test body_test motion_test scene_test timeline_test image_test canvas_test
+  fuzz_manifest fuzz_png fuzz_range fuzz_scene
 )
 scripts/setup.sh arm64
 scripts/build.sh --tests arm64 "${programs[@]}" twrench

@@ -2,6 +2,7 @@
 
 #include <twrench/base/nearest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -26,7 +27,7 @@ constexpr const char* exit_codes =
 }  // namespace
 
 void add_commands(CLI::App& app, ExitCode& code) {
-  app.formatter(std::make_shared<Help>());  // before the commands, which inherit it
+  set_help_format(app);  // before the commands, which inherit it
   app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.footer(exit_codes);

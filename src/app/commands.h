@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "app/exit_code.h"
 
 namespace twrench::app {

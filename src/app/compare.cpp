@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/arguments.h"
@@ -14,14 +15,14 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string a, b;
   std::string diff;
   std::string threshold = "0";
   std::string share = "0";
 };
 
-ExitCode compare_files(const Options& options) {
+ExitCode compare_files(const CompareOptions& options) {
   for (const std::string& input : {options.a, options.b})
     system::require_not_input(options.diff, input);
   const int threshold = scene::limits::check_whole({0, 255}, "--threshold",
@@ -52,7 +53,7 @@ void add_compare(CLI::App& app, ExitCode& code) {
   command->footer(
       "Example: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
       "Exit codes: 0 alike, 1 different, 5 an image cannot be read or is damaged.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareOptions>();
   command->add_option("A", options->a, "PNG file")->required();
   command->add_option("B", options->b, "PNG file")->required();
   command

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/commands.h"
@@ -11,7 +12,7 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
+struct EncodeOptions {
   std::string folder;
   VideoOptions film;
   bool allow_missing = false;
@@ -19,7 +20,7 @@ struct Options {
   std::string progress = "auto";
 };
 
-void encode(const Options& options) {
+void encode(const EncodeOptions& options) {
   options.film.require_free_output(options.progress);
   const video::VideoOutput output{options.film.output, options.film.container(options.film.output),
                                   options.overwrite};
@@ -39,7 +40,7 @@ void encode(const Options& options) {
 void add_encode(CLI::App& app) {
   CLI::App* command = app.add_subcommand("encode", "Encode a video from frames rendered earlier");
   command->footer("Example: twrench encode out/dzhanibekov -o flip.mp4");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EncodeOptions>();
   command
       ->add_option("FRAMES_DIR", options->folder,
                    "folder with frames and their manifest.json, or the manifests of all shards")

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <twrench/base/nearest.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <vector>
 
@@ -57,9 +58,8 @@ std::string list(const std::vector<const CLI::App*>& commands) {
   return text;
 }
 
-}  // namespace
-
-std::string Help::make_help(const CLI::App* command, std::string name, CLI::AppFormatMode) const {
+/// The text of --help.
+std::string help_of(const CLI::App* command, const std::string& name) {
   const Options positionals =
       command->get_options([](const CLI::Option* option) { return option->get_positional(); });
   const Options options =
@@ -73,6 +73,18 @@ std::string Help::make_help(const CLI::App* command, std::string name, CLI::AppF
                      group("Arguments", positionals), group("Options", options), list(commands),
                      command->get_footer());
 }
+
+class HelpFormat : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* command, std::string name,
+                        CLI::AppFormatMode /*mode*/) const override {
+    return help_of(command, name);
+  }
+};
+
+}  // namespace
+
+void set_help_format(CLI::App& app) { app.formatter(std::make_shared<HelpFormat>()); }
 
 void add_help(CLI::App& app) {
   CLI::App* command = app.add_subcommand("help", "Print this help or that of a command");
@@ -88,7 +100,7 @@ void add_help(CLI::App& app) {
     }
     if (asked == &app && !word->empty()) throw unknown_name("command", *word, names);
     const std::string name = app.get_name() + (word->empty() ? "" : " " + *word);
-    write_output("-", app.get_formatter()->make_help(asked, name, CLI::AppFormatMode::Normal));
+    write_output("-", help_of(asked, name));
   });
 }
 

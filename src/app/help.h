@@ -1,16 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
+#include "app/command_line.h"
 
 namespace twrench::app {
 
-/// Formats --help independently of the CLI11 release, with each option, its value and its default.
-class Help : public CLI::FormatterBase {
- public:
-  std::string make_help(const CLI::App* command, std::string name,
-                        CLI::AppFormatMode mode) const override;
-};
+/// Makes --help of a command, and of the subcommands that are added to it later, independent of the
+/// CLI11 release: each option with its value and its default.
+void set_help_format(CLI::App& app);
 
 /// Adds `twrench help [COMMAND]`, which prints the same as --help.
 void add_help(CLI::App& app);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,8 +14,8 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
+struct InertiaOptions {
+  explicit InertiaOptions(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
 
   SceneOptions scene;
   std::string format = "text";
@@ -65,7 +66,7 @@ void add_inertia(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
   command->footer("Example: twrench inertia dzhanibekov --format json");
-  const auto options = std::make_shared<Options>(*command);
+  const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))
       ->type_name("FORMAT")

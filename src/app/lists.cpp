@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <twrench/motion/method.h>
 
+#include <CLI/CLI.hpp>
+
 #include "app/commands.h"
 #include "app/output.h"
 #include "scene/scene.h"

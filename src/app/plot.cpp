@@ -2,6 +2,7 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,8 +15,8 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : scenes(command, SceneOptions::Count::several) {
+struct PlotOptions {
+  explicit PlotOptions(CLI::App& command) : scenes(command, SceneOptions::Count::several) {
     scenes.add_motion_options();
   }
 
@@ -50,7 +51,7 @@ plot::AttitudeCurve curve_of(const scene::Scene& scene) {
   return curve;
 }
 
-void plot(const Options& options) {
+void plot(const PlotOptions& options) {
   options.scenes.require_not_input(options.output);
   plot::require_gnuplot(options.output);
   std::vector<plot::AttitudeCurve> curves;
@@ -66,7 +67,7 @@ void add_plot(CLI::App& app) {
       app.add_subcommand("plot", "Plot the nine components of X against time and mark the flips");
   command->footer(std::string(about_defaults) +
                   "Example: twrench plot dzhanibekov stable-y stable-z -o components.svg");
-  const auto options = std::make_shared<Options>(*command);
+  const auto options = std::make_shared<PlotOptions>(*command);
   command->add_option("-o,--output", options->output, "plot file: .svg, .pdf or .png")
       ->required()
       ->type_name("FILE");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/command_line.h"
 #include "system/termination.h"
 
 namespace twrench::app {

@@ -1,5 +1,6 @@
 #include "app/render_options.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 
+#include "app/command_line.h"
 #include "app/frames_output.h"
 #include "app/scene_options.h"
 #include "app/video_options.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <twrench/motion/error.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <exception>

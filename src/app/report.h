@@ -2,8 +2,7 @@
 
 #include <twrench/base/error.h>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "app/exit_code.h"
 #include "system/termination.h"
 

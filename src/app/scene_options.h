@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/error.h"

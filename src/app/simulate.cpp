@@ -3,6 +3,7 @@
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/trajectory.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,8 +19,8 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : scene(command) { scene.add_motion_options(); }
+struct SimulateOptions {
+  explicit SimulateOptions(CLI::App& command) : scene(command) { scene.add_motion_options(); }
 
   SceneOptions scene;
   std::string times;
@@ -54,7 +55,7 @@ class RegularTimes {
   std::size_t regular_;
 };
 
-std::vector<double> times_asked_for(const Options& options) {
+std::vector<double> times_asked_for(const SimulateOptions& options) {
   std::vector<double> times = parse_numbers(options.times, "--times");
   for (const double t : times) scene::limits::check({-1e9, 1e9}, "--times", t);
   return times;
@@ -103,15 +104,16 @@ std::string json_row(const motion::Sample& s, const motion::Diagnostics& d) {
 }
 
 Format json(const scene::Scene& scene) {
-  using Json = nlohmann::ordered_json;
-  const Json document{
-      {"scene", scene.name}, {"method", scene.motion.method}, {"samples", Json::array()}};
-  const std::string text = document.dump(1, ' ', false, Json::error_handler_t::replace);
+  const nlohmann::ordered_json document{{"scene", scene.name},
+                                        {"method", scene.motion.method},
+                                        {"samples", nlohmann::ordered_json::array()}};
+  const std::string text =
+      document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   const std::size_t samples = text.rfind(']');
   return {text.substr(0, samples) + "\n  ", ",\n  ", "\n " + text.substr(samples) + "\n", json_row};
 }
 
-void simulate(const Options& options) {
+void simulate(const SimulateOptions& options) {
   options.scene.require_not_input(options.output);
   const scene::Scene scene = options.scene.scene();
   const motion::Method& method = motion::find_method(scene.motion.method);
@@ -145,7 +147,7 @@ void add_simulate(CLI::App& app) {
       app.add_subcommand("simulate", "Compute the trajectory and write it as CSV or JSON");
   command->footer(std::string(about_defaults) +
                   "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
-  const auto options = std::make_shared<Options>(*command);
+  const auto options = std::make_shared<SimulateOptions>(*command);
   command
       ->add_option("--times", options->times,
                    "sample at exactly these times, s (default: every 1/fps)")

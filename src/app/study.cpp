@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <twrench/study/ladder.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -19,8 +20,8 @@
 namespace twrench::app {
 namespace {
 
-struct Options {
-  explicit Options(CLI::App& command) : app(command), scene(command) {}
+struct StudyOptions {
+  explicit StudyOptions(CLI::App& command) : app(command), scene(command) {}
 
   CLI::App& app;
   SceneOptions scene;
@@ -31,7 +32,7 @@ struct Options {
   std::string plot;
 };
 
-std::vector<const motion::Method*> chosen_methods(const Options& options,
+std::vector<const motion::Method*> chosen_methods(const StudyOptions& options,
                                                   const scene::Scene& scene) {
   std::vector<const motion::Method*> chosen;
   if (!options.methods.empty()) {
@@ -47,9 +48,9 @@ std::vector<const motion::Method*> chosen_methods(const Options& options,
 }
 
 /// Returns the given list, or the value of option `single` if given, or `ladder`.
-std::vector<double> rungs(const Options& options, const std::string& name, const std::string& list,
-                          const scene::limits::Limit& limit, const std::string& single,
-                          double value, std::vector<double> ladder) {
+std::vector<double> rungs(const StudyOptions& options, const std::string& name,
+                          const std::string& list, const scene::limits::Limit& limit,
+                          const std::string& single, double value, std::vector<double> ladder) {
   if (list.empty()) return options.app.count(single) > 0 ? std::vector{value} : std::move(ladder);
   std::vector<double> values = parse_numbers(list, name);
   for (const double v : values) scene::limits::check(limit, name, v);
@@ -57,7 +58,7 @@ std::vector<double> rungs(const Options& options, const std::string& name, const
   return values;
 }
 
-study::StudyPlan plan_of(const Options& options, const scene::Scene& scene) {
+study::StudyPlan plan_of(const StudyOptions& options, const scene::Scene& scene) {
   const scene::Motion& motion = scene.motion;
   study::StudyPlan plan;
   plan.methods = chosen_methods(options, scene);
@@ -86,7 +87,7 @@ double flip_error(const study::Study& study, const study::StudyRun& run) {
   return study.flip_times.empty() ? 0.0 : run.flip_error;
 }
 
-std::vector<Bound> bounds_of(const Options& options) {
+std::vector<Bound> bounds_of(const StudyOptions& options) {
   std::vector<Bound> bounds;
   const auto add = [&](const std::string& name, const std::string& text, const auto& value) {
     if (text.empty()) return;
@@ -119,13 +120,14 @@ ExitCode verdict(const study::Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
-std::string report(const Options& options, const study::Study& study, const scene::Scene& scene) {
+std::string report(const StudyOptions& options, const study::Study& study,
+                   const scene::Scene& scene) {
   if (options.format == "csv") return study_csv(study);
   return options.format == "json" ? study_json(study, scene.name)
                                   : study_text(study, escape(scene.name));
 }
 
-ExitCode run_study(const Options& options) {
+ExitCode run_study(const StudyOptions& options) {
   options.scene.require_not_input(options.output);
   options.scene.require_not_input(options.plot);
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);
@@ -144,7 +146,7 @@ ExitCode run_study(const Options& options) {
   return verdict(result, bounds);
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, StudyOptions& options) {
   options.scene.add_motion_options();
   command
       .add_option("--methods", options.methods,
@@ -188,7 +190,7 @@ void add_study(CLI::App& app, ExitCode& code) {
   command->footer(std::string(about_defaults) +
                   "Example: twrench study dzhanibekov --methods rk4,rkmk4 --duration 20\n"
                   "Exit code 1 if a --max-... bound is exceeded.");
-  const auto options = std::make_shared<Options>(*command);
+  const auto options = std::make_shared<StudyOptions>(*command);
   add_options(*command, *options);
   command->callback([options, &code] { code = run_study(*options); });
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <twrench/base/nearest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 

@@ -2,9 +2,10 @@
 
 #include <twrench/base/error.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "app/command_line.h"
 
 namespace twrench::app {
 

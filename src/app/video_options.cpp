@@ -3,6 +3,8 @@
 #include <twrench/base/error.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 namespace twrench::app {
 
 void VideoOptions::add_to(CLI::App& command, const std::string& standard) {

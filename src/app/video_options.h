@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/command_line.h"
 #include "video/encode_frames.h"
 
 namespace twrench::app {

@@ -15,8 +15,8 @@
 namespace twrench::gl {
 namespace {
 
-constexpr std::array library_names{"libEGL.so.1", "libEGL.so"};
-constexpr const char* remedy = "install EGL: apt-get install libegl1 libegl-mesa0";
+constexpr std::array egl_libraries{"libEGL.so.1", "libEGL.so"};
+constexpr const char* egl_remedy = "install EGL: apt-get install libegl1 libegl-mesa0";
 constexpr const char* surfaceless = "surfaceless";
 
 [[noreturn]] void fail(const std::string& what, const std::string& why) {
@@ -35,7 +35,7 @@ bool has(const char* extensions, std::string_view name) {
 /// The EGL functions in use, without the "egl".
 class Egl {
  public:
-  Egl() : library_(library_names, remedy) {
+  Egl() : library_(egl_libraries, egl_remedy) {
     // Mesa prints failures to standard error; here they are reported as errors instead.
     if (const auto control =
             function<PFNEGLDEBUGMESSAGECONTROLKHRPROC>("eglDebugMessageControlKHR");
@@ -57,7 +57,7 @@ class Egl {
   template <typename F>
   F* entry(const char* name) const {
     void* const address = library_.symbol(name);
-    if (address == nullptr) throw GlError("EGL", std::string("it has no ") + name, remedy);
+    if (address == nullptr) throw GlError("EGL", std::string("it has no ") + name, egl_remedy);
     return reinterpret_cast<F*>(address);
   }
 
@@ -111,7 +111,7 @@ std::vector<Device> devices(const Egl& egl) {
     result.push_back({{surfaceless, false}, EGL_NO_DEVICE_EXT});
   }
   if (result.empty()) {
-    throw GlError("EGL", "it lists no devices and lacks the surfaceless platform", remedy);
+    throw GlError("EGL", "it lists no devices and lacks the surfaceless platform", egl_remedy);
   }
   return result;
 }
@@ -162,7 +162,7 @@ class EglContext final : public Context {
 
   void open_display() {
     const auto get = egl_.function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-    if (get == nullptr) throw GlError("EGL", "it has no eglGetPlatformDisplayEXT", remedy);
+    if (get == nullptr) throw GlError("EGL", "it has no eglGetPlatformDisplayEXT", egl_remedy);
     display_ = device_.handle == EGL_NO_DEVICE_EXT
                    ? get(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)
                    : get(EGL_PLATFORM_DEVICE_EXT, device_.handle, nullptr);

@@ -26,13 +26,13 @@ constexpr int OSMESA_CORE_PROFILE = 0x34;
 constexpr int OSMESA_CONTEXT_MAJOR_VERSION = 0x36;
 constexpr int OSMESA_CONTEXT_MINOR_VERSION = 0x37;
 
-constexpr std::array library_names{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
-constexpr const char* remedy =
+constexpr std::array osmesa_libraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+constexpr const char* osmesa_remedy =
     "install OSMesa: apt-get install libosmesa6; Mesa 25.1 and newer no longer include it; "
     "draws through EGL";
 
 [[noreturn]] void fail(const std::string& why) {
-  throw GlError("OSMesa", why, remedy, GlError::Reason::no_osmesa);
+  throw GlError("OSMesa", why, osmesa_remedy, GlError::Reason::no_osmesa);
 }
 
 template <typename F>
@@ -44,7 +44,7 @@ F* entry(const Library& library, const char* name) {
 
 class OsmesaContext final : public Context {
  public:
-  OsmesaContext() : library_(library_names, remedy, GlError::Reason::no_osmesa) {
+  OsmesaContext() : library_(osmesa_libraries, osmesa_remedy, GlError::Reason::no_osmesa) {
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_PROFILE,

@@ -17,7 +17,7 @@
 namespace twrench::image {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
 constexpr std::size_t longest = 1U << 30U;  // of a file that is read
 
@@ -51,16 +51,16 @@ std::string explanation(int code) {
 }
 
 /// Four bytes, the greatest first (PNG specification, 7.1).
-std::uint32_t number_at(Bytes file, std::size_t at) {
+std::uint32_t number_at(ByteSpan file, std::size_t at) {
   std::uint32_t value = 0;
   for (const std::uint8_t byte : file.subspan(at, 4)) value = value << 8U | byte;
   return value;
 }
 
 /// The pieces of compressed data in a file whose chunks are known to be whole.
-std::vector<Bytes> compressed_data(Bytes file) {
+std::vector<ByteSpan> compressed_data(ByteSpan file) {
   constexpr std::size_t signature = 8, around = 12;  // a chunk's length, type and checksum
-  std::vector<Bytes> pieces;
+  std::vector<ByteSpan> pieces;
   for (std::size_t at = signature;;) {
     const std::size_t length = number_at(file, at);
     const std::string_view type(reinterpret_cast<const char*>(&file[at + 4]), 4);
@@ -72,15 +72,15 @@ std::vector<Bytes> compressed_data(Bytes file) {
 
 /// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
 /// that have another Adler-32. This inflates them once more, to at most so many bytes, and returns
-/// what is wrong with them as an error of libspng. Bytes behind their end are ignored, as decoders
-/// do.
-int end_error(const std::vector<Bytes>& pieces, std::uint64_t most) {
+/// what is wrong with them as an error of libspng. ByteSpan behind their end are ignored, as
+/// decoders do.
+int end_error(const std::vector<ByteSpan>& pieces, std::uint64_t most) {
   const auto state = std::make_unique<inflate_state>();
   const auto dropped = std::make_unique<std::array<std::uint8_t, 1 << 16>>();
   isal_inflate_init(state.get());
   state->crc_flag = ISAL_ZLIB;
   std::uint64_t size = 0;
-  for (const Bytes piece : pieces) {
+  for (const ByteSpan piece : pieces) {
     state->next_in = const_cast<std::uint8_t*>(piece.data());  // it is only read
     state->avail_in = static_cast<std::uint32_t>(piece.size());
     do {
@@ -98,7 +98,7 @@ int end_error(const std::vector<Bytes>& pieces, std::uint64_t most) {
 /// A PNG file that libspng decodes. Every member throws FileError, or std::bad_alloc.
 class Decoder {
  public:
-  Decoder(Bytes file, const std::string& name) : file_(file), what_("cannot read " + name) {
+  Decoder(ByteSpan file, const std::string& name) : file_(file), what_("cannot read " + name) {
     if (!context_) throw std::bad_alloc();
     constexpr std::size_t max_metadata = max_metadata_mebibytes << 20U;
     check(spng_set_image_limits(context_.get(), max_image_side, max_image_side));
@@ -154,7 +154,7 @@ class Decoder {
     void operator()(spng_ctx* context) const noexcept { spng_ctx_free(context); }
   };
 
-  Bytes file_;
+  ByteSpan file_;
   std::string what_;
   std::unique_ptr<spng_ctx, Free> context_{spng_ctx_new(0)};
   spng_ihdr header_{};

@@ -30,7 +30,7 @@ TWRENCH_INLINE int weighted(const Weights& weights, int red, int green, int blue
 }
 
 /// Rounds `sum` of 2^doublings pixels plus `offset`.
-TWRENCH_INLINE std::uint8_t level(int sum, int offset, int doublings) {
+TWRENCH_INLINE std::uint8_t channel_level(int sum, int offset, int doublings) {
   const int bits = shift + doublings;
   return static_cast<std::uint8_t>((sum + (offset << bits) + (1 << (bits - 1))) >> bits);
 }
@@ -38,7 +38,7 @@ TWRENCH_INLINE std::uint8_t level(int sum, int offset, int doublings) {
 TWRENCH_INLINE void luma_row(const std::uint8_t* __restrict rgb, std::uint8_t* __restrict out,
                              int count) {
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    out[i] = level(weighted(luma, rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), 16, 0);
+    out[i] = channel_level(weighted(luma, rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]), 16, 0);
   }
 }
 
@@ -57,7 +57,7 @@ TWRENCH_INLINE void column_row(const std::uint8_t* __restrict upper,
 TWRENCH_INLINE void chroma_row(const int* __restrict columns, std::uint8_t* __restrict out,
                                int count) {
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    out[i] = level(columns[2 * i] + 2 * columns[2 * i + 1] + columns[2 * i + 2], 128, 3);
+    out[i] = channel_level(columns[2 * i] + 2 * columns[2 * i + 1] + columns[2 * i + 2], 128, 3);
   }
 }
 

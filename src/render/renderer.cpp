@@ -4,11 +4,11 @@
 #include <chrono>
 #include <deque>
 #include <iterator>
-#include <mutex>
 #include <optional>
 
 #include "canvas/font.h"
 #include "gl/framebuffer.h"
+#include "render/blank_frames.h"
 #include "render/compose/element.h"
 #include "render/compose/label_painter.h"
 #include "render/compose/layout.h"
@@ -29,55 +29,6 @@ image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height);
 }
-
-/// Copies `still` to `image` within `area`.
-void restore(image::Image& image, const image::Image& background, const image::Area& area) {
-  const auto channels = static_cast<std::size_t>(background.channels);
-  for (int row = area.y; row < area.y + area.height; ++row) {
-    const auto first =
-        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * background.row_bytes() +
-                                    static_cast<std::size_t>(area.x) * channels);
-    std::copy_n(background.pixels.begin() + first, static_cast<std::size_t>(area.width) * channels,
-                image.pixels.begin() + first);
-  }
-}
-
-/// Frames to draw into, and frames that were drawn and are no longer needed.
-class BlankFrames {
- public:
-  explicit BlankFrames(image::Image background) : background_(std::move(background)) {
-    used_.reserve(most);
-  }
-
-  const image::Image& static_background() const { return background_; }
-
-  image::Frame acquire() {
-    image::Frame frame;
-    {
-      const std::lock_guard lock(mutex_);
-      if (used_.empty()) return {background_, {}};
-      frame = std::move(used_.back());
-      used_.pop_back();
-    }
-    for (const image::Area& area : frame.damage) restore(frame.image, background_, area);
-    frame.damage.clear();
-    return frame;
-  }
-
-  void give_back(image::Frame frame) noexcept {
-    // A frame's alpha is unpremultiplied, the static background's is not.
-    if (background_.channels == 4) return;
-    const std::lock_guard lock(mutex_);
-    if (used_.size() < most) used_.push_back(std::move(frame));
-  }
-
- private:
-  static constexpr std::size_t most = 16;  // as many as are in progress at once
-
-  image::Image background_;  // premultiplied if RGBA
-  std::mutex mutex_;
-  std::vector<image::Frame> used_;
-};
 
 /// Composites layers in order: each as soon as it and all below it are ready.
 class Composition {

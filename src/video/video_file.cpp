@@ -17,11 +17,10 @@ namespace twrench::video {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// Matroska's tags are in capital letters.
-std::string comment_of(const Json& said) {
-  const Json& format = said.at("format");
+std::string comment_of(const nlohmann::json& said) {
+  const nlohmann::json& format = said.at("format");
   if (!format.contains("tags")) return {};
   for (const auto& [key, value] : format["tags"].items()) {
     if (key == "comment" || key == "COMMENT") return value.get<std::string>();
@@ -32,7 +31,7 @@ std::string comment_of(const Json& said) {
 /// Returns ffprobe's properties of the video as read by `read`; nothing if it is not a video.
 template <typename Read>
 auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
-    -> std::optional<decltype(read(Json()))> {
+    -> std::optional<decltype(read(nlohmann::json()))> {
   std::vector<std::string> command{"ffprobe", "-v", "error", "-select_streams", "v:0"};
   command.insert(command.end(), how.begin(), how.end());
   constexpr const char* entries =
@@ -43,14 +42,14 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
                                                      system::ChildProcess::output_with_errors);
   if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
   try {
-    return read(Json::parse(ffprobe.error_output()));
-  } catch (const Json::exception&) {
+    return read(nlohmann::json::parse(ffprobe.error_output()));
+  } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }
 
 /// ffprobe writes numbers as strings.
-double number(const Json& object, const char* key) {
+double number(const nlohmann::json& object, const char* key) {
   return object.contains(key) ? std::strtod(object[key].get<std::string>().c_str(), nullptr) : 0.0;
 }
 
@@ -64,8 +63,8 @@ system::ChildProcess::Time disk_time(const fs::path& file) {
 }
 
 std::optional<VideoProperties> probe_video(const fs::path& file) {
-  return ask(file, {"-count_packets"}, [](const Json& said) {
-    const Json& stream = said.at("streams").at(0);
+  return ask(file, {"-count_packets"}, [](const nlohmann::json& said) {
+    const nlohmann::json& stream = said.at("streams").at(0);
     return VideoProperties{stream.at("width").get<int>(), stream.at("height").get<int>(),
                            std::llround(number(stream, "nb_read_packets")),
                            number(said.at("format"), "duration")};
@@ -73,8 +72,9 @@ std::optional<VideoProperties> probe_video(const fs::path& file) {
 }
 
 std::string video_identity(const Manifest& film, const std::vector<int>& frames) {
-  const Json all{film.scene, film.width, film.height, film.fps, format_frame_range(frames)};
-  const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const nlohmann::json all{film.scene, film.width, film.height, film.fps,
+                           format_frame_range(frames)};
+  const std::string text = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return "twrench:" + system::sha256_hex(std::span(
                           reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <twrench/motion/error.h>
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "canvas/error.h"

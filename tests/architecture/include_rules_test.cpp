@@ -1,4 +1,4 @@
-// That the checker finds what it is there to find, on rooms that are made up.
+// That the checker finds what it is there to find, on known_rooms that are made up.
 #include "architecture/include_rules.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ const std::string document =
     "|---|---|\n"
     "| Eigen | `Eigen/` |\n"
     "| zlib | `zlib.h` |\n";
-const std::set<std::string> rooms{"math", "render", "render/space"};
+const std::set<std::string> known_rooms{"math", "render", "render/space"};
 
 std::vector<Include> sound_includes() {
   return {{"math/so3.h:1", "math", "Eigen/Core", false},
@@ -42,12 +42,12 @@ std::vector<Include> sound_includes() {
 std::vector<std::string> broken_with(const Include& include) {
   std::vector<Include> includes = sound_includes();
   includes.push_back(include);
-  return broken_rules(read_include_rules(document), rooms, includes);
+  return broken_rules(read_include_rules(document), known_rooms, includes);
 }
 
 TEST(IncludeRules, SoundRoomsBreakNone) {
   const IncludeRules rules = read_include_rules(document);
-  EXPECT_THAT(broken_rules(rules, rooms, sound_includes()), IsEmpty());
+  EXPECT_THAT(broken_rules(rules, known_rooms, sound_includes()), IsEmpty());
   EXPECT_THAT(rooms_in_circles(rules), IsEmpty());
 }
 
@@ -88,7 +88,7 @@ TEST(IncludeRules, ARowWithoutAFolder) {
 TEST(IncludeRules, AnArrowThatNobodyNeeds) {
   std::vector<Include> includes = sound_includes();
   includes.pop_back();
-  EXPECT_THAT(broken_rules(read_include_rules(document), rooms, includes),
+  EXPECT_THAT(broken_rules(read_include_rules(document), known_rooms, includes),
               ElementsAre(HasSubstr("render/space does not include math")));
 }
 

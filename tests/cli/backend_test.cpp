@@ -18,7 +18,7 @@ Outcome run(const ScratchFolder& folder, const std::string& arguments,
   return run_shell(folder, before + "\"$TWRENCH_BINARY\" " + arguments);
 }
 
-const std::string small = "render --size 64x36 --no-video --frames 0 ";
+const std::string backend_run = "render --size 64x36 --no-video --frames 0 ";
 
 std::string without(const ScratchFolder& folder, const std::vector<std::string>& libraries) {
   for (const std::string& library : libraries) {
@@ -33,10 +33,10 @@ const std::vector<std::string> egl{"libEGL.so.1", "libEGL.so"};
 TEST(Backend, WithoutOsmesaIsEgl) {
   const ScratchFolder folder;
   const std::string before = without(folder, osmesa);
-  const Outcome done = run(folder, small, before);
+  const Outcome done = run(folder, backend_run, before);
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.err, HasSubstr("drawing in software with EGL; OSMesa is not usable"));
-  const Outcome asked = run(folder, small + "--backend osmesa --overwrite", before);
+  const Outcome asked = run(folder, backend_run + "--backend osmesa --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libosmesa6"));
   EXPECT_THAT(asked.err, HasSubstr("--backend egl"));
@@ -49,11 +49,11 @@ TEST(Backend, WithoutOsmesaIsEgl) {
 TEST(Backend, WithoutEglIsOsmesa) {
   const ScratchFolder folder;
   const std::string before = without(folder, egl);
-  const Outcome done = run(folder, small, before);
+  const Outcome done = run(folder, backend_run, before);
   if (done.code == 3) GTEST_SKIP() << "there is no OSMesa: " << done.err;
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.err, HasSubstr("drawing in software with OSMesa"));
-  const Outcome asked = run(folder, small + "--backend egl --overwrite", before);
+  const Outcome asked = run(folder, backend_run + "--backend egl --overwrite", before);
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("apt-get install libegl1"));
   const Outcome doctor = run(folder, "doctor", before);
@@ -65,7 +65,7 @@ TEST(Backend, WithoutEglIsOsmesa) {
 TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
   const ScratchFolder folder;
   const std::string before = without(folder, osmesa) + without(folder, egl);
-  const Outcome done = run(folder, small, before);
+  const Outcome done = run(folder, backend_run, before);
   EXPECT_EQ(done.code, 3);
   EXPECT_THAT(done.err, HasSubstr("no usable OpenGL"));
   EXPECT_THAT(done.err, HasSubstr("libegl1 libegl-mesa0, or libosmesa6"));
@@ -74,7 +74,7 @@ TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
 
 TEST(Backend, NamesTheDevicesThereAre) {
   const ScratchFolder folder;
-  const Outcome done = run(folder, small + "--egl-device 17");
+  const Outcome done = run(folder, backend_run + "--egl-device 17");
   EXPECT_EQ(done.code, 2);
   EXPECT_THAT(done.err, HasSubstr("its devices: 0"));
 }

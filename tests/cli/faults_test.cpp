@@ -22,8 +22,8 @@ using testing::StartsWith;
 
 // 200 frames, which take most of a second.
 const std::string bare_film = "render --size 160x90 --fps 10 --speed 6 --duration 120 ";
-const std::string film = bare_film + "--progress none --frames-dir f ";
-const std::string frames = film + "--no-video ";
+const std::string fault_film = bare_film + "--progress none --frames-dir f ";
+const std::string fault_frames = fault_film + "--no-video ";
 
 /// Checks the message of a failure, and the frames that remain.
 void expect_told(const Outcome& run, int code, const std::string& message) {
@@ -76,7 +76,7 @@ Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
 TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
   const ScratchFolder folder;
   const Outcome run = run_on_small_disk(
-      folder, "500k", "cd d && \"$TWRENCH\" " + frames + "; code=$?; cd ..; (exit $code)");
+      folder, "500k", "cd d && \"$TWRENCH\" " + fault_frames + "; code=$?; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "the run needs an estimated");
   EXPECT_THAT(run.err, HasSubstr("free some space"));
@@ -90,7 +90,7 @@ TEST(Faults, ADiskThatFillsUpMidway) {
       folder, "6m",
       "cd d && { until [ -e f/frame_000020.png ]; do sleep 0.01; done; cat /dev/zero >big; } "
       "2>/dev/null & cd d && \"$TWRENCH\" " +
-          frames + "; code=$?; wait; cd ..; (exit $code)");
+          fault_frames + "; code=$?; wait; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "No space left on device");
   count_whole_frames(folder / "after/f");
@@ -102,7 +102,7 @@ TEST(Faults, ADiskThatFillsUpMidway) {
 TEST(Faults, AFilmThatOutgrowsItsDisk) {
   const ScratchFolder folder;
   const Outcome run = run_shell(
-      folder, "ulimit -f 20; trap '' XFSZ; \"$TWRENCH\" " + film + "--no-frames -o v.mp4");
+      folder, "ulimit -f 20; trap '' XFSZ; \"$TWRENCH\" " + fault_film + "--no-frames -o v.mp4");
   EXPECT_THAT(run.code, AnyOf(4, 5)) << run.err;
   EXPECT_THAT(run.err, HasSubstr("v.mp4"));
   EXPECT_FALSE(fs::exists(folder / "v.mp4"));
@@ -112,7 +112,8 @@ TEST(Faults, AFilmThatOutgrowsItsDisk) {
 TEST(Faults, AManifestThatCannotBeWritten) {
   const ScratchFolder folder;
   const auto start = std::chrono::steady_clock::now();
-  const Outcome run = run_shell(folder, "ulimit -f 100; trap '' XFSZ; \"$TWRENCH\" " + frames);
+  const Outcome run =
+      run_shell(folder, "ulimit -f 100; trap '' XFSZ; \"$TWRENCH\" " + fault_frames);
   const bool none_was_due = std::chrono::steady_clock::now() - start < std::chrono::seconds(5);
   expect_told(run, 5, "manifest.json");  // the frames are smaller
   EXPECT_EQ(count_temporaries(folder / "f"), 0U);
@@ -125,8 +126,8 @@ TEST(Faults, AManifestThatCannotBeWritten) {
 TEST(Faults, TheFolderIsRemovedMidway) {
   const ScratchFolder folder;
   const Outcome run = run_shell(
-      folder,
-      "{ until [ -e f/frame_000010.png ]; do sleep 0.01; done; mv f g; } & \"$TWRENCH\" " + frames);
+      folder, "{ until [ -e f/frame_000010.png ]; do sleep 0.01; done; mv f g; } & \"$TWRENCH\" " +
+                  fault_frames);
   expect_told(run, 5, "No such file or directory");
   EXPECT_EQ(count_temporaries(folder / "g"), 0U);
 }
@@ -139,7 +140,7 @@ TEST(Faults, TheFolderBecomesReadOnlyMidway) {
                         "done; until mount -o remount,bind,ro \"$PWD\" 2>/dev/null || "
                         "[ -e f/frame_000150.png ]; do sleep 0.01; done; } & "
                         "cd d && \"$TWRENCH\" " +
-                            frames + "; code=$?; wait; cd ..; (exit $code)");
+                            fault_frames + "; code=$?; wait; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "Read-only file system");
   count_whole_frames(folder / "after/f");
@@ -152,7 +153,7 @@ TEST(Faults, FfmpegThatFailsAtOnceIsMissedBeforeTheFirstFrame) {
   for (const auto& [script, message] : faults) {
     const ScratchFolder folder;
     put_program(folder, "ffmpeg", script);
-    expect_told(run_twrench(folder, film, with_bin), 4, message);
+    expect_told(run_twrench(folder, fault_film, with_bin), 4, message);
     EXPECT_FALSE(fs::exists(folder / "f"));
   }
 }
@@ -164,7 +165,7 @@ TEST(Faults, NoUsableOpenGlLibrary) {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
     system::write_file_atomically(folder / ("lib/" + std::string(name)), "not a library");
   }
-  const Outcome run = run_twrench(folder, frames, "LD_LIBRARY_PATH=\"$PWD/lib\" ");
+  const Outcome run = run_twrench(folder, fault_frames, "LD_LIBRARY_PATH=\"$PWD/lib\" ");
   if (run.code == 0) GTEST_SKIP() << "the library is found elsewhere";
   expect_told(run, 3, "OpenGL");
   EXPECT_THAT(run.err, HasSubstr("apt-get install"));
@@ -173,7 +174,7 @@ TEST(Faults, NoUsableOpenGlLibrary) {
 
 TEST(Faults, AnOpenGlWithoutACoreProfile) {
   const ScratchFolder folder;
-  const Outcome run = run_twrench(folder, frames, "MESA_GL_VERSION_OVERRIDE=2.1 ");
+  const Outcome run = run_twrench(folder, fault_frames, "MESA_GL_VERSION_OVERRIDE=2.1 ");
   expect_told(run, 3, "core profile");
 }
 
@@ -227,17 +228,17 @@ TEST(Faults, APathWithSpacesQuotesAndUtf8) {
 
 TEST(Faults, NoHomeToWriteTo) {
   const ScratchFolder folder;
-  EXPECT_EQ(
-      run_twrench(folder, frames + "--frames 0-3", "HOME=/proc XDG_CACHE_HOME=/proc TMPDIR=/proc ")
-          .code,
-      0);
+  EXPECT_EQ(run_twrench(folder, fault_frames + "--frames 0-3",
+                        "HOME=/proc XDG_CACHE_HOME=/proc TMPDIR=/proc ")
+                .code,
+            0);
 }
 
 // A manifest can only name files in its own folder, and links to other files are not written
 // through.
 TEST(Hostile, AManifestLeadsNowhereElse) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, frames + "--frames 0-1").code, 0);
+  ASSERT_EQ(run_twrench(folder, fault_frames + "--frames 0-1").code, 0);
   const std::string manifest = text_of(folder / "f/manifest.json");
   for (const char* path : {"../secret.png", "/etc/passwd", "..", "a/b.png", ""}) {
     std::string changed = manifest;
@@ -253,7 +254,7 @@ TEST(Hostile, ALinkInAFramesPlaceIsReplacedNotFollowed) {
   system::write_file_atomically(folder / "precious", "untouched");
   fs::create_directory(folder / "f");
   fs::create_symlink("../precious", folder / "f/frame_000000.png");
-  ASSERT_EQ(run_twrench(folder, frames + "--frames 0 --overwrite").code, 0);
+  ASSERT_EQ(run_twrench(folder, fault_frames + "--frames 0 --overwrite").code, 0);
   EXPECT_EQ(text_of(folder / "precious"), "untouched");
   EXPECT_FALSE(fs::is_symlink(folder / "f/frame_000000.png"));
 }

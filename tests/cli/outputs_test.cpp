@@ -15,8 +15,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 const std::string picture = "--size 64x36 --frames 0-4 --progress none ";
-const std::string film = "render " + picture + "--no-frames ";
-const std::string frames = "render " + picture + "--no-video --frames-dir f ";
+const std::string film_command = "render " + picture + "--no-frames ";
+const std::string frames_command = "render " + picture + "--no-video --frames-dir f ";
 
 void expect_refused(const Outcome& run, int code, const std::string& message) {
   EXPECT_EQ(run.code, code) << run.err;
@@ -32,7 +32,7 @@ std::int64_t frames_of(const ScratchFolder& folder, const std::string& video) {
 
 TEST(Outputs, AreNoInputs) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
   const std::string scene = "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 1\n";
   system::write_file_atomically(folder / "my.toml", scene);
   fs::create_symlink("my.toml", folder / "link.mp4");
@@ -41,7 +41,7 @@ TEST(Outputs, AreNoInputs) {
   const auto before = digests(folder / "f");
   const std::string manifest = text_of(folder / "f/manifest.json");
   for (const std::string& command :
-       {film + "my.toml -o my.toml", film + "my.toml -o link.mp4 --overwrite",
+       {film_command + "my.toml -o my.toml", film_command + "my.toml -o link.mp4 --overwrite",
         std::string("simulate my.toml -o my.toml"), std::string("inertia my.toml -o ./my.toml"),
         std::string("study my.toml -o my.toml"), std::string("plot my.toml -o my.toml"),
         std::string("compare f/frame_000000.png f/frame_000001.png --diff f/frame_000000.png"),
@@ -60,18 +60,20 @@ TEST(Outputs, AreNoInputs) {
 
 TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0);
-  EXPECT_EQ(run_twrench(folder, film + "-o v.mp4").code, 0) << "the same film again loses nothing";
+  ASSERT_EQ(run_twrench(folder, film_command + "-o v.mp4").code, 0);
+  EXPECT_EQ(run_twrench(folder, film_command + "-o v.mp4").code, 0)
+      << "the same film again loses nothing";
   const std::string before = text_of(folder / "v.mp4");
-  expect_refused(run_twrench(folder, film + "stable-y -o v.mp4"), 2, "a video of something else");
-  ASSERT_EQ(run_twrench(folder, frames + "stable-y").code, 0);
+  expect_refused(run_twrench(folder, film_command + "stable-y -o v.mp4"), 2,
+                 "a video of something else");
+  ASSERT_EQ(run_twrench(folder, frames_command + "stable-y").code, 0);
   expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2,
                  "a video of something else");
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
   system::write_file_atomically(folder / "notes.mkv", "not a film");
-  expect_refused(run_twrench(folder, film + "-o notes.mkv"), 2, "not a video");
+  expect_refused(run_twrench(folder, film_command + "-o notes.mkv"), 2, "not a video");
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 
@@ -117,18 +119,18 @@ TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
   expect_refused(run_twrench(folder, both + std::string(252, 'n') + ".mp4"), 5, "too long");
   EXPECT_FALSE(fs::exists(folder / "f"));
   EXPECT_FALSE(fs::exists(folder / "out"));
-  EXPECT_EQ(run_twrench(folder, film + "-o " + std::string(251, 'n') + ".MP4").code, 0);
-  EXPECT_EQ(run_twrench(folder, film + "-o x.MoV").code, 0);
+  EXPECT_EQ(run_twrench(folder, film_command + "-o " + std::string(251, 'n') + ".MP4").code, 0);
+  EXPECT_EQ(run_twrench(folder, film_command + "-o x.MoV").code, 0);
 }
 
 TEST(Outputs, AFilmGoesToStandardOutput) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
   for (const char* const container : {"mp4", "mkv", "webm", "mov"}) {
     const std::string option = std::string("--container ") + container;
     const std::string video = std::string("v.") + container;
     const Outcome rendered =
-        run_shell(folder, "\"$TWRENCH\" " + film + "-o - " + option + " | cat >" + video);
+        run_shell(folder, "\"$TWRENCH\" " + film_command + "-o - " + option + " | cat >" + video);
     EXPECT_EQ(rendered.err, "");
     EXPECT_EQ(frames_of(folder, video), 5);
     const Outcome encoded = run_shell(
@@ -138,7 +140,7 @@ TEST(Outputs, AFilmGoesToStandardOutput) {
   }
   EXPECT_FALSE(fs::exists(folder / "-"));
   expect_refused(run_twrench(folder, "render --no-frames -o - --progress openjd"), 2, "openjd");
-  expect_refused(run_twrench(folder, film + "-o - --container gif"), 2, "gif");
+  expect_refused(run_twrench(folder, film_command + "-o - --container gif"), 2, "gif");
   const Outcome gone =
       run_shell(folder,
                 "{ \"$TWRENCH\" render --size 320x180 --progress none --no-frames -o -; "
@@ -158,7 +160,7 @@ TEST(Outputs, ThatAreDevicesAreWrittenTo) {
 
 TEST(Outputs, FoldersAreMadeForAFilm) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, frames).code, 0);
+  ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
   EXPECT_EQ(run_twrench(folder, "encode f -o new/folder/v.mp4 --progress none").code, 0);
   EXPECT_TRUE(fs::exists(folder / "new/folder/v.mp4"));
 }
@@ -178,7 +180,7 @@ TEST(Hostile, AManifestThatDoesNotEnd) {
 #endif
     const std::string limited = limit + "exec timeout 60 \"$TWRENCH\" ";
     expect_refused(run_shell(folder, limited + "encode f -o v.mp4"), 5, "manifest.json");
-    const Outcome drawn = run_shell(folder, limited + frames);
+    const Outcome drawn = run_shell(folder, limited + frames_command);
     EXPECT_EQ(drawn.code, 2) << drawn.err;
   }
 }

@@ -23,7 +23,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 // 1.2 s of video, 12 frames.
-const std::string small = "render --size 160x90 --fps 10 --duration 7.2 --speed 6 --progress none ";
+const std::string small_film =
+    "render --size 160x90 --fps 10 --duration 7.2 --speed 6 --progress none ";
 
 json probe(const ScratchFolder& folder, const std::string& video) {
   run_command("ffprobe -v error -count_frames -show_streams -of json '" +
@@ -33,7 +34,7 @@ json probe(const ScratchFolder& folder, const std::string& video) {
 
 TEST(Render, FilmAndFramesAndManifest) {
   const ScratchFolder folder;
-  const Outcome run = run_twrench(folder, small);
+  const Outcome run = run_twrench(folder, small_film);
   ASSERT_EQ(run.code, 0) << run.err;
 
   const json stream = probe(folder, "out/dzhanibekov.mp4");
@@ -65,7 +66,7 @@ TEST(Render, FilmAndFramesAndManifest) {
 // The pose in the manifest is that of a separate integration at the frame's time.
 TEST(Render, FramesArePosedByTheTrajectory) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--no-video --method rk4 --step 0.05").code, 0);
+  ASSERT_EQ(run_twrench(folder, small_film + "--no-video --method rk4 --step 0.05").code, 0);
   const json manifest = json::parse(text_of(folder / "out/dzhanibekov/manifest.json"));
   const Outcome motion =
       run_twrench(folder, "simulate --method rk4 --step 0.05 --times 5.4 --format json");
@@ -76,7 +77,7 @@ TEST(Render, FramesArePosedByTheTrajectory) {
 
 TEST(Render, DecodedFramesAreThePngFrames) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  ASSERT_EQ(run_twrench(folder, small_film).code, 0);
   run_command("ffmpeg -v error -i '" + (folder / "out/dzhanibekov.mp4").string() +
               "' -vf scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int "
               "-pix_fmt rgb24 '" +
@@ -98,9 +99,10 @@ TEST(Render, DecodedFramesAreThePngFrames) {
 
 TEST(Render, FramesDoNotDependOnTheRangeNorOnTheJobs) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir a --jobs 1").code, 0);
-  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir b --jobs 3 --frames 11,4-6").code,
-            0);
+  ASSERT_EQ(run_twrench(folder, small_film + "--no-video --frames-dir a --jobs 1").code, 0);
+  ASSERT_EQ(
+      run_twrench(folder, small_film + "--no-video --frames-dir b --jobs 3 --frames 11,4-6").code,
+      0);
   for (const int i : {4, 5, 6, 11}) {
     const std::string name = "frame_0000" + std::string(i < 10 ? "0" : "") + std::to_string(i);
     EXPECT_EQ(text_of(folder / ("a/" + name + ".png")), text_of(folder / ("b/" + name + ".png")));
@@ -110,7 +112,8 @@ TEST(Render, FramesDoNotDependOnTheRangeNorOnTheJobs) {
 }
 
 // The digest of each frame by number, from the manifest in `frames_dir`.
-std::map<int, std::string> digests(const ScratchFolder& folder, const std::string& frames_dir) {
+std::map<int, std::string> digests_by_number(const ScratchFolder& folder,
+                                             const std::string& frames_dir) {
   const json manifest = json::parse(text_of(folder / (frames_dir + "/manifest.json")));
   std::map<int, std::string> result;
   for (const json& frame : manifest["frames"]) result[frame["frame"]] = frame["sha256"];
@@ -119,7 +122,7 @@ std::map<int, std::string> digests(const ScratchFolder& folder, const std::strin
 
 TEST(Render, FramesDoNotDependOnWhatWasDrawnBeforeThem) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--no-video --frames-dir whole --jobs 1").code, 0);
+  ASSERT_EQ(run_twrench(folder, small_film + "--no-video --frames-dir whole --jobs 1").code, 0);
   std::vector<int> numbers(12);
   std::iota(numbers.begin(), numbers.end(), 0);
   std::shuffle(numbers.begin(), numbers.end(), std::mt19937(5));
@@ -134,15 +137,15 @@ TEST(Render, FramesDoNotDependOnWhatWasDrawnBeforeThem) {
     part += std::to_string(run);
     std::string options("--no-video --frames-dir ");
     options += part + " --jobs " + std::to_string(run + 1) + " --frames " + range;
-    ASSERT_EQ(run_twrench(folder, small + options).code, 0);
-    together.merge(digests(folder, part));
+    ASSERT_EQ(run_twrench(folder, small_film + options).code, 0);
+    together.merge(digests_by_number(folder, part));
   }
-  EXPECT_EQ(together, digests(folder, "whole"));
+  EXPECT_EQ(together, digests_by_number(folder, "whole"));
 }
 
 TEST(Render, EncodeMakesTheSameFilmFromTheFrames) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  ASSERT_EQ(run_twrench(folder, small_film).code, 0);
   const Outcome run = run_twrench(folder, "encode out/dzhanibekov -o again.mp4 --progress none");
   ASSERT_EQ(run.code, 0) << run.err;
   const auto md5 = [&](const std::string& video) {
@@ -156,7 +159,9 @@ TEST(Render, EncodeMakesTheSameFilmFromTheFrames) {
 TEST(Render, TransparentFramesHaveTheBodysCoverageAsAlpha) {
   const ScratchFolder folder;
   ASSERT_EQ(
-      run_twrench(folder, small + "--no-video --bare --background transparent --frames 0").code, 0);
+      run_twrench(folder, small_film + "--no-video --bare --background transparent --frames 0")
+          .code,
+      0);
   const image::Image image = image::read_png(folder / "out/dzhanibekov/frame_000000.png");
   ASSERT_EQ(image.channels, 4);
   EXPECT_EQ(image.pixels[3], 0);                                       // a corner
@@ -165,7 +170,7 @@ TEST(Render, TransparentFramesHaveTheBodysCoverageAsAlpha) {
 
 TEST(Render, NoFramesLeavesTheFilmAlone) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--no-frames -o 'a film.mp4'").code, 0);
+  ASSERT_EQ(run_twrench(folder, small_film + "--no-frames -o 'a film.mp4'").code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "a film.mp4"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
@@ -207,7 +212,7 @@ TEST(Render, FramesStayWhenFfmpegDies) {
       "head -c 100000 >/dev/null\necho 'the encoder is broken' >&2\nexit 7\n");
   std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
   const Outcome run =
-      run_twrench(folder, small, "PATH='" + folder.path().string() + "':\"$PATH\" ");
+      run_twrench(folder, small_film, "PATH='" + folder.path().string() + "':\"$PATH\" ");
   EXPECT_EQ(run.code, 4);
   EXPECT_THAT(run.err, HasSubstr("the encoder is broken"));
   EXPECT_THAT(run.err, HasSubstr("libx264"));  // the exact command

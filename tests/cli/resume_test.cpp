@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 // 240 frames, which take about a second.
-const std::string film =
+const std::string long_command =
     "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
     "v.mp4 ";
 
@@ -40,7 +40,7 @@ std::string decoded(const fs::path& video) {
 /// A run of `film` without interruption.
 struct Undisturbed {
   Undisturbed() {
-    EXPECT_EQ(run_twrench(folder, film).code, 0);
+    EXPECT_EQ(run_twrench(folder, long_command).code, 0);
     frames = digests(folder / "f");
     video = decoded(folder / "v.mp4");
   }
@@ -56,7 +56,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   for (const auto& [signal, code] : signals) {
     ScratchFolder folder;
     const Outcome stopped = run_shell(
-        folder, "env --default-signal=INT \"$TWRENCH\" " + film +
+        folder, "env --default-signal=INT \"$TWRENCH\" " + long_command +
                     "& pid=$!; until [ -e f/frame_000003.png ]; do sleep 0.01; done; kill -" +
                     signal + " $pid; kill -" + signal + " $pid; wait $pid");
     ASSERT_EQ(stopped.code, code) << stopped.err;
@@ -66,7 +66,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
     EXPECT_LT(digests(folder / "f").size(), 240u);
     EXPECT_FALSE(fs::exists(folder / "v.mp4"));
 
-    const Outcome resumed = run_twrench(folder, film + "--resume");
+    const Outcome resumed = run_twrench(folder, long_command + "--resume");
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(digests(folder / "f"), whole.frames);
     EXPECT_EQ(told_digests(folder / "f"), whole.frames);
@@ -80,40 +80,40 @@ TEST(Resume, AfterBeingKilledAtAnyInstant) {
   ScratchFolder folder;
   for (int i = 0; i < 12; ++i) {
     const std::string seconds = "0." + std::to_string(100 + 73 * i);
-    run_twrench(folder, film + "--resume", "timeout -s KILL " + seconds + " ");
+    run_twrench(folder, long_command + "--resume", "timeout -s KILL " + seconds + " ");
     if (!fs::exists(folder / "f")) continue;
     for (const auto& [name, digest] : digests(folder / "f")) {
       EXPECT_EQ(whole.frames.at(name), digest) << name << " after " << seconds << " s";
     }
   }
-  ASSERT_EQ(run_twrench(folder, film + "--resume").code, 0);
+  ASSERT_EQ(run_twrench(folder, long_command + "--resume").code, 0);
   EXPECT_EQ(digests(folder / "f"), whole.frames);
   EXPECT_EQ(told_digests(folder / "f"), whole.frames);
   EXPECT_EQ(decoded(folder / "v.mp4"), whole.video);
 }
 
-const std::string small =
+const std::string short_command =
     "render --size 64x36 --frames 0-9 --no-video --progress none --frames-dir f ";
 
 TEST(Resume, TrustsNoFileBecauseItExists) {
   ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  ASSERT_EQ(run_twrench(folder, short_command).code, 0);
   const auto before = digests(folder / "f");
   const auto untouched = fs::last_write_time(folder / "f/frame_000003.png");
   system::write_file_atomically(folder / "f/frame_000004.png", "damaged");
   fs::remove(folder / "f/frame_000007.png");
   fs::copy_file(folder / "f/frame_000001.png", folder / "f/frame_000008.png",
                 fs::copy_options::overwrite_existing);
-  ASSERT_EQ(run_twrench(folder, small + "--resume").code, 0);
+  ASSERT_EQ(run_twrench(folder, short_command + "--resume").code, 0);
   EXPECT_EQ(digests(folder / "f"), before);
   EXPECT_EQ(fs::last_write_time(folder / "f/frame_000003.png"), untouched) << "drawn again";
 }
 
 TEST(Resume, RefusesWhatIsOfAnotherScene) {
   ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small + "--omega 1,0.2,0").code, 0);
+  ASSERT_EQ(run_twrench(folder, short_command + "--omega 1,0.2,0").code, 0);
   const auto other = digests(folder / "f");
-  const Outcome refused = run_twrench(folder, small + "--resume");
+  const Outcome refused = run_twrench(folder, short_command + "--resume");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("frames of another scene"));
   EXPECT_EQ(digests(folder / "f"), other);
@@ -125,7 +125,7 @@ TEST(Resume, RefusesAManifestOfSomebodyElse) {
   fs::create_directory(folder / "f");
   const std::string theirs = "{\"name\": \"a web application\"}\n";
   system::write_file_atomically(folder / "f/manifest.json", theirs);
-  const Outcome refused = run_twrench(folder, small + "--resume");
+  const Outcome refused = run_twrench(folder, short_command + "--resume");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("not written by this program"));
   EXPECT_EQ(text_of(folder / "f/manifest.json"), theirs);
@@ -134,7 +134,7 @@ TEST(Resume, RefusesAManifestOfSomebodyElse) {
 TEST(Resume, KnowsTheFontByItsBytes) {
   ScratchFolder folder;
   fs::copy_file(TWRENCH_SANS_FILE, folder / "font.ttf");
-  const std::string with_font = small + "--font ./font.ttf --resume ";
+  const std::string with_font = short_command + "--font ./font.ttf --resume ";
   ASSERT_EQ(run_twrench(folder, with_font).code, 0);
   EXPECT_EQ(run_twrench(folder, with_font).code, 0);
   ASSERT_EQ(run_shell(folder, "chmod u+w font.ttf && echo >>font.ttf").code, 0);
@@ -145,26 +145,26 @@ TEST(Resume, KnowsTheFontByItsBytes) {
 
 TEST(Overwrite, IsAskedForBeforeAnotherFilmIsDestroyed) {
   ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small).code, 0);
-  EXPECT_EQ(run_twrench(folder, small).code, 0) << "the same film again loses nothing";
+  ASSERT_EQ(run_twrench(folder, short_command).code, 0);
+  EXPECT_EQ(run_twrench(folder, short_command).code, 0) << "the same film again loses nothing";
   const auto before = digests(folder / "f");
-  const Outcome other = run_twrench(folder, small + "--background white");
+  const Outcome other = run_twrench(folder, short_command + "--background white");
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("another scene"));
   EXPECT_THAT(other.err, HasSubstr("--overwrite"));
   EXPECT_EQ(digests(folder / "f"), before);
-  EXPECT_EQ(run_twrench(folder, small + "--background white --overwrite").code, 0);
+  EXPECT_EQ(run_twrench(folder, short_command + "--background white --overwrite").code, 0);
   EXPECT_NE(digests(folder / "f"), before);
 }
 
 TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
   ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, small).code, 0);
+  ASSERT_EQ(run_twrench(folder, short_command).code, 0);
   fs::remove(folder / "f/manifest.json");
-  EXPECT_EQ(run_twrench(folder, small).code, 2);
-  EXPECT_EQ(run_twrench(folder, small + "--resume").code, 2);
-  EXPECT_EQ(run_twrench(folder, small + "--resume --overwrite").code, 2);
-  EXPECT_EQ(run_twrench(folder, small + "--overwrite").code, 0);
+  EXPECT_EQ(run_twrench(folder, short_command).code, 2);
+  EXPECT_EQ(run_twrench(folder, short_command + "--resume").code, 2);
+  EXPECT_EQ(run_twrench(folder, short_command + "--resume --overwrite").code, 2);
+  EXPECT_EQ(run_twrench(folder, short_command + "--overwrite").code, 0);
 }
 
 TEST(Manifest, TellsOfAllRangesOfAFilm) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::array vertex{
+constexpr std::array vertex_shader{
     ShaderFile{"whole.vert", "in vec3 place;\nvoid main() { gl_Position = vec4(place, 1.0); }\n"}};
 constexpr ShaderFile helper{"helper.glsl",
                             "uniform float level;\nvec4 gray() { return vec4(level); }\n"};
@@ -23,7 +23,7 @@ class ProgramTest : public GlTest {
  protected:
   std::string error_of(std::span<const ShaderFile> fragment) {
     try {
-      const Program program(gl, vertex, fragment);
+      const Program program(gl, vertex_shader, fragment);
     } catch (const GlError& error) {
       return error.what();
     }
@@ -32,7 +32,7 @@ class ProgramTest : public GlTest {
 };
 
 TEST_F(ProgramTest, JoinsTheFilesOfAShader) {
-  const Program program(gl, vertex, std::array{helper, whole});
+  const Program program(gl, vertex_shader, std::array{helper, whole});
   program.use();
   program.set("level", 0.5F);
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
@@ -64,13 +64,13 @@ TEST_F(ProgramTest, ReportsShadersThatDoNotLink) {
 }
 
 TEST_F(ProgramTest, RefusesAUniformThatItHasNot) {
-  const Program program(gl, vertex, std::array{helper, whole});
+  const Program program(gl, vertex_shader, std::array{helper, whole});
   program.use();
   EXPECT_THROW(program.set("levle", 0.5F), std::logic_error);
 }
 
 TEST_F(ProgramTest, MovesWithoutLosingTheProgram) {
-  Program first(gl, vertex, std::array{helper, whole});
+  Program first(gl, vertex_shader, std::array{helper, whole});
   const GLuint id = first.id();
   const Program second(std::move(first));
   second.use();

@@ -10,12 +10,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const Matrix3d inertia = Vector3d(2, 3, 5).asDiagonal();
+const Matrix3d body_inertia = Vector3d(2, 3, 5).asDiagonal();
 
 // Task 1b.
 TEST(Energy, IsHalfOmegaDotIOmega) {
-  EXPECT_DOUBLE_EQ(energy(inertia, {1, 2, -1}), 0.5 * (2 + 12 + 5));
-  Matrix3d full = inertia;
+  EXPECT_DOUBLE_EQ(energy(body_inertia, {1, 2, -1}), 0.5 * (2 + 12 + 5));
+  Matrix3d full = body_inertia;
   full(0, 1) = full(1, 0) = 0.5;
   EXPECT_DOUBLE_EQ(energy(full, {1, 2, -1}), 0.5 * (2 + 12 + 5 + 2));
 }
@@ -34,8 +34,8 @@ TEST(Diagnostics, VanishOnTheExactMotion) {
 
 TEST(Diagnostics, SeeEachFault) {
   const Vector3d omega(1, 2, -1);
-  const FreeBody body(inertia, omega);
-  const double start = energy(inertia, omega);
+  const FreeBody body(body_inertia, omega);
+  const double start = energy(body_inertia, omega);
   EXPECT_NEAR(diagnose(body, start, {0, Matrix3d::Identity(), 1.1 * omega}).energy_drift, 0.21,
               1e-12);
   EXPECT_NEAR(diagnose(body, start, {0, 2 * Matrix3d::Identity(), omega}).orthogonality_error,
@@ -45,7 +45,7 @@ TEST(Diagnostics, SeeEachFault) {
 }
 
 TEST(Diagnostics, OfABodyAtRestAreZero) {
-  const FreeBody body(inertia, Vector3d::Zero());
+  const FreeBody body(body_inertia, Vector3d::Zero());
   const Diagnostics d = diagnose(body, 0, {0, Matrix3d::Identity(), Vector3d::Zero()});
   EXPECT_EQ(d.energy_drift, 0);
   EXPECT_EQ(d.momentum_error, 0);

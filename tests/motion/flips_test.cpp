@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,17 +14,16 @@ namespace twrench::motion {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
-ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
+ExactMotion exact_motion(const Vector3d& moments, const Vector3d& omega) {
   return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
 // A list of them would exhaust the memory.
 TEST(Flips, MoreThanCanBeListedAreRefused) {
-  const ExactMotion fast = exact({1, 2, 3}, {1e12, 1e11, 1});
+  const ExactMotion fast = exact_motion({1, 2, 3}, {1e12, 1e11, 1});
   EXPECT_THROW(fast.flip_times(1e9), MotionError);
-  EXPECT_THROW(fast.flip_times(infinity), OutOfRange);
+  EXPECT_THROW(fast.flip_times(INFINITY), OutOfRange);
   EXPECT_EQ(fast.flip_times(10 * fast.flips()->interval).size(), 10U);
 }
 
@@ -38,7 +36,7 @@ TEST(Flips, IntervalsOfKnownBodies) {
   for (const Known& k : {Known{{3, 5, 9}, {0, 2.0 / 5, 0.01 / 9}, 59.055443523193},
                          Known{{1, 2, 3}, {0.01, 1, 0.01}, 19.552867098634},
                          Known{{0.3, 0.35, 0.4}, {0.1, 15, 0.1}, 6.167472904670}}) {
-    const auto flips = exact(k.moments, k.omega).flips();
+    const auto flips = exact_motion(k.moments, k.omega).flips();
     ASSERT_TRUE(flips);
     EXPECT_NEAR(flips->interval, k.interval, 1e-12 * k.interval);
   }
@@ -61,7 +59,7 @@ TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
     Vector3d moments = random.moments();
     std::sort(moments.data(), moments.data() + 3);
     const Vector3d omega = random.omega();
-    const ExactMotion motion = exact(moments, omega);
+    const ExactMotion motion = exact_motion(moments, omega);
     const double end = 60 / omega.norm();
     const std::vector<double> times = motion.flip_times(end);
     std::vector<double> bounds{0.0};
@@ -86,7 +84,7 @@ TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
 
 TEST(Flips, TendToTheAsymptoticInterval) {
   for (const double offset : {1e-3, 1e-6, 1e-12, 1e-150}) {
-    const auto flips = exact({1, 2, 3}, {offset, 1, 0}).flips();
+    const auto flips = exact_motion({1, 2, 3}, {offset, 1, 0}).flips();
     ASSERT_TRUE(flips);
     EXPECT_NEAR(flips->asymptotic_interval / flips->interval, 1, offset * offset + 1e-15);
     EXPECT_NEAR(flips->swing, std::numbers::pi, 3 * offset + 1e-15);
@@ -94,10 +92,11 @@ TEST(Flips, TendToTheAsymptoticInterval) {
 }
 
 TEST(Flips, OnTheSeparatrixOneAtMost) {
-  const ExactMotion before = exact({1, 4, 6}, {2, -0.5, 1}), after = exact({1, 4, 6}, {2, 0.5, 1});
+  const ExactMotion before = exact_motion({1, 4, 6}, {2, -0.5, 1}),
+                    after = exact_motion({1, 4, 6}, {2, 0.5, 1});
   ASSERT_TRUE(before.flips() && after.flips());
-  EXPECT_EQ(before.flips()->interval, infinity);
-  EXPECT_EQ(before.flips()->asymptotic_interval, infinity);
+  EXPECT_EQ(before.flips()->interval, INFINITY);
+  EXPECT_EQ(before.flips()->asymptotic_interval, INFINITY);
   const auto times = std::max(before.flip_times(1e9), after.flip_times(1e9));
   const auto none = std::min(before.flip_times(1e9), after.flip_times(1e9));
   EXPECT_EQ(times.size(), 1U);
@@ -105,11 +104,11 @@ TEST(Flips, OnTheSeparatrixOneAtMost) {
 }
 
 TEST(Flips, NoneWithoutAnIntermediateAxisOrWithoutMotionAboutIt) {
-  EXPECT_FALSE(exact({1, 2, 2}, {1, 0.3, -0.2}).flips());
-  EXPECT_FALSE(exact({1, 1, 1}, {1, 0.3, -0.2}).flips());
-  EXPECT_FALSE(exact({1, 2, 3}, {0, 1, 0}).flips());
-  EXPECT_FALSE(exact({1, 2, 3}, {0, 0, 0}).flips());
-  EXPECT_TRUE(exact({1, 2, 3}, {0, 0, 0}).flip_times(100).empty());
+  EXPECT_FALSE(exact_motion({1, 2, 2}, {1, 0.3, -0.2}).flips());
+  EXPECT_FALSE(exact_motion({1, 1, 1}, {1, 0.3, -0.2}).flips());
+  EXPECT_FALSE(exact_motion({1, 2, 3}, {0, 1, 0}).flips());
+  EXPECT_FALSE(exact_motion({1, 2, 3}, {0, 0, 0}).flips());
+  EXPECT_TRUE(exact_motion({1, 2, 3}, {0, 0, 0}).flip_times(100).empty());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/free_body.h>
 
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -13,9 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 static_assert(!std::is_default_constructible_v<FreeBody>);
 
@@ -81,7 +78,7 @@ TEST(FreeBody, OfAnInertiaThatIsNotSymmetricCannotBeMade) {
 }
 
 TEST(FreeBody, OfWhatIsNotFiniteCannotBeMade) {
-  for (const double bad : {nan, infinity, -infinity}) {
+  for (const double bad : {NAN, INFINITY, -INFINITY}) {
     for (int i = 0; i < 9; ++i) {
       Matrix3d inertia = Matrix3d::Identity();
       inertia(i / 3, i % 3) = bad;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Vector3d wrench(723, 982, 1579);
+const Vector3d wrench_moments(723, 982, 1579);
 constexpr int points = 97;
 
 double angle(int i) { return 2 * std::numbers::pi * i / points; }
@@ -25,14 +25,14 @@ FreeBody body(const Vector3d& moments, const Vector3d& omega) {
 }
 
 TEST(Polhode, LiesOnTheSphereAndOnTheEllipsoidOfEnergy) {
-  const auto levels = level_family(wrench, 4);
+  const auto levels = level_family(wrench_moments, 4);
   ASSERT_EQ(levels.size(), 16);
   for (const EnergyLevel& level : levels) {
     EXPECT_FALSE(level.is_separatrix());
     for (int i = 0; i < points; ++i) {
       const Vector3d mu = level.at(angle(i));
       EXPECT_NEAR(mu.norm(), 1, 1e-14);
-      EXPECT_NEAR(energy_of(wrench, mu) / level.energy, 1, 1e-13);
+      EXPECT_NEAR(energy_of(wrench_moments, mu) / level.energy, 1, 1e-13);
       EXPECT_GT(level.side * mu[level.axis], 0);
     }
   }
@@ -41,8 +41,8 @@ TEST(Polhode, LiesOnTheSphereAndOnTheEllipsoidOfEnergy) {
 TEST(Polhode, GoesThroughTheMomentumItIsAskedFor) {
   for (const Vector3d& omega : {Vector3d(0.05, 1, 0), Vector3d(0, 1, -0.05), Vector3d(-1, 0.3, 0.1),
                                 Vector3d(0.1, 0.2, -1), Vector3d(0, 0, 1)}) {
-    const Vector3d mu = wrench.cwiseProduct(omega).normalized();
-    const auto level = level_through(wrench, mu);
+    const Vector3d mu = wrench_moments.cwiseProduct(omega).normalized();
+    const auto level = level_through(wrench_moments, mu);
     ASSERT_TRUE(level);
     double nearest = 2;
     for (int i = 0; i < 4096; ++i) {
@@ -53,18 +53,18 @@ TEST(Polhode, GoesThroughTheMomentumItIsAskedFor) {
 }
 
 TEST(Polhode, OfTheSeparatrixAreTwoGreatCirclesThroughTheIntermediateAxis) {
-  const auto circles = separatrix(wrench);
+  const auto circles = separatrix(wrench_moments);
   ASSERT_TRUE(circles);
   for (const Vector3d& side : *circles) {
     EXPECT_NEAR(side.norm(), 1, 1e-15);
     EXPECT_EQ(side.y(), 0);
     for (int i = 0; i < points; ++i) {
       const Vector3d mu = std::cos(angle(i)) * Vector3d::UnitY() + std::sin(angle(i)) * side;
-      EXPECT_NEAR(energy_of(wrench, mu) * wrench.y(), 1, 1e-14);
+      EXPECT_NEAR(energy_of(wrench_moments, mu) * wrench_moments.y(), 1, 1e-14);
     }
   }
   EXPECT_GT(((*circles)[0] - (*circles)[1]).norm(), 0.1);
-  const auto level = level_through(wrench, (*circles)[0]);
+  const auto level = level_through(wrench_moments, (*circles)[0]);
   ASSERT_TRUE(level);
   EXPECT_TRUE(level->is_separatrix());
 }
@@ -100,7 +100,7 @@ TEST(Polhode, StaysFiniteForMomentsFarApart) {
 
 TEST(Herpolhode, StaysInItsAnnulusAndReachesBothRims) {
   for (const Vector3d& omega : {Vector3d(0.05, 1, 0), Vector3d(1, 0.3, 0.2), Vector3d(0, 0.4, 1)}) {
-    const FreeBody free = body(wrench, omega);
+    const FreeBody free = body(wrench_moments, omega);
     const ExactMotion motion(free);
     const Vector3d up = free.momentum().normalized();
     const auto level =

@@ -4,7 +4,6 @@
 #include <twrench/motion/trajectory.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -15,9 +14,6 @@ namespace twrench::motion {
 namespace {
 
 using Eigen::Matrix3d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class EveryPropagator : public testing::TestWithParam<Method> {
  protected:
@@ -60,7 +56,7 @@ TEST_P(EveryPropagator, ItsStepsFollowOneAnother) {
 
 TEST_P(EveryPropagator, RefusesATimeThatCannotBe) {
   const auto propagator = make_propagator(body_, GetParam(), control_);
-  for (const double t : {nan, infinity, -infinity}) {
+  for (const double t : {double{NAN}, double{INFINITY}, -double{INFINITY}}) {
     try {
       propagator->sample_at(t);
       FAIL() << t;
@@ -85,7 +81,7 @@ TEST_P(EveryPropagator, RefusesToGoBack) {
 }
 
 TEST_P(EveryPropagator, RefusesAStepThatCannotBe) {
-  for (const double step : {0.0, -0.1, nan, infinity}) {
+  for (const double step : {0.0, -0.1, double{NAN}, double{INFINITY}}) {
     try {
       make_propagator(body_, GetParam(), {.step = step});
       FAIL() << step;
@@ -108,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryPropagator, every_method(), method_test_n
 TEST(Propagator, RefusesAToleranceThatCannotBe) {
   const FreeBody body = reference_case("wrench-a").body;
   for (const char* name : {"rkf45", "rkmk45", "taylor"}) {
-    for (const double tolerance : {0.0, -1.0, 0.9e-15, nan, infinity}) {
+    for (const double tolerance : {0.0, -1.0, 0.9e-15, double{NAN}, double{INFINITY}}) {
       try {
         make_propagator(body, find_method(name), {.tolerance = tolerance});
         FAIL() << name << ' ' << tolerance;

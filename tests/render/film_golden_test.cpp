@@ -21,7 +21,7 @@ struct FilmGolden {
 
 void PrintTo(const FilmGolden& golden, std::ostream* out) { *out << golden.name; }
 
-std::vector<FilmGolden> goldens() {
+std::vector<FilmGolden> film_goldens() {
   using enum scene::Feature;
   return {
       {"film-axes", {axes}},
@@ -58,7 +58,7 @@ TEST_P(GoldenFilm, IsDrawn) {
   expect_golden(golden.name, renderer.draw(timeline.frame_state(0)).image);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(goldens()), [](const auto& param) {
+INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(film_goldens()), [](const auto& param) {
   std::string name(param.param.name);
   std::erase(name, '-');
   return name;

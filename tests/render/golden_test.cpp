@@ -45,7 +45,7 @@ scene::Scene with_theme(scene::Theme theme) {
   return scene;
 }
 
-std::vector<Golden> goldens() {
+std::vector<Golden> golden_scenes() {
   scene::Scene transparent = t_wrench(240, 240);
   transparent.look.transparent = true;
   scene::Scene painted = t_wrench(320, 180);
@@ -112,11 +112,12 @@ TEST_P(GoldenImage, SeesAWrongPose) {
   EXPECT_FALSE(alike(drawn(GetParam(), swapped), golden)) << "two axes swapped";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(goldens()), [](const auto& param) {
-  std::string name(param.param.name);
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(golden_scenes()),
+                         [](const auto& param) {
+                           std::string name(param.param.name);
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace twrench::render

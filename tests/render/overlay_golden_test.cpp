@@ -23,7 +23,7 @@ struct OverlayGolden {
 
 void PrintTo(const OverlayGolden& golden, std::ostream* out) { *out << golden.name; }
 
-std::vector<OverlayGolden> goldens() {
+std::vector<OverlayGolden> overlay_goldens() {
   const auto film = [](int width, int height, scene::Theme theme = scene::Theme::studio) {
     scene::Scene scene = film_of(width, height);
     scene.motion.method = "exact";
@@ -124,7 +124,7 @@ TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
                  golden));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
+INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(overlay_goldens()),
                          [](const auto& param) {
                            std::string name(param.param.name);
                            std::erase(name, '-');
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(All, OverlayGoldenImage, testing::ValuesIn(goldens()),
                          });
 
 TEST(ComponentsInTheGoldens, ShowATransposedPose) {
-  const scene::Scene scene = goldens()[0].scene;
+  const scene::Scene scene = overlay_goldens()[0].scene;
   EXPECT_FALSE(
       same_words(drawn(scene, [](timeline::SolutionState& i) { i.sample.X.transposeInPlace(); }),
                  drawn(scene)));

@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
-std::string text_of(const fs::path& path) {
+std::string whole_text(const fs::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -76,10 +76,10 @@ TEST(PendingFile, FollowsLinks) {
   put(scratch / "first", "new");
   EXPECT_TRUE(fs::is_symlink(scratch / "first"));
   EXPECT_TRUE(fs::is_symlink(scratch / "second"));
-  EXPECT_EQ(text_of(scratch / "far/file"), "new");
+  EXPECT_EQ(whole_text(scratch / "far/file"), "new");
   fs::create_symlink("far/made", scratch / "dangling");
   put(scratch / "dangling", "made");
-  EXPECT_EQ(text_of(scratch / "far/made"), "made");
+  EXPECT_EQ(whole_text(scratch / "far/made"), "made");
 }
 
 TEST(PendingFile, RefusesLinksInACircle) {
@@ -95,7 +95,7 @@ TEST(PendingFile, ReplacesALinkWhereThatIsAskedFor) {
   fs::create_symlink("precious", scratch / "link");
   put(scratch / "link", "new", Links::replace);
   EXPECT_FALSE(fs::is_symlink(scratch / "link"));
-  EXPECT_EQ(text_of(scratch / "precious"), "untouched");
+  EXPECT_EQ(whole_text(scratch / "precious"), "untouched");
 }
 
 TEST(PendingFile, KeepsTheModeOfWhatItReplaces) {
@@ -149,7 +149,7 @@ TEST(PendingFile, WritesToTheDescriptorThatIsNamed) {
   const Descriptor log(::open((scratch / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600));
   ASSERT_EQ(::write(log.get(), "before ", 7), 7);
   put("/dev/fd/" + std::to_string(log.get()), "after");
-  EXPECT_EQ(text_of(scratch / "log"), "before after");
+  EXPECT_EQ(whole_text(scratch / "log"), "before after");
 }
 
 TEST(PendingFile, RefusesAFolderAndANameThatIsTooLong) {

@@ -48,7 +48,7 @@ std::string failure(const ScratchFolder& scratch) {
   return "no error";
 }
 
-std::vector<int> numbers(const Manifest& manifest) {
+std::vector<int> frame_numbers(const Manifest& manifest) {
   std::vector<int> result;
   for (const FrameRecord& record : manifest.frames) result.push_back(record.frame);
   return result;
@@ -61,7 +61,7 @@ TEST(ManifestFolder, ShardsAreOneFilm) {
   put(scratch, manifest_of("4-5,20", "5,20", {}));
   const Manifest all = read_manifests(scratch.path());
   EXPECT_EQ(all.range, "0-9,20");
-  EXPECT_EQ(format_frame_range(numbers(all)), "0-7,20");
+  EXPECT_EQ(format_frame_range(frame_numbers(all)), "0-7,20");
   EXPECT_TRUE(all.shard.is_whole());
 }
 
@@ -90,7 +90,7 @@ TEST(ManifestFolder, RefusesTwoDigestsOfOneFrame) {
   put(scratch, manifest_of("0-9", "0-5", {1, 2}));
   Manifest other = manifest_of("0-9", "5-9", {2, 2});
   put(scratch, other);
-  EXPECT_EQ(numbers(read_manifests(scratch.path())).size(), 10U) << "twice the same is one";
+  EXPECT_EQ(frame_numbers(read_manifests(scratch.path())).size(), 10U) << "twice the same is one";
   other.frames[0].sha256 = std::string(64, 'b');
   put(scratch, other);
   EXPECT_THAT(failure(scratch), HasSubstr("two different frames 5"));

@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-FrameRecord record(int frame) {
+FrameRecord record_of(int frame) {
   FrameRecord result{.frame = frame,
                      .t = frame * 0.1,
                      .file = frame_file_name(frame),
@@ -42,7 +42,7 @@ Manifest sample() {
           .fps = 60000.0 / 1001,
           .encoder = {"-c:v", "libx264"},
           .range = "3-9:2",
-          .frames = {record(3), record(5)}};
+          .frames = {record_of(3), record_of(5)}};
 }
 
 /// The error for the sample after replacing `from` by `to` in its text.

@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 180;
-constexpr double gap = 0.06;      // between the floor and the space that the body sweeps, in radii
+constexpr double floor_gap =
+    0.06;                         // between the floor and the space that the body sweeps, in radii
 constexpr double pool = 1.3;      // in radii: where the light has fallen to a quarter
 constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
 // Between the spheres of a part: the shadow of a wire is invisible.
@@ -79,7 +80,7 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
       inner_{pane.x > picture.x, pane.x + pane.width<picture.x + picture.width, pane.y> picture.y,
              pane.y + pane.height < picture.y + picture.height},
       radius_(radius),
-      height_(-(1 + gap) * radius),
+      height_(-(1 + floor_gap) * radius),
       columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
       rows_(std::min(rows_of_grid, pane.height)),
       framebuffer_(gl, columns_, rows_, 4, mode),

@@ -34,7 +34,7 @@ double bevel_of(double half, double tolerance) {
   return std::max(bevel_share * half, std::min(least_bevel * tolerance, widest_bevel_share * half));
 }
 
-struct Point {
+struct SurfacePoint {
   Vector3d position;
   Vector3d normal;
 };
@@ -42,7 +42,7 @@ struct Point {
 /// A closed surface as rings with the same number of points, from its bottom (-z) to its top, each
 /// ring counter-clockwise as seen from the top. Quads connect them; the first and the last ring are
 /// filled.
-using Rings = std::vector<std::vector<Point>>;
+using Rings = std::vector<std::vector<SurfacePoint>>;
 
 Vector3d on_unit_sphere(double longitude, double latitude) {
   return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
@@ -50,7 +50,7 @@ Vector3d on_unit_sphere(double longitude, double latitude) {
 }
 
 /// The angles from `first` to `last`, both included.
-std::vector<double> steps(double first, double last, int count) {
+std::vector<double> evenly_spaced(double first, double last, int count) {
   std::vector<double> result;
   for (int i = 0; i <= count; ++i) result.push_back(first + (last - first) * i / count);
   return result;
@@ -58,7 +58,7 @@ std::vector<double> steps(double first, double last, int count) {
 
 /// The latitudes of the bevel at the end -1 or +1 of a shape, upwards.
 std::vector<double> bevel_latitudes(double end, int chords) {
-  return end < 0 ? steps(-quarter, 0, chords) : steps(0, quarter, chords);
+  return end < 0 ? evenly_spaced(-quarter, 0, chords) : evenly_spaced(0, quarter, chords);
 }
 
 Rings rings_of(const body::Cylinder& cylinder, double tolerance) {
@@ -96,7 +96,8 @@ Rings rings_of(const body::Box& box, double tolerance) {
         const Vector3d middle = on_unit_sphere((octant + 0.5) * quarter, 0);
         const Vector3d corner(std::copysign(inner.x(), middle.x()),
                               std::copysign(inner.y(), middle.y()), end * inner.z());
-        for (const double longitude : steps(octant * quarter, (octant + 1) * quarter, chords)) {
+        for (const double longitude :
+             evenly_spaced(octant * quarter, (octant + 1) * quarter, chords)) {
           const Vector3d normal = on_unit_sphere(longitude, latitude);
           ring.push_back({corner + bevel * normal, normal});
         }
@@ -125,7 +126,7 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(const body::Part& part) : part_(part) {}
 
-  void add(const Point& point) {
+  void add(const SurfacePoint& point) {
     mesh_.vertices.push_back(
         {glm_from_eigen((part_.position + part_.body_from_part * point.position).eval()),
          glm_from_eigen((part_.body_from_part * point.normal).eval())});
@@ -183,7 +184,7 @@ Mesh part_mesh(const body::Part& part, double tolerance) {
   const auto last_ring = static_cast<std::uint32_t>(rings.size() - 1) * count;
   MeshBuilder mesh(part);
   for (const auto& ring : rings) {
-    for (const Point& point : ring) mesh.add(point);
+    for (const SurfacePoint& point : ring) mesh.add(point);
   }
   mesh.fill_ring(last_ring, count, false);
   mesh.fill_ring(0, count, true);

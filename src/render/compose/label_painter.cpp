@@ -8,7 +8,7 @@ namespace {
 
 constexpr double halo_width = 0.14;  // em
 constexpr double halo_opacity = 0.75;
-constexpr double distance = 0.1;  // em, from what is named
+constexpr double label_distance = 0.1;  // em, from what is named
 
 }  // namespace
 
@@ -54,7 +54,7 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
     const double width = line.width * size_ + 2 * air;
     const double height = 1.3 * size_ + 2 * air;
     const Eigen::Vector2d half(width / 2, height / 2);
-    const double offset = half.dot(label.away.cwiseAbs()) + distance * size_;
+    const double offset = half.dot(label.away.cwiseAbs()) + label_distance * size_;
     const Eigen::Vector2d corner = label.anchor + offset * label.away - half;
     const Box box = placed({corner.x(), corner.y(), width, height}, taken);
     taken.push_back(box);

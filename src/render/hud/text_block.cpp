@@ -8,7 +8,7 @@ namespace {
 
 constexpr double line_height = 1.2;  // em
 constexpr double baseline = 0.95;    // em below the top of a line
-constexpr double between = 1.3;      // em of the readout, between two of them
+constexpr double block_gap = 1.3;    // em of the readout, between two of them
 
 double width_of(const std::string& text, const canvas::Font& font, double size) {
   return size * canvas::typeset(font, text).width;
@@ -77,7 +77,7 @@ void TextBlock::add_readouts(const std::vector<Readout>& readouts) {
     if (y + height > area_.y + area_.height + 1 || x + width > area_.x + area_.width) return;
     place(readout, x, y, before);
     extend(x + width, y + height);
-    x += width + between * size;
+    x += width + block_gap * size;
     y_ = y + height;
   }
 }

@@ -10,7 +10,7 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-constexpr double margin = 1.08;  // margin around the sphere: 4 % of the picture on each side
+constexpr double framing_margin = 1.08;  // around the sphere: 4 % of the picture on each side
 
 Matrix4d look_at_origin(const Vector3d& direction, double distance) {
   const Vector3d back = direction.normalized();
@@ -43,7 +43,7 @@ Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
 Camera frame_sphere(const Framing& framing) {
   const double half = framing.field_of_view / 2;
   // The cone that touches a sphere of radius r at distance d has the half angle asin(r / d).
-  const double distance = framing.distance * margin * framing.radius / std::sin(half);
+  const double distance = framing.distance * framing_margin * framing.radius / std::sin(half);
   const double tan_x = std::tan(half) * std::max(framing.aspect, 1.0);
   const double tan_y = std::tan(half) * std::max(1 / framing.aspect, 1.0);
   // Distant clip planes: a method that leaves SO(3) makes the body grow, and that should be
@@ -61,7 +61,7 @@ double distance_to_see(const Framing& framing, std::span<const Vector3d> points)
     const Eigen::Array3d p = camera.camera_from_space() * point;
     const double across = std::abs(p.x()) * camera.projection(0, 0);
     const double upward = std::abs(p.y()) * camera.projection(1, 1);
-    distance = std::max(distance, p.z() + margin * std::max(across, upward));
+    distance = std::max(distance, p.z() + framing_margin * std::max(across, upward));
   }
   return distance / camera.distance;
 }

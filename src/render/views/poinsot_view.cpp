@@ -13,10 +13,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double elevation = 0.60;     // rad, of the camera above the plane
-constexpr double momentum_end = 1.34;  // of L's arrow
-constexpr double least_plane = 0.95;   // radius
-constexpr int around = 120;            // points of a curve
+constexpr double elevation = 0.60;         // rad, of the camera above the plane
+constexpr double momentum_end = 1.34;      // of L's arrow
+constexpr double min_plane_radius = 0.95;  // radius
+constexpr int curve_points = 120;          // points of a curve
 
 /// With L up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
@@ -58,7 +58,7 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
       pane_(pane),
       pad_(gl, framebuffer, pane.area) {
   if (frame_.level) annulus_ = motion::herpolhode_annulus(*frame_.level);
-  plane_radius_ = std::max(1.25 * annulus_.outer, least_plane);
+  plane_radius_ = std::max(1.25 * annulus_.outer, min_plane_radius);
   const std::vector<motion::Sample>& whole = solutions[solution].whole;
   const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
   if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
@@ -104,10 +104,12 @@ void PoinsotView::add_grid(const Matrix3d& view_from_unit) {
   };
   constexpr double pi = std::numbers::pi, step = pi / 12;
   for (int i = 0; i < 12; ++i, pad_.translucent.line(line), line.clear()) {
-    for (int k = 0; k <= around; ++k) add(2 * pi * k / around, i * step, i % 6 == 0 ? 0.75 : 0.3);
+    for (int k = 0; k <= curve_points; ++k)
+      add(2 * pi * k / curve_points, i * step, i % 6 == 0 ? 0.75 : 0.3);
   }
   for (int i = -5; i <= 5; ++i, pad_.translucent.line(line), line.clear()) {
-    for (int k = 0; k <= around; ++k) add(i * step, 2 * pi * k / around, i == 0 ? 0.75 : 0.3);
+    for (int k = 0; k <= curve_points; ++k)
+      add(i * step, 2 * pi * k / curve_points, i == 0 ? 0.75 : 0.3);
   }
 }
 
@@ -116,8 +118,8 @@ void PoinsotView::add_polhode(const Matrix3d& X) {
   const Matrix3d turned = view_from_space_ * X * frame_.axes;
   const motion::EnergyLevel& level = *frame_.level;
   std::vector<DrawList::Point> line;
-  for (int i = 0; i <= 2 * around; ++i) {
-    const Vector3d mu = level.at(std::numbers::pi * i / around);
+  for (int i = 0; i <= 2 * curve_points; ++i) {
+    const Vector3d mu = level.at(std::numbers::pi * i / curve_points);
     const Vector3d place = turned * mu.cwiseQuotient(level.moments) / level.energy;
     const double opacity =
         shown(place, turned * mu, pad_.translucent.eye());  // L is the normal there
@@ -128,8 +130,8 @@ void PoinsotView::add_polhode(const Matrix3d& X) {
 
 void PoinsotView::add_ring(double radius, double width, const Ink& ink) {
   std::vector<DrawList::Point> line;
-  for (int i = 0; i <= around; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around;
+  for (int i = 0; i <= curve_points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / curve_points;
     line.push_back(
         {{radius * std::sin(angle), 1, radius * std::cos(angle)}, width * pad_.hairline(), ink});
   }

@@ -18,17 +18,17 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double tolerance = 0.003;
+constexpr double facet_tolerance = 0.003;
 
-const std::array<glm::vec3, 5> eyes{
+const std::array<glm::vec3, 5> facet_viewpoints{
     {{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}}};
 
-Mesh wrench() { return body_mesh(close_gaps(t_wrench().body.parts), tolerance); }
+Mesh wrench() { return body_mesh(close_gaps(t_wrench().body.parts), facet_tolerance); }
 
 Mesh upright_cylinder() {
   return body_mesh(
       std::array{body::Part{body::Cylinder{1, 6}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()}},
-      tolerance);
+      facet_tolerance);
 }
 
 bool faces(const Mesh& mesh, const std::uint32_t* corners, const glm::vec3& eye) {
@@ -54,7 +54,7 @@ std::set<Edge> borders(const std::vector<std::uint32_t>& indices) {
 
 TEST(Facets, HaveNoGapButWhereTheSideIsTurnedAway) {
   const Mesh mesh = wrench();
-  for (const glm::vec3& eye : eyes) {
+  for (const glm::vec3& eye : facet_viewpoints) {
     std::set<Edge> of_unseen;
     for (const auto& side : mesh.sides) {
       for (std::size_t i = side->begin; i < side->begin + std::size_t{6} * side->count; i += 3) {
@@ -118,8 +118,8 @@ TEST(Facets, OfOtherShapesAreTheMeshs) {
   const Mesh mesh = body_mesh(
       std::array{body::Part{body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()},
                  body::Part{body::Ellipsoid{{1, 2, 3}}, 1, {4, 0, 0}, Eigen::Matrix3d::Identity()}},
-      tolerance);
-  const Facets facets = visible_facets(mesh, eyes[1]);
+      facet_tolerance);
+  const Facets facets = visible_facets(mesh, facet_viewpoints[1]);
   EXPECT_EQ(facets.indices, mesh.indices);
   EXPECT_EQ(facets.part_ends, mesh.part_ends);
 }

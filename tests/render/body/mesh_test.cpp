@@ -28,7 +28,7 @@ struct Case {
 
 void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 
-constexpr double tolerance = 5e-4;
+constexpr double mesh_tolerance = 5e-4;
 constexpr double bevel = 0.04;  // of all cases: their smallest half dimension is 1
 
 /// Pappus: a bevel removes from a sharp rim a ring whose section is a square minus a quarter disc.
@@ -73,7 +73,7 @@ class PartMesh : public testing::TestWithParam<Case> {
                   1.0,
                   {0.5, -2, 1},
                   Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix()};
-  Mesh mesh = part_mesh(part, tolerance);
+  Mesh mesh = part_mesh(part, mesh_tolerance);
 
   std::array<Vector3d, 3> corners(std::size_t triangle) const {
     const auto corner = [&](std::size_t k) {
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PartMesh,
 
 TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
   const body::Part part{body::Cylinder{2, 10}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-  for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
+  for (const Vertex& vertex : part_mesh(part, mesh_tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     const double across = std::hypot(p.x(), p.y());
     ASSERT_LE(across, 2 + 1e-6);
@@ -160,7 +160,7 @@ TEST(CylinderMesh, HasItsSideAndItsCapsOnTheExactCylinder) {
 TEST(EllipsoidMesh, HasEveryVertexOnTheSurfaceWithItsGradientAsNormal) {
   const Vector3d radii(1, 2, 3);
   const body::Part part{body::Ellipsoid{radii}, 1.0, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-  for (const Vertex& vertex : part_mesh(part, tolerance).vertices) {
+  for (const Vertex& vertex : part_mesh(part, mesh_tolerance).vertices) {
     const Vector3d p = vector(vertex.position);
     ASSERT_NEAR(p.cwiseQuotient(radii).norm(), 1, 1e-6);
     const Vector3d gradient = p.cwiseQuotient(radii.cwiseProduct(radii)).normalized();
@@ -173,7 +173,7 @@ TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
   std::size_t count = 0;
   for (const double bound : {0.02, 0.005, 0.001}) {
     const Mesh mesh = part_mesh(ball, bound);
-    EXPECT_GT(mesh.vertices.size(), count) << "finer, the smaller the tolerance";
+    EXPECT_GT(mesh.vertices.size(), count) << "finer, the smaller the mesh_tolerance";
     count = mesh.vertices.size();
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -190,9 +190,9 @@ TEST(BodyMesh, JoinsTheMeshesOfItsParts) {
   const body::Part ball{body::Ellipsoid{{1, 1, 1}}, 1.0, {5, 0, 0}, Eigen::Matrix3d::Identity()};
   const body::Part box{body::Box{{1, 1, 1}}, 1.0, {-5, 0, 0}, Eigen::Matrix3d::Identity()};
   const std::array parts{ball, box};
-  const Mesh mesh = body_mesh(parts, tolerance);
-  EXPECT_EQ(mesh.vertices.size(),
-            part_mesh(ball, tolerance).vertices.size() + part_mesh(box, tolerance).vertices.size());
+  const Mesh mesh = body_mesh(parts, mesh_tolerance);
+  EXPECT_EQ(mesh.vertices.size(), part_mesh(ball, mesh_tolerance).vertices.size() +
+                                      part_mesh(box, mesh_tolerance).vertices.size());
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto side = [&](std::size_t k) {
       return mesh.vertices[mesh.indices[i + k]].position.x > 0;

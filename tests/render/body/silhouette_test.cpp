@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-const glm::vec3 eyes[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
+const glm::vec3 viewpoints[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
 
 std::vector<std::pair<const char*, Mesh>> meshes() {
   return {{"cylinder", part_mesh(cylinder(1, 8, {0, 0, 0}, Vector3d(1, 1, 0)), 0.01)},
@@ -32,7 +32,7 @@ std::vector<std::pair<const char*, Mesh>> meshes() {
 TEST(Silhouette, IsClosedLoops) {
   for (const auto& [name, mesh] : meshes()) {
     Silhouette outline(mesh);
-    for (const glm::vec3& eye : eyes) {
+    for (const glm::vec3& eye : viewpoints) {
       outline.find(eye, 30);
       ASSERT_GT(outline.edge_quads().size(), 12u) << name;
       ASSERT_EQ(6 * outline.edge_quads().size(), 4 * outline.indices().size()) << name;
@@ -50,7 +50,7 @@ TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
   const body::Part sphere{
       body::Ellipsoid{{radius, radius, radius}}, 1, {0, 0, 0}, Matrix3d::Identity()};
   Silhouette outline(part_mesh(sphere, 0.001));
-  for (const glm::vec3& eye : eyes) {
+  for (const glm::vec3& eye : viewpoints) {
     outline.find(eye, 30);
     const float distance = glm::length(eye);
     for (const EdgeQuadVertex& corner : outline.edge_quads()) {
@@ -64,7 +64,7 @@ TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
 TEST(Silhouette, MovesItsVerticesAndLessThoseNearIt) {
   for (const auto& [name, mesh] : meshes()) {
     Silhouette outline(mesh);
-    for (const glm::vec3& eye : eyes) {
+    for (const glm::vec3& eye : viewpoints) {
       outline.find(eye, 30);
       ASSERT_EQ(outline.offsets().size(), mesh.vertices.size());
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -86,7 +86,7 @@ TEST(Silhouette, MovesItsVerticesAndLessThoseNearIt) {
 
 TEST(Silhouette, MovesNoOthersWherePixelsAreSmall) {
   Silhouette outline(part_mesh(cylinder(2, 8, {0, 0, 0}, Vector3d(0, 1, 0)), 0.01));
-  outline.find(eyes[0], 1e6F);
+  outline.find(viewpoints[0], 1e6F);
   const auto moved = std::ranges::count_if(outline.offsets(), [](float o) { return o != 0; });
   const auto on_it = std::ranges::count(outline.offsets(), -1);
   EXPECT_GT(moved, 0);
@@ -95,7 +95,7 @@ TEST(Silhouette, MovesNoOthersWherePixelsAreSmall) {
 
 TEST(Silhouette, FinsHaveAnInnerAndAnOuterSide) {
   Silhouette outline(meshes().front().second);
-  outline.find(eyes[0], 30);
+  outline.find(viewpoints[0], 30);
   for (std::size_t i = 0; i < outline.indices().size(); i += 6) {
     float sum = 0;
     for (std::size_t k = i; k < i + 6; ++k)

@@ -31,7 +31,7 @@ std::array<double, 3> of(const scene::Color& color) {
   return {color.red / 255.0, color.green / 255.0, color.blue / 255.0};
 }
 
-double contrast(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+double contrast_of(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
   return std::max(one, other) / std::min(one, other);
 }
@@ -131,8 +131,8 @@ TEST(Hud, CanBeReadOnWhateverLiesBelow) {
     for (const double below : {0.0, 0.5, 1.0}) {
       std::array<double, 3> ground = of(colors.panel);
       for (double& c : ground) c = c * colors.panel_opacity + below * (1 - colors.panel_opacity);
-      EXPECT_GE(contrast(of(colors.text), ground), 4.5) << below;
-      EXPECT_GE(contrast(of(colors.dim), ground), 4.5) << below;
+      EXPECT_GE(contrast_of(of(colors.text), ground), 4.5) << below;
+      EXPECT_GE(contrast_of(of(colors.dim), ground), 4.5) << below;
     }
   }
 }

@@ -14,19 +14,19 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const image::Area pane{20, 10, 400, 300};
+const image::Area list_pane{20, 10, 400, 300};
 const Ink red{{255, 0, 0}};
 
 Camera camera() { return frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 1.5}); }
 
 Vector2d pixel(const DrawList::Vertex& v) {
-  return {pane.x + (0.5 + 0.5 * v.clip.x / v.clip.w) * pane.width,
-          pane.y + (0.5 - 0.5 * v.clip.y / v.clip.w) * pane.height};
+  return {list_pane.x + (0.5 + 0.5 * v.clip.x / v.clip.w) * list_pane.width,
+          list_pane.y + (0.5 - 0.5 * v.clip.y / v.clip.w) * list_pane.height};
 }
 
 class DrawListTest : public testing::Test {
  protected:
-  DrawListTest() { list.begin(camera(), pane); }
+  DrawListTest() { list.begin(camera(), list_pane); }
 
   double nearest(const Vector2d& place) const {
     double distance = 1e9;
@@ -42,7 +42,7 @@ class DrawListTest : public testing::Test {
 TEST_F(DrawListTest, PutsAnArrowsTipWhereTheMatricesSay) {
   const Vector3d tip(0.4, 0.9, -0.3);
   list.arrow({0.1, 0, 0.2}, tip, 0.02, red);
-  EXPECT_LT(nearest(pixel_of(camera(), pane, tip)), 1e-3);
+  EXPECT_LT(nearest(pixel_of(camera(), list_pane, tip)), 1e-3);
   for (const auto& v : list.vertices()) EXPECT_TRUE(std::isfinite(v.clip.x + v.paint.x));
 }
 
@@ -52,7 +52,7 @@ TEST_F(DrawListTest, AnArrowOfNoLengthIsNothingAndAShortOneAllHead) {
   list.arrow(Vector3d::Zero(), {0.01, 0, 0}, 0.1, red);
   const double size = list.pixels(Vector3d::Zero());
   for (const auto& v : list.vertices()) {
-    EXPECT_LT((pixel(v) - pixel_of(camera(), pane, Vector3d::Zero())).norm(), 0.02 * size);
+    EXPECT_LT((pixel(v) - pixel_of(camera(), list_pane, Vector3d::Zero())).norm(), 0.02 * size);
   }
 }
 
@@ -83,7 +83,7 @@ TEST_F(DrawListTest, LeavesOutPointsOfALineThatNobodyMisses) {
   };
   double astray = 0;
   for (const auto& point : circle) {
-    const Vector2d place = pixel_of(camera(), pane, point.place);
+    const Vector2d place = pixel_of(camera(), list_pane, point.place);
     double nearest = 1e9;
     for (std::size_t i = 0; i + 3 < vertices.size(); i += 2) {
       const Vector2d a = middle(i), way = middle(i + 2) - a;
@@ -123,7 +123,7 @@ TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {
     EXPECT_LE(ab.x() * ac.y() - ab.y() * ac.x(), tucked) << "turned away";
   }
   EXPECT_GT(facets, 100);
-  list.begin(camera(), pane);
+  list.begin(camera(), list_pane);
   list.ellipsoid(Vector3d(1, 1e-5, 1e-5).asDiagonal(), red, 1);
   for (const auto& vertex : list.vertices()) EXPECT_TRUE(std::isfinite(vertex.paint.x));
 }
@@ -138,10 +138,10 @@ TEST_F(DrawListTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawn
   std::vector<DrawList::Point> line;
   for (int i = 0; i < 9000; ++i) line.push_back({{0.01 * (i % 40), 0.02 * (i % 9), 0}, 1, red});
   list.line(line);
-  list.begin(camera(), pane);
+  list.begin(camera(), list_pane);
   list.ellipsoid(disc, red, 1);
   DrawList fresh;
-  fresh.begin(camera(), pane);
+  fresh.begin(camera(), list_pane);
   fresh.ellipsoid(disc, red, 1);
   ASSERT_EQ(list.vertices().size(), fresh.vertices().size());
   int behind = 0;
@@ -154,9 +154,9 @@ TEST_F(DrawListTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawn
 
 TEST_F(DrawListTest, TellsTheAreaItCovers) {
   list.dot({0.3, 0.2, 0.1}, 5, red);
-  ScreenArea screen(pane, 320);
+  ScreenArea screen(list_pane, 320);
   list.add_to(screen);
-  const Vector2d middle = pixel_of(camera(), pane, {0.3, 0.2, 0.1});
+  const Vector2d middle = pixel_of(camera(), list_pane, {0.3, 0.2, 0.1});
   const image::Area area = screen.bounds();
   EXPECT_LT(area.x, middle.x() - 5.5);
   EXPECT_GT(area.x + area.width, middle.x() + 5.5);

@@ -28,7 +28,7 @@ bool holds(const image::Area& area, const Vector2d& place) {
          place.y() <= area.y + area.height;
 }
 
-bool overlap(const image::Area& a, const image::Area& b) {
+bool bands_overlap(const image::Area& a, const image::Area& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
@@ -100,7 +100,7 @@ TEST(ScreenArea, HoldsEveryPointOfConvexShapesInBandsThatDoNotOverlap) {
           << "rows of the picture";
       EXPECT_TRUE(holds(pane, {bands[i].x, bands[i].y}) &&
                   holds(pane, {bands[i].x + bands[i].width, bands[i].y + bands[i].height}));
-      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(bands[i], bands[j]));
+      for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(bands_overlap(bands[i], bands[j]));
     }
   }
 }
