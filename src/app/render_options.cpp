@@ -56,11 +56,10 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
   command.add_option("--jobs", jobs, "threads that compress frames (default: half the processors)")
       ->type_name("N");
   Progress::add_option(command, progress);
-  auto* const keeps = command.add_flag(
-      "--resume", resume, "keep existing frames that are intact and belong to this video");
-  command
-      .add_flag("--overwrite", overwrite, "replace frames and videos of other scenes or settings")
-      ->excludes(keeps);
+  command.add_flag("--resume", resume,
+                   "keep existing frames that are intact and belong to this video");
+  command.add_flag("--overwrite", overwrite,
+                   "replace frames and videos of other scenes or settings");
   command
       .add_flag("--timing{text}", timing,
                 "report how long each stage was busy; --timing=json for programs")
@@ -70,6 +69,10 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
 void RenderOptions::require_consistent() const {
   if (no_video && no_frames) {
     throw InvalidArgument("render", "--no-video and --no-frames together leave nothing to write");
+  }
+  if (resume && overwrite) {
+    throw InvalidArgument("render", "--resume keeps frames and --overwrite replaces them",
+                          "give one of the two");
   }
   if (no_video && !video.output.empty()) {
     throw InvalidArgument(

@@ -163,7 +163,11 @@ TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
   fs::remove(folder / "f/manifest.json");
   EXPECT_EQ(run_twrench(folder, short_command).code, 2);
   EXPECT_EQ(run_twrench(folder, short_command + "--resume").code, 2);
-  EXPECT_EQ(run_twrench(folder, short_command + "--resume --overwrite").code, 2);
+  const Outcome both = run_twrench(folder, short_command + "--resume --overwrite");
+  EXPECT_EQ(both.code, 2);
+  EXPECT_EQ(both.err,
+            "twrench: error: render: --resume keeps frames and --overwrite replaces them\n"
+            "  give one of the two\n");
   EXPECT_EQ(run_twrench(folder, short_command + "--overwrite").code, 0);
 }
 
