@@ -52,6 +52,8 @@ test     | GoogleMock                    | libgmock-dev
 test     | a typeface of many scripts    | fonts-freefont-ttf
 test     | gnuplot, for figures          | gnuplot-nox gnuplot
 test     | ImageMagick, to read our PNG  | imagemagick
+test     | groff, to check manual pages  | groff-base
+test     | mandoc, for the same          | mandoc
 test     | libpng's tools, for the same  | libpng-tools
 check    | clang-format 14               | clang-format-14           | the formatting of the sources is not checked
 tidy     | clang-tidy 14                 | clang-tidy-14

@@ -5,6 +5,9 @@
 
 namespace twrench::app {
 
+/// What the program does, for its help.
+inline constexpr const char* about = "Turn a rigid body's equations of motion into a film";
+
 // Each adds one command, whose callback does the work and throws an Error on failure.
 void add_render(CLI::App& app);
 void add_simulate(CLI::App& app);

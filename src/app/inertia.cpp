@@ -72,6 +72,7 @@ void add_inertia(CLI::App& app) {
       ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "output file, or - for standard output")
+      ->type_name("FILE")
       ->capture_default_str();
   command->callback([options] {
     options->scene.require_not_input(options->output);

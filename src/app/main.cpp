@@ -23,7 +23,7 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 }
 
 twrench::app::ExitCode run(int argc, char** argv) {
-  CLI::App app("Turn a rigid body's equations of motion into a film", "twrench");
+  CLI::App app(twrench::app::about, "twrench");
   twrench::app::ExitCode code = twrench::app::ExitCode::done;
   try {
     twrench::app::add_commands(app, code);

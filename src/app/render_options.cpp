@@ -36,8 +36,9 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
   scene.add_motion_options();
   scene.add_picture_options();
   video.add_to(command, "out/SCENE.mp4");
-  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames (default: out/SCENE/)")
-      ->type_name("DIR");
+  command.add_option("--frames-dir", frames_dir, "folder of the PNG frames")
+      ->type_name("DIR")
+      ->default_str("out/SCENE/");
   command
       .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");
@@ -53,8 +54,9 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
   command.add_flag("--no-video", no_video, "write PNG frames only");
   command.add_flag("--no-frames", no_frames, "write the video only");
   add_backend_options(command, backend);
-  command.add_option("--jobs", jobs, "threads that compress frames (default: half the processors)")
-      ->type_name("N");
+  command.add_option("--jobs", jobs, "threads that compress frames")
+      ->type_name("N")
+      ->default_str("half the processors");
   Progress::add_option(command, progress);
   command.add_flag("--resume", resume,
                    "keep existing frames that are intact and belong to this video");

@@ -148,15 +148,15 @@ void add_simulate(CLI::App& app) {
   command->footer(std::string(about_defaults) +
                   "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
   const auto options = std::make_shared<SimulateOptions>(*command);
-  command
-      ->add_option("--times", options->times,
-                   "sample at exactly these times, s (default: every 1/fps)")
-      ->type_name("T1,T2,...");
+  command->add_option("--times", options->times, "sample at exactly these times, s")
+      ->type_name("T1,T2,...")
+      ->default_str("every 1/fps");
   command->add_option("--format", options->format, "output format: csv or json")
       ->check(one_of("--format", {"csv", "json"}))
       ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "output file, or - for standard output")
+      ->type_name("FILE")
       ->capture_default_str();
   command->callback([options] { simulate(*options); });
 }

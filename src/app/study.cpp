@@ -148,16 +148,15 @@ ExitCode run_study(const StudyOptions& options) {
 
 void add_options(CLI::App& command, StudyOptions& options) {
   options.scene.add_motion_options();
-  command
-      .add_option("--methods", options.methods,
-                  "methods to compare (default: all, or the value of --method)")
-      ->type_name("A,B,...");
-  command.add_option("--steps", options.steps, "step sizes, s (default: successive halvings)")
-      ->type_name("H1,H2,...");
-  command
-      .add_option("--tolerances", options.tolerances,
-                  "tolerances of the adaptive methods (default: 1e-4 to 1e-12)")
-      ->type_name("T1,T2,...");
+  command.add_option("--methods", options.methods, "methods to compare")
+      ->type_name("A,B,...")
+      ->default_str("all, or the value of --method");
+  command.add_option("--steps", options.steps, "step sizes, s")
+      ->type_name("H1,H2,...")
+      ->default_str("successive halvings");
+  command.add_option("--tolerances", options.tolerances, "tolerances of the adaptive methods")
+      ->type_name("T1,T2,...")
+      ->default_str("1e-4 to 1e-12");
   command
       .add_option("--max-error", options.max_error,
                   "exit 1 if the error of X at the end of any run exceeds this")
@@ -175,6 +174,7 @@ void add_options(CLI::App& command, StudyOptions& options) {
       ->type_name("FORMAT")
       ->capture_default_str();
   command.add_option("-o,--output", options.output, "output file, or - for standard output")
+      ->type_name("FILE")
       ->capture_default_str();
   command
       .add_option("--plot", options.plot,

@@ -8,14 +8,16 @@
 namespace twrench::app {
 
 void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
-  std::string help = "video file (.mp4, .mov, .mkv or .webm), or - for standard output";
-  if (!standard.empty()) help += " (default: " + standard + ")";
-  CLI::Option* const file = command.add_option("-o,--output", output, help)->type_name("VIDEO");
+  CLI::Option* const file =
+      command
+          .add_option("-o,--output", output,
+                      "video file (.mp4, .mov, .mkv or .webm), or - for standard output")
+          ->type_name("VIDEO")
+          ->default_str(standard);
   if (standard.empty()) file->required();
-  command
-      .add_option("--container", container_name,
-                  "mp4, mov, mkv or webm (default: from the file name; mp4 for -)")
-      ->type_name("NAME");
+  command.add_option("--container", container_name, "container: mp4, mov, mkv or webm")
+      ->type_name("NAME")
+      ->default_str("from the file name; mp4 for -");
 }
 
 video::Container VideoOptions::container(const std::filesystem::path& film) const {

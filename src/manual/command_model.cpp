@@ -1,0 +1,118 @@
+#include "manual/command_model.h"
+
+#include <twrench/motion/method.h>
+
+#include <map>
+
+#include "scene/names.h"
+#include "scene/scene.h"
+
+namespace twrench::manual {
+namespace {
+
+using Kind = Candidates::Kind;
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const motion::Method& method : motion::methods()) names.emplace_back(method.name);
+  return names;
+}
+
+Candidates words(std::vector<std::string> all) { return {Kind::words, std::move(all)}; }
+Candidates list(std::vector<std::string> all) { return {Kind::list, std::move(all)}; }
+
+/// The candidates of the options whose values have names.
+std::map<std::string, Candidates> named_values() {
+  return {
+      {"--method", words(method_names())},
+      {"--methods", list(method_names())},
+      {"--compare", list(method_names())},
+      {"--theme", words(scene::theme_names())},
+      {"--view", words(scene::view_names())},
+      {"--show", list(scene::feature_names())},
+      {"--hide", list(scene::feature_names())},
+      {"--background", words({"black", "gray", "white", "transparent"})},
+      {"--color", words({"black", "gray", "white"})},
+      {"--container", words({"mp4", "mov", "mkv", "webm"})},
+      {"--backend", words({"auto", "osmesa", "egl"})},
+      {"--egl-device", words({"software"})},
+      {"--progress", words({"auto", "bar", "plain", "json", "openjd", "none"})},
+      {"SCENE", {Kind::scene, scene::builtin_scene_names()}},
+      {"--font", {Kind::file, {}}},
+      {"--output", {Kind::file, {}}},
+      {"--plot", {Kind::file, {}}},
+      {"--diff", {Kind::file, {}}},
+      {"A", {Kind::file, {}}},
+      {"B", {Kind::file, {}}},
+      {"--frames-dir", {Kind::folder, {}}},
+      {"FRAMES_DIR", {Kind::folder, {}}},
+  };
+}
+
+Candidates candidates_of(const CLI::App& command, const std::string& name) {
+  if (name == "--format") {
+    return command.get_name() == "study" ? words({"text", "csv", "json"}) : words({"csv", "json"});
+  }
+  if (name == "COMMAND") {
+    std::vector<std::string> names;
+    for (const CLI::App* other : command.get_parent()->get_subcommands({})) {
+      names.push_back(other->get_name());
+    }
+    return words(names);
+  }
+  static const std::map<std::string, Candidates> known = named_values();
+  const auto found = known.find(name);
+  return found == known.end() ? Candidates() : found->second;
+}
+
+/// "--timing{text}" is CLI11's notation for a flag with a default value.
+std::string without_default(std::string name) { return name.substr(0, name.find('{')); }
+
+Option read_option(const CLI::App& command, const CLI::Option& option) {
+  Option result;
+  if (option.get_positional()) {
+    result.names = {option.get_name(true)};
+  } else {
+    for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) {
+      result.names.push_back(without_default("--" + name));
+    }
+  }
+  if (option.get_expected_max() > 0) result.placeholder = option.get_type_name();
+  result.help = option.get_description();
+  result.otherwise = option.get_default_str();
+  result.candidates = candidates_of(command, result.names.back());
+  return result;
+}
+
+std::string usage_of(const CLI::Option& argument) {
+  const std::string name = argument.get_name(true) + (argument.get_expected_max() > 1 ? "..." : "");
+  return argument.get_required() ? name : "[" + name + "]";
+}
+
+Command read_command(const CLI::App& app) {
+  Command result{app.get_name(), app.get_description(), {}, {}, {}, app.get_footer()};
+  for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
+    if (option->get_positional()) {
+      result.arguments.push_back(read_option(app, *option));
+      result.usage.push_back(usage_of(*option));
+    } else {
+      result.options.push_back(read_option(app, *option));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Command read_program(const CLI::App& app) { return read_command(app); }
+
+std::vector<Command> read_commands(const CLI::App& app) {
+  std::vector<Command> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(read_command(*command));
+  }
+  return commands;
+}
+
+}  // namespace twrench::manual

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace twrench::manual {
+
+/// What a shell can offer as the value of an option or argument.
+struct Candidates {
+  enum class Kind {
+    none,    ///< Nothing.
+    words,   ///< One of `words`.
+    list,    ///< One or several of `words`, separated by commas.
+    file,    ///< A file.
+    folder,  ///< A folder.
+    scene,   ///< One of `words`, or a .toml file.
+  };
+  Kind kind = Kind::none;
+  std::vector<std::string> words = {};
+};
+
+/// An option or a positional argument of a command.
+struct Option {
+  /// "-o" and "--output"; the name of an argument.
+  std::vector<std::string> names;
+  /// What stands for the value in help; empty for a flag.
+  std::string placeholder;
+  std::string help;
+  /// The default that applies, or empty.
+  std::string otherwise;
+  Candidates candidates;
+};
+
+struct Command {
+  std::string name;
+  std::string description;
+  std::vector<Option> arguments;
+  std::vector<Option> options;
+  /// How an argument is written in the synopsis, such as "[SCENE]", in order.
+  std::vector<std::string> usage;
+  /// The lines below the options in --help.
+  std::string footer;
+};
+
+/// Returns the program's own options, as a command without a name.
+Command read_program(const CLI::App& app);
+
+/// Returns its commands, in the order of --help.
+std::vector<Command> read_commands(const CLI::App& app);
+
+}  // namespace twrench::manual

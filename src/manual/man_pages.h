@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "manual/command_model.h"
+
+namespace twrench::manual {
+
+/// The release that a page describes, for its footer.
+struct Release {
+  std::string version;
+  /// As in 2026-11-22.
+  std::string date;
+};
+
+/// Returns twrench(1): the program, its commands and its exit codes.
+std::string program_page(const Command& program, const std::vector<Command>& commands,
+                         const Release& release);
+
+/// Returns twrench-COMMAND(1).
+std::string command_page(const Command& command, const Release& release);
+
+/// Returns twrench-scene(5): the format of scene files, with every field of a scene; `example` is
+/// the text of one.
+std::string scene_page(const std::string& example, const Release& release);
+
+}  // namespace twrench::manual

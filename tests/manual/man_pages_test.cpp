@@ -1,0 +1,80 @@
+#include "manual/man_pages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "manual/program.h"
+#include "scene/fields.h"
+
+namespace twrench::manual {
+namespace {
+
+using testing::HasSubstr;
+
+/// As roff has it.
+std::string with_escaped_hyphens(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '-' ? "\\-" : std::string(1, c);
+  return result;
+}
+
+bool is_installed(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+}
+
+TEST(ManPages, HaveEachOptionOfEachCommand) {
+  for (const Command& command : all_commands()) {
+    const std::string page = written("twrench-" + command.name + ".1");
+    for (const Option& option : command.options) {
+      for (const std::string& name : option.names) {
+        EXPECT_THAT(page, HasSubstr("\\fB" + with_escaped_hyphens(name) + "\\fR")) << command.name;
+      }
+    }
+    for (const Option& argument : command.arguments) {
+      EXPECT_THAT(page, HasSubstr("\\fI" + argument.names.front() + "\\fR")) << command.name;
+    }
+    EXPECT_THAT(written("twrench.1"), HasSubstr("twrench\\-" + command.name + " (1)"));
+  }
+}
+
+TEST(ManPages, HaveEachExitCode) {
+  for (const char* code : {"0", "1", "2", "3", "4", "5", "70", "130, 143"}) {
+    EXPECT_THAT(written("twrench.1"), HasSubstr(std::string(".TP\n\\fB") + code + "\\fR\n"));
+  }
+}
+
+TEST(ManPages, OfTheSceneHaveEachField) {
+  const std::string page = written("twrench-scene.5");
+  for (const scene::Field& field : scene::fields()) {
+    EXPECT_THAT(page, HasSubstr("\\fB" + field.key + "\\fR = "));
+  }
+  for (const char* key : {"shape", "density", "position", "axis", "rotation", "moments"}) {
+    EXPECT_THAT(page, HasSubstr(std::string("\\fB") + key + "\\fR = "));
+  }
+}
+
+TEST(ManPages, AreWhatRoffExpects) {
+  const std::string pages = std::string(TWRENCH_MANUAL) + "/*.[15]";
+  if (!is_installed("groff") && !is_installed("mandoc")) GTEST_SKIP() << "neither is installed";
+  if (is_installed("groff")) {
+    EXPECT_EQ(std::system(("for page in " + pages +
+                           "; do groff -ww -man -Tutf8 -z \"$page\" 2>&1; done | (! grep .)")
+                              .c_str()),
+              0);
+  }
+  if (is_installed("mandoc")) {
+    EXPECT_EQ(std::system(("mandoc -T lint " + pages).c_str()), 0);
+  }
+}
+
+TEST(ManPages, KeepTextThatLooksLikeARequest) {
+  Command command{"try", "Try it", {}, {}, {}, ""};
+  command.options = {{{"--a"}, "", ".toml or 'x' or C:\\", "", {}}};
+  EXPECT_THAT(command_page(command, {"1", "2026-01-02"}),
+              HasSubstr("\n\\&.toml or 'x' or C:\\e.\n"));
+}
+
+}  // namespace
+}  // namespace twrench::manual

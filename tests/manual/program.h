@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "manual/command_model.h"
+#include "system/file.h"
+
+namespace twrench::manual {
+
+/// The commands of the program, without their names' leading "twrench".
+inline std::vector<Command> all_commands() {
+  CLI::App app(app::about, "twrench");
+  app::ExitCode code = app::ExitCode::done;
+  app::add_commands(app, code);
+  return read_commands(app);
+}
+
+/// The text of a file that the build wrote.
+inline std::string written(const std::string& name) {
+  constexpr std::size_t longest = 1 << 20;
+  const auto bytes = system::read_file(std::filesystem::path(TWRENCH_MANUAL) / name, longest);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace twrench::manual
