@@ -8,6 +8,11 @@ add_library(twrench_options INTERFACE)
 target_compile_options(twrench_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 target_include_directories(twrench_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+# Some releases' HarfBuzz brings this flag to what links it. Precompiled headers serve all targets
+# only if all have it.
+if(TWRENCH_RENDER)
+  target_compile_options(twrench_options INTERFACE -pthread)
+endif()
 if(TWRENCH_SANITIZE)
   # GCC says of this warning that the sanitizers' code makes it false: it is one for the other builds.
   target_compile_options(twrench_options INTERFACE
