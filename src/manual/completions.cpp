@@ -36,7 +36,9 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 }
 
 /// In single quotes, as the three shells read it.
-std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+std::string quoted(const std::string& text) {
+  return fmt::format("'{}'", replaced(text, "'", "'\\''"));
+}
 
 /// The call of a function below that completes a value.
 std::string bash_call(const Candidates& candidates) {
@@ -95,7 +97,7 @@ std::string zsh_text(const std::string& text) {
 std::string zsh_option(const Option& option) {
   std::string value;
   if (!option.placeholder.empty()) {
-    value = ":" + zsh_text(option.placeholder) + ":" + zsh_action(option.candidates);
+    value = fmt::format(":{}:{}", zsh_text(option.placeholder), zsh_action(option.candidates));
   }
   std::string text;
   for (const std::string& name : option.names) {
@@ -219,8 +221,9 @@ std::string zsh_completion(const Command& program, const std::vector<Command>& c
     cases += fmt::format("    {})\n      _arguments -s \\\n", command.name);
     for (const Option& option : command.options) cases += zsh_option(option);
     for (const Option& argument : command.arguments) {
-      cases += fmt::format("        {} \\\n", quoted(":" + zsh_text(argument.names.front()) + ":" +
-                                                     zsh_action(argument.candidates)));
+      cases += fmt::format("        {} \\\n",
+                           quoted(fmt::format(":{}:{}", zsh_text(argument.names.front()),
+                                              zsh_action(argument.candidates))));
     }
     cases += "      ;;\n";
   }

@@ -21,6 +21,11 @@ struct Match {
   std::string file, text;
 };
 
+/// Whether a source belongs to the command line: the commands, and the manual of their options.
+bool is_of_command_line(const std::string& name) {
+  return name.starts_with("src/app/") || name.starts_with("src/manual/");
+}
+
 /// What matches in the sources of all libraries, line by line.
 std::vector<Match> matches_in_libraries(const std::regex& pattern) {
   std::vector<Match> matches;
@@ -30,7 +35,7 @@ std::vector<Match> matches_in_libraries(const std::regex& pattern) {
     for (const auto& entry : fs::recursive_directory_iterator(project / folder)) {
       const std::string name = fs::relative(entry.path(), project).string();
       const std::string extension = entry.path().extension().string();
-      if (name.starts_with("src/app/") || (extension != ".cpp" && extension != ".h")) continue;
+      if (is_of_command_line(name) || (extension != ".cpp" && extension != ".h")) continue;
       ++files;
       std::ifstream source(entry.path());
       for (std::string line; std::getline(source, line);) {

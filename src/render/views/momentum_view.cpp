@@ -39,29 +39,19 @@ MomentumView::MomentumView(const gl::Functions& gl, const gl::Framebuffer& frame
                            const scene::Scene& scene,
                            const std::vector<timeline::Solution>& solutions, std::size_t solution,
                            const Layout::Pane& pane)
-    : colors_(style_of(scene.look.theme).overlay),
-      path_(scene.camera),
-      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
-      shows_labels_(pane.named && scene.overlay.shows(scene::Feature::labels)),
-      trail_length_(timeline::trail_length(scene)),
-      solution_(solution),
-      body_(solutions[solution].body),
-      frame_(body_, colors_),
-      view_from_own_(view_from_body(frame_.axes) * frame_.axes),
-      pane_(pane),
-      pad_(gl, framebuffer, pane.area) {}
+    : SolutionView(gl, framebuffer, scene, solutions, solution, pane),
+      view_from_own_(view_from_body(frame_.axes) * frame_.axes) {}
 
 Camera MomentumView::camera(double video_time) const {
   const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
   const double azimuth = std::atan2(from.x(), from.z()) + path_.orbit * video_time;
   const double elevation = std::atan2(from.y(), std::hypot(from.x(), from.z()));
-  const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
   constexpr double field_of_view = 0.5;
-  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect, 1};
+  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect(), 1};
   std::vector<Vector3d> points{Vector3d(0, named * axis_end, 0)};
   // In an upright pane the other axes may extend further: for a moving camera, all the way around.
   const Vector3d right = direction_of(azimuth + std::numbers::pi / 2, 0);
-  for (int i = 0; aspect < 1 && i < 3; ++i) {
+  for (int i = 0; aspect() < 1 && i < 3; ++i) {
     const Vector3d tip = view_from_own_.col(i);
     const double across =
         path_.orbit == 0 ? std::abs(right.dot(tip)) : std::hypot(tip.x(), tip.z());
@@ -154,27 +144,19 @@ std::vector<Layer> MomentumView::static_layers() {
 std::vector<PendingLayer> MomentumView::draw(const timeline::FrameState& state) {
   pad_.begin(camera(state.video_time));
   if (path_.orbit != 0) add_sphere();
-  if (frame_.direction.isZero(0.0) && path_.orbit == 0) return {};
-  if (!frame_.direction.isZero(0.0)) add_momentum(state.solutions[solution_]);
-  std::vector<PendingLayer> layers;
-  layers.push_back(pad_.layer());
-  return layers;
+  if (at_rest() && path_.orbit == 0) return {};
+  if (!at_rest()) add_momentum(state_in(state));
+  return layers();
 }
 
 std::vector<Label> MomentumView::labels(const timeline::FrameState& state) const {
   std::vector<Label> labels;
   const Camera now = camera(state.video_time);
-  const auto add = [&](const std::string& text, const Vector3d& tip, const scene::Color& color) {
-    const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
-    if (label && shows_labels_) labels.push_back(*label);
-  };
   for (std::size_t i = 0; i < 3; ++i) {
-    add(frame_.names[i], axis_end * view_from_own_.col(static_cast<Eigen::Index>(i)),
-        frame_.colors[i]);
+    const Vector3d tip = axis_end * view_from_own_.col(static_cast<Eigen::Index>(i));
+    add_label(labels, now, frame_.names[i], tip, frame_.colors[i]);
   }
-  if (!frame_.direction.isZero(0.0)) {
-    add("L", place_of(state.solutions[solution_].sample), colors_.momentum);
-  }
+  if (!at_rest()) add_label(labels, now, "L", place_of(state_in(state).sample), colors_.momentum);
   return labels;
 }
 

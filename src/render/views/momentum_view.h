@@ -1,17 +1,13 @@
 #pragma once
 
-#include "render/compose/element.h"
-#include "render/compose/layout.h"
-#include "render/look/theme.h"
-#include "render/overlay/draw_list_layer.h"
-#include "render/views/principal_frame.h"
+#include "render/views/solution_view.h"
 
 namespace twrench::render {
 
 /// The momentum in the body frame. Its length G is constant, so it moves on a sphere, along a curve
 /// of constant energy: around the axis of least or greatest moment or, close to the separatrix,
 /// back and forth between the ends of the intermediate axis, which is the flip.
-class MomentumView : public SpaceView {
+class MomentumView : public SolutionView {
  public:
   /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
   MomentumView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
@@ -39,16 +35,7 @@ class MomentumView : public SpaceView {
   template <typename Place>
   void add_curve(Place place, double width, const Ink& ink);
 
-  OverlayColors colors_;
-  scene::CameraPath path_;
-  bool shows_trail_, shows_labels_;
-  double trail_length_;  ///< Duration of the trail in s.
-  std::size_t solution_;
-  motion::FreeBody body_;
-  PrincipalFrame frame_;
   Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
-  Layout::Pane pane_;
-  DrawListLayer pad_;
 };
 
 }  // namespace twrench::render

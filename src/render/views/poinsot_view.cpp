@@ -44,19 +44,10 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
                          const scene::Scene& scene,
                          const std::vector<timeline::Solution>& solutions, std::size_t solution,
                          const Layout::Pane& pane)
-    : colors_(style_of(scene.look.theme).overlay),
-      path_(scene.camera),
-      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
-      shows_labels_(pane.named && scene.overlay.shows(scene::Feature::labels)),
-      trail_length_(timeline::trail_length(scene)),
-      solution_(solution),
-      body_(solutions[solution].body),
-      frame_(body_, colors_),
+    : SolutionView(gl, framebuffer, scene, solutions, solution, pane),
       view_from_space_(with_up(body_.momentum())),
       unit_(at_rest() ? 1 : body_.omega().dot(body_.momentum().stableNormalized())),
-      radii_(radii_of(body_)),
-      pane_(pane),
-      pad_(gl, framebuffer, pane.area) {
+      radii_(radii_of(body_)) {
   if (frame_.level) annulus_ = motion::herpolhode_annulus(*frame_.level);
   plane_radius_ = std::max(1.25 * annulus_.outer, min_plane_radius);
   const std::vector<motion::Sample>& whole = solutions[solution].whole;
@@ -66,8 +57,7 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
 }
 
 Camera PoinsotView::camera(double video_time) const {
-  const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
-  Framing framing{direction_of(path_.azimuth + path_.orbit * video_time, elevation), 0.5, aspect,
+  Framing framing{direction_of(path_.azimuth + path_.orbit * video_time, elevation), 0.5, aspect(),
                   radii_.maxCoeff()};
   std::vector<Vector3d> points;
   if (!at_rest()) {
@@ -166,7 +156,7 @@ void PoinsotView::add_plane(const timeline::SolutionState& instant) {
 }
 
 std::vector<PendingLayer> PoinsotView::draw(const timeline::FrameState& state) {
-  const timeline::SolutionState& instant = state.solutions[solution_];
+  const timeline::SolutionState& instant = state_in(state);
   pad_.begin(camera(state.video_time));
   const Matrix3d view_from_unit = ellipsoid(instant.sample.X);
   pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9);
@@ -178,21 +168,15 @@ std::vector<PendingLayer> PoinsotView::draw(const timeline::FrameState& state) {
     pad_.opaque.arrow(Vector3d::Zero(), contact(instant.sample), 0.018, {colors_.omega});
     add_plane(instant);
   }
-  std::vector<PendingLayer> layers;
-  layers.push_back(pad_.layer());
-  return layers;
+  return layers();
 }
 
 std::vector<Label> PoinsotView::labels(const timeline::FrameState& state) const {
   std::vector<Label> labels;
-  if (at_rest() || !shows_labels_) return labels;
+  if (at_rest()) return labels;
   const Camera now = camera(state.video_time);
-  const auto add = [&](const char* text, const Vector3d& tip, const scene::Color& color) {
-    const auto label = label_at(text, now, pane_.area, Vector3d::Zero(), tip, color);
-    if (label) labels.push_back(*label);
-  };
-  add("L", momentum_end * Vector3d::UnitY(), colors_.momentum);
-  add("ω", contact(state.solutions[solution_].sample), colors_.omega);
+  add_label(labels, now, "L", momentum_end * Vector3d::UnitY(), colors_.momentum);
+  add_label(labels, now, "ω", contact(state_in(state).sample), colors_.omega);
   return labels;
 }
 

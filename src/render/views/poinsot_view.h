@@ -1,10 +1,6 @@
 #pragma once
 
-#include "render/compose/element.h"
-#include "render/compose/layout.h"
-#include "render/look/theme.h"
-#include "render/overlay/draw_list_layer.h"
-#include "render/views/principal_frame.h"
+#include "render/views/solution_view.h"
 
 namespace twrench::render {
 
@@ -15,7 +11,7 @@ namespace twrench::render {
 ///
 /// Lengths are in units of the plane's distance sqrt(2T)/G from the centre, and L points up: the
 /// plane is seen from above, with the contact point below it.
-class PoinsotView : public SpaceView {
+class PoinsotView : public SolutionView {
  public:
   /// Shows one motion in `pane`, drawn through `framebuffer`, which must outlive the view.
   PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
@@ -34,20 +30,11 @@ class PoinsotView : public SpaceView {
   Eigen::Vector3d contact(const motion::Sample& sample) const;
 
  private:
-  bool at_rest() const { return frame_.direction.isZero(0.0); }
   void add_grid(const Eigen::Matrix3d& view_from_unit);
   void add_polhode(const Eigen::Matrix3d& X);
   void add_plane(const timeline::SolutionState& instant);
   void add_ring(double radius, double width, const Ink& ink);
 
-  OverlayColors colors_;
-  scene::CameraPath path_;
-  bool shows_trail_, shows_labels_;
-  /// Duration of the trail in s.
-  double trail_length_;
-  std::size_t solution_;
-  motion::FreeBody body_;
-  PrincipalFrame frame_;
   Eigen::Matrix3d view_from_space_;
   /// Unit of omega, 2T/G, in rad/s.
   double unit_;
@@ -58,8 +45,6 @@ class PoinsotView : public SpaceView {
   double plane_radius_;
   /// The full curve, unless it is too dense to be legible.
   std::vector<Eigen::Vector3d> herpolhode_;
-  Layout::Pane pane_;
-  DrawListLayer pad_;
 };
 
 }  // namespace twrench::render

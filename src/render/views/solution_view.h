@@ -1,0 +1,49 @@
+#pragma once
+
+#include "render/compose/element.h"
+#include "render/compose/layout.h"
+#include "render/look/theme.h"
+#include "render/overlay/draw_list_layer.h"
+#include "render/views/principal_frame.h"
+
+namespace twrench::render {
+
+/// What the views that show one motion in its body's principal axes have in common.
+class SolutionView : public SpaceView {
+ protected:
+  /// Shows solutions[solution] in `pane`, drawn through `framebuffer`, which must outlive the view.
+  SolutionView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+               const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+               std::size_t solution, const Layout::Pane& pane);
+
+  /// Returns whether the body does not rotate.
+  bool at_rest() const { return frame_.direction.isZero(0.0); }
+
+  /// Returns the ratio of width to height of the part of the pane in which the view is framed.
+  double aspect() const { return static_cast<double>(pane_.focus.width) / pane_.focus.height; }
+
+  const timeline::SolutionState& state_in(const timeline::FrameState& frame) const {
+    return frame.solutions[solution_];
+  }
+
+  /// Adds the name of what points from the centre to `tip`, if there is room for it.
+  void add_label(std::vector<Label>& labels, const Camera& camera, const std::string& text,
+                 const Eigen::Vector3d& tip, const scene::Color& color) const;
+
+  /// Returns what was drawn into the list since its begin() as the view's only layer.
+  std::vector<PendingLayer> layers() const;
+
+  OverlayColors colors_;
+  scene::CameraPath path_;
+  bool shows_trail_, shows_labels_;
+  double trail_length_;  ///< Duration of the trail in s.
+  motion::FreeBody body_;
+  PrincipalFrame frame_;
+  Layout::Pane pane_;
+  DrawListLayer pad_;
+
+ private:
+  std::size_t solution_;
+};
+
+}  // namespace twrench::render
