@@ -12,9 +12,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int levels = 4;         // around each end of an axis
-constexpr int around = 240;       // points of a curve
-constexpr double lifted = 1.002;  // lifts curves off the facets of the sphere
+constexpr int levels = 4;             // around each end of an axis
+constexpr int points_of_curve = 240;  // points of a curve
+constexpr double lifted = 1.002;      // lifts curves off the facets of the sphere
 constexpr double axis_end = 1.28;
 constexpr double named = 1.12;  // times that, the position of an axis' name
 
@@ -70,8 +70,8 @@ Vector3d MomentumView::place_of(const motion::Sample& sample) const {
 template <typename Place>
 void MomentumView::add_curve(Place place, double width, const Ink& ink) {
   std::vector<DrawList::Point> line;
-  for (int i = 0; i <= around; ++i) {
-    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / around);
+  for (int i = 0; i <= points_of_curve; ++i) {
+    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / points_of_curve);
     const double opacity = ink.opacity * shown(point, point, pad_.translucent.eye());
     line.push_back({lifted * point, width * pad_.hairline(), {ink.color, opacity}});
   }
