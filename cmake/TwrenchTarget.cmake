@@ -14,10 +14,13 @@ if(TWRENCH_RENDER)
   target_compile_options(twrench_options INTERFACE -pthread)
 endif()
 if(TWRENCH_SANITIZE)
-  # GCC says of this warning that the sanitizers' code makes it false: it is one for the other builds.
   target_compile_options(twrench_options INTERFACE
-    -fsanitize=${TWRENCH_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    -Wno-maybe-uninitialized)
+    -fsanitize=${TWRENCH_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # The sanitizers' code makes these warnings of the optimiser false: they are for the other builds.
+    target_compile_options(twrench_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized
+      -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+  endif()
   target_link_options(twrench_options INTERFACE -fsanitize=${TWRENCH_SANITIZE})
 endif()
 

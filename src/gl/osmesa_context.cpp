@@ -1,4 +1,5 @@
 #include <GL/glcorearb.h>
+#include <fmt/format.h>
 
 #include <array>
 
@@ -38,7 +39,7 @@ constexpr const char* osmesa_remedy =
 template <typename F>
 F* entry(const Library& library, const char* name) {
   void* const address = library.symbol(name);
-  if (address == nullptr) fail(std::string("it has no ") + name);
+  if (address == nullptr) fail(fmt::format("it has no {}", name));
   return reinterpret_cast<F*>(address);
 }
 
