@@ -40,11 +40,11 @@ void become_nobody(const std::string& program) {
 
 std::size_t run_cases(double seconds, std::size_t count,
                       const std::function<void(std::uint32_t number)>& work) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  using std::chrono::steady_clock;
+  const auto end = steady_clock::now() + std::chrono::duration<double>(seconds);
   std::atomic<std::uint32_t> next = 0;
   const auto take_cases = [&] {
-    while (Clock::now() < end) {
+    while (steady_clock::now() < end) {
       const std::uint32_t number = next++;
       if (number >= count) return;
       work(number);
