@@ -56,6 +56,17 @@ twrench_header(GL_INCLUDE_DIR GL/glcorearb.h "OpenGL's headers"
 twrench_header(EGL_INCLUDE_DIR EGL/eglext.h "EGL's headers"
   DEBIAN libegl-dev FEDORA libglvnd-devel ARCH libglvnd)
 
+# The Python of the system, whose packages the set-up installs, unless another is given.
+if(TWRENCH_PYTHON)
+  find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module)
+  twrench_require("Python 3.11 or newer, with its headers" FOUND "${Python_FOUND}"
+    DEBIAN "python3-dev" FEDORA python3-devel ARCH python HINT "-DPython_EXECUTABLE=FILE")
+  find_package(pybind11 QUIET)
+  twrench_require("pybind11" FOUND "${pybind11_FOUND}"
+    DEBIAN pybind11-dev FEDORA pybind11-devel ARCH pybind11 HINT "-Dpybind11_ROOT=FOLDER")
+endif()
+
 # The fonts that are built into the program. FOLDERS are those of Debian, Fedora and Arch.
 set(TWRENCH_FONT_FOLDERS
   truetype/roboto/unhinted/RobotoTTF truetype/firacode google-roboto fira-code TTF)

@@ -32,6 +32,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
 if(TWRENCH_RENDER)
   add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
   target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen nlohmann_json::nlohmann_json)
+  set_target_properties(twrench_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_precompile_headers(twrench_headers PRIVATE <Eigen/Dense> <filesystem> <functional> <map> <memory>
     <nlohmann/json.hpp> <optional> <span> <string> <vector>)
 endif()
@@ -46,6 +47,8 @@ function(twrench_library name)
     set(kind "")
   endif()
   add_library(twrench_${name} ${kind} ${ARG_SOURCES})
+  # The Python module is a shared library that holds them all.
+  set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)
   target_include_directories(twrench_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

@@ -1,13 +1,12 @@
 #include "app/render_options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "app/arguments.h"
 #include "app/progress.h"
 #include "scene/limits.h"
-#include "system/processors.h"
 
 namespace twrench::app {
 namespace {
@@ -87,29 +86,26 @@ void RenderOptions::require_consistent() const {
   }
 }
 
-fs::path RenderOptions::video_path(const scene::Scene& of) const {
-  return video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
-}
-
-fs::path RenderOptions::frames_folder(const scene::Scene& of) const {
-  return frames_dir.empty() ? fs::path("out") / of.name : fs::path(frames_dir);
-}
-
-video::VideoFormat RenderOptions::video_format(const scene::Scene& of) const {
-  return {of.film.width,       of.film.height,     of.film.fps, video.container(video_path(of)),
-          of.look.transparent, video.is_streamed()};
-}
-
-Reuse RenderOptions::reuse() const {
-  if (overwrite) return Reuse::overwrite;
-  return resume ? Reuse::resume : Reuse::none;
-}
-
-/// Drawing and the encoder use the other half of the processors: more jobs would only compete with
-/// them for time and cache.
-int RenderOptions::job_count() const {
-  if (jobs.empty()) return std::max(1, static_cast<int>(system::processor_count() / 2));
-  return scene::limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
+film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
+  film::RenderSettings settings;
+  const fs::path out = "out";
+  if (!no_frames)
+    settings.frames_folder = frames_dir.empty() ? out / of.name : fs::path(frames_dir);
+  if (!no_video) {
+    const fs::path path = video.output.empty() ? out / (of.name + ".mp4") : fs::path(video.output);
+    settings.video = film::VideoOutput{path, video.container(path)};
+    if (!video.is_streamed()) scene.require_not_input(path);
+  }
+  settings.range = range;
+  settings.shard = shard;
+  settings.reuse = overwrite ? film::Reuse::overwrite
+                   : resume  ? film::Reuse::resume
+                             : film::Reuse::none;
+  if (!jobs.empty()) {
+    settings.jobs = scene::limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
+  }
+  settings.backend = backend;
+  return settings;
 }
 
 }  // namespace twrench::app

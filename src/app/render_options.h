@@ -1,15 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "app/command_line.h"
-#include "app/frames_output.h"
 #include "app/scene_options.h"
 #include "app/video_options.h"
-#include "gl/backend.h"
-#include "video/encoder.h"
-#include "video/shard.h"
+#include "film/render_job.h"
 
 namespace twrench::app {
 
@@ -21,16 +17,9 @@ struct RenderOptions {
   /// Throws InvalidArgument if options contradict each other.
   void require_consistent() const;
 
-  /// The video file; "-" for standard output.
-  std::filesystem::path video_path(const scene::Scene& of) const;
-  std::filesystem::path frames_folder(const scene::Scene& of) const;
-  video::VideoFormat video_format(const scene::Scene& of) const;
-  /// Whether the video is a file.
-  bool writes_video_file() const { return !no_video && !video.is_streamed(); }
-  /// What to do with frames that are there.
-  Reuse reuse() const;
-  /// The number of threads that compress frames. Throws InvalidArgument.
-  int job_count() const;
+  /// Returns what to write, where, and how. Throws InvalidArgument, and OverwriteError if the video
+  /// would replace a file that the scene comes from.
+  film::RenderSettings settings(const scene::Scene& of) const;
 
   SceneOptions scene;
   VideoOptions video;

@@ -13,6 +13,7 @@
 
 #include "app/message.h"
 #include "canvas/error.h"
+#include "film/error.h"
 #include "gl/error.h"
 #include "plot/gnuplot.h"
 #include "system/error.h"
@@ -41,6 +42,8 @@ std::string remedy_for_motion(motion::MotionError::Reason reason) {
       return "take a larger --tolerance or a shorter --duration";
     case motion::MotionError::Reason::step_underflow:
       return "take a larger --tolerance, or a slower motion";
+    case motion::MotionError::Reason::stopped:
+      return {};
     case motion::MotionError::Reason::too_many_flips:
       break;
   }
@@ -129,6 +132,18 @@ std::string remedy_for(const Error& error) {
   if (const auto* size = as<video::FilmSizeError>(error)) {
     return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),
                        size->height());
+  }
+  if (const auto* frames = as<film::ForeignFramesError>(error)) {
+    return frames->sharded()
+               ? "all shards of a video need the same program version, scene and kind of machine; "
+                 "use --frames-dir to choose another folder, or --overwrite to replace them"
+               : "use --overwrite to replace them, or --frames-dir to choose another folder";
+  }
+  if (as<film::SpaceError>(error)) {
+    return "free some space, or choose another disk, a smaller --size or fewer --frames";
+  }
+  if (as<film::ThreadError>(error)) {
+    return "use fewer --jobs, or raise the limit on processes (ulimit -u)";
   }
   if (as<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
   if (as<canvas::MissingGlyph>(error)) {

@@ -11,7 +11,7 @@
 namespace twrench::app {
 namespace {
 
-double milliseconds(const StageTimes::Counter& counter) {
+double milliseconds(const film::StageTimes::Counter& counter) {
   return 1e-6 * static_cast<double>(counter.load());
 }
 
@@ -30,7 +30,8 @@ ProcessorTime processor_time() {
   return {processor_milliseconds(RUSAGE_SELF), processor_milliseconds(RUSAGE_CHILDREN)};
 }
 
-std::string timing_report(const StageTimes& times, double seconds, std::size_t frames, bool json) {
+std::string timing_report(const film::StageTimes& times, const ProcessorTime& before,
+                          double seconds, std::size_t frames, bool json) {
   const auto count = static_cast<double>(std::max<std::size_t>(frames, 1));
   const std::array<std::pair<const char*, double>, 6> stages{
       {{"pose", milliseconds(times.pose) / count},
@@ -40,13 +41,15 @@ std::string timing_report(const StageTimes& times, double seconds, std::size_t f
        {"write", milliseconds(times.write) / count},
        {"encode", milliseconds(times.encode) / count}}};
   const ProcessorTime now = processor_time();
-  const double own = (now.own - times.before.own) / count;
-  const double children = (now.children - times.before.children) / count;
+  const double own = (now.own - before.own) / count;
+  const double children = (now.children - before.children) / count;
   if (json) {
     nlohmann::ordered_json report{{"frames", frames},
                                   {"wall_seconds", seconds},
                                   {"first_frame_seconds", 1e-3 * milliseconds(times.first)}};
-    for (const auto& [name, ms] : stages) report["busy_ms_per_frame"][name] = ms;
+    auto busy = nlohmann::ordered_json::object();
+    for (const auto& [name, ms] : stages) busy[name] = ms;
+    report["busy_ms_per_frame"] = busy;
     report["cpu_ms_per_frame"] = {{"twrench", own}, {"children", children}};
     return report.dump();
   }

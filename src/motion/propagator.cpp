@@ -33,11 +33,17 @@ MotionError failure(const Method& method, MotionError::Reason reason, const std:
   return {fmt::format("method {}", method.name), why, reason};
 }
 
-MotionError out_of_steps(const Method& method, const StepControl& control, double t) {
+/// Throws unless the method may take step number `count`, which begins at t.
+void require_allowed(std::int64_t count, const Method& method, const StepControl& control,
+                     double t) {
+  if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed)) {
+    throw failure(method, MotionError::Reason::stopped, fmt::format("stopped at t = {} s", t));
+  }
+  if (count <= control.max_steps) return;
   const auto reason =
       method.adaptive() ? MotionError::Reason::out_of_steps : MotionError::Reason::too_many_steps;
-  return failure(method, reason,
-                 fmt::format("more than {} steps at t = {} s", control.max_steps, t));
+  throw failure(method, reason,
+                fmt::format("more than {} steps at t = {} s", control.max_steps, t));
 }
 
 MotionError underflow(const Method& method, const StepControl& control, double t) {
@@ -84,7 +90,7 @@ class StepPropagator final : public Propagator {
   void advance() {
     X_ = X_next_;
     t_ = t_next_;
-    if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
+    require_allowed(++steps_, method_, control_, t_);
     if (method_.adaptive()) return step_adaptively();
     X_next_ = fixed_step(next_length_);
     t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
@@ -112,7 +118,7 @@ class StepPropagator final : public Propagator {
     const double order = std::get<RungeKutta>(method_.scheme).tableau.order;
     double length = next_length_;
     for (int attempt = 0;; ++attempt) {
-      if (attempt > 0 && ++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_);
+      if (attempt > 0) require_allowed(++steps_, method_, control_, t_);
       const double t_end = t_ + length;
       length = t_end - t_;  // As t can represent it, so that no time is lost to rounding.
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
@@ -188,7 +194,7 @@ class TaylorPropagator final : public Propagator {
 
  private:
   void advance() {
-    if (++steps_ > control_.max_steps) throw out_of_steps(method_, control_, t_next_);
+    require_allowed(++steps_, method_, control_, t_next_);
     series_.expand(state_next_);
     t_ = t_next_;
     const double t_end = t_ + sign_ * series_.max_step(control_.tolerance);

@@ -31,16 +31,28 @@ ordered_json part_json(const body::Part& part) {
   return json;
 }
 
+ordered_json parts_json(const std::vector<body::Part>& parts) {
+  ordered_json json = ordered_json::array();
+  for (const body::Part& part : parts) json.push_back(part_json(part));
+  return json;
+}
+
+/// Returns the object under that name. It is created as one: a null value that the library turns
+/// into an object when it is used as one does not survive a lack of memory.
+ordered_json& table_in(ordered_json& json, const std::string& name) {
+  return name.empty() ? json : *json.emplace(name, ordered_json::object()).first;
+}
+
 }  // namespace
 
 ordered_json scene_json(const Scene& scene) {
-  ordered_json json;
+  ordered_json json = ordered_json::object();
   for (const Field& field : fields()) {
     ordered_json value = field.get(scene);
     if (value.is_null()) continue;
-    (field.table.empty() ? json : json[field.table])[field.key] = std::move(value);
+    table_in(json, field.table)[field.key] = std::move(value);
   }
-  for (const body::Part& part : scene.body.parts) json["part"].push_back(part_json(part));
+  if (!scene.body.parts.empty()) json["part"] = parts_json(scene.body.parts);
   if (scene.body.moments) json["body"] = {{"moments", numbers(*scene.body.moments)}};
   // JSON is UTF-8: invalid bytes in a title or a font's path are replaced here as they are in a
   // file.

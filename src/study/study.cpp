@@ -90,6 +90,7 @@ StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
     run.evaluations = result.evaluations;
     look_on_the_way(body, method, control, exact, run);
   } catch (const motion::MotionError& error) {
+    if (error.reason() == motion::MotionError::Reason::stopped) throw;
     run.failure = error.what();
   }
   return run;
@@ -122,12 +123,14 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
 std::vector<motion::StepControl> controls_for(const motion::Method& method, const StudyPlan& plan) {
   std::vector<motion::StepControl> controls;
   if (method.adaptive()) {
-    for (const double t : plan.tolerances) controls.push_back({plan.first_step, t, plan.max_steps});
+    for (const double t : plan.tolerances) {
+      controls.push_back({plan.first_step, t, plan.max_steps, plan.stop});
+    }
   } else if (method.exact()) {
     controls.push_back({.step = std::ranges::min(plan.steps)});
   } else {
     for (const double h : plan.steps) {
-      controls.push_back({.step = h, .max_steps = plan.max_steps});
+      controls.push_back({.step = h, .max_steps = plan.max_steps, .stop = plan.stop});
     }
   }
   return controls;

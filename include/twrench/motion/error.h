@@ -14,6 +14,7 @@ class MotionError : public Error {
     out_of_steps,    ///< an adaptive method has taken as many as it may
     step_underflow,  ///< an adaptive method finds no step that meets its tolerance
     too_many_flips,
+    stopped,  ///< by StepControl::stop
   };
 
   MotionError(const std::string& what, const std::string& why, Reason reason)

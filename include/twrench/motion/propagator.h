@@ -3,6 +3,7 @@
 #include <twrench/motion/free_body.h>
 #include <twrench/motion/method.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -22,6 +23,9 @@ struct StepControl {
   /// Maximum number of steps of a trajectory, so that a mistake ends with an error instead of
   /// hanging.
   std::int64_t max_steps = 50'000'000;
+  /// If not null, steps end with MotionError::Reason::stopped once this is true, so that another
+  /// thread can interrupt them.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// An accepted step of a method.

@@ -4,6 +4,7 @@
 #include <twrench/motion/trajectory.h>
 #include <twrench/study/estimate.h>
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ struct StudyPlan {
   double duration = 0.0;
   /// Maximum number of steps of a run.
   std::int64_t max_steps = motion::StepControl{}.max_steps;
+  /// As in StepControl.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// One run of a method, compared with the exact solution.
@@ -90,7 +93,7 @@ struct Study {
 
 /// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
 /// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
-/// InvalidArgument where there are no steps.
+/// InvalidArgument where there are no steps, MotionError when it is stopped.
 Study run_study(const motion::FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench::study

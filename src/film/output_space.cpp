@@ -1,12 +1,12 @@
-#include "app/output_space.h"
+#include "film/output_space.h"
 
 #include <fmt/format.h>
 
+#include "film/error.h"
 #include "image/png.h"
 #include "system/disk_space.h"
-#include "system/error.h"
 
-namespace twrench::app {
+namespace twrench::film {
 namespace {
 
 /// Bytes, in floating point because the largest possible requests exceed integers.
@@ -50,12 +50,11 @@ void require_space(const PlannedOutput& output, const std::function<image::Image
   const auto png = static_cast<double>(image::encode_png(draw_one()).size());
   const Need estimate{1.25 * png * new_frames, 0.1 * png * film_frames};
   if (const auto shortage = find_shortage(output, estimate)) {
-    throw system::FileError(
+    throw SpaceError(
         "cannot write " + shortage->path.string(),
         fmt::format("{} are free, but the run needs an estimated {}",
-                    system::format_bytes(shortage->free), system::format_bytes(shortage->needed)),
-        "free some space, or choose another disk, a smaller --size or fewer --frames");
+                    system::format_bytes(shortage->free), system::format_bytes(shortage->needed)));
   }
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -6,9 +6,8 @@
 #include <optional>
 
 #include "image/image.h"
-#include "system/error.h"
 
-namespace twrench::app {
+namespace twrench::film {
 
 /// What a run will write.
 struct PlannedOutput {
@@ -24,11 +23,11 @@ struct PlannedOutput {
   double frame_pixels = 0;
 };
 
-/// Throws FileError if the disk has not enough room. First it checks for room for uncompressed
+/// Throws SpaceError if the disk has not enough room. First it checks for room for uncompressed
 /// frames and a video of two bits per pixel, which is usually enough. Only otherwise is a frame
 /// drawn; the estimate is then that every PNG is a quarter larger, and the video a tenth of the
 /// PNGs. (Measured with the default scene: no frame is a quarter larger than the mean, and the
 /// video is a fiftieth.)
 void require_space(const PlannedOutput& output, const std::function<image::Image()>& draw_one);
 
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -1,4 +1,4 @@
-#include "app/pipeline.h"
+#include "film/pipeline.h"
 
 #include <chrono>
 #include <deque>
@@ -8,11 +8,11 @@
 #include <system_error>
 #include <thread>
 
+#include "film/error.h"
 #include "image/png.h"
 #include "system/bounded_queue.h"
-#include "system/error.h"
 
-namespace twrench::app {
+namespace twrench::film {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -40,8 +40,7 @@ class Pipeline {
       start_stages();
     } catch (const std::system_error& error) {
       close();  // the threads already started end and are joined
-      throw system::FileError("cannot start a thread", error.code().message(),
-                              "use fewer --jobs, or raise the limit on processes (ulimit -u)");
+      throw ThreadError("cannot start a thread", error.code().message());
     }
   }
 
@@ -135,7 +134,7 @@ class Pipeline {
 }  // namespace
 
 void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
-                  const Outputs& outputs, Progress& progress, StageTimes& times) {
+                  const Outputs& outputs, const ProgressCallback& progress, StageTimes& times) {
   Pipeline pipeline(outputs, times);
   std::deque<std::future<image::Frame>> begun;  // The frames from `done` on.
   std::size_t done = 0;
@@ -157,9 +156,10 @@ void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& 
       begun.pop_front();
     }
     if (!pipeline.pass_on({&frames[done], std::move(frame)})) break;
-    progress.update(static_cast<int>(++done), static_cast<int>(frames.size()));
+    ++done;
+    if (progress) progress(static_cast<int>(done), static_cast<int>(frames.size()));
   }
   pipeline.finish();
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::film

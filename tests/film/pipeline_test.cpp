@@ -1,4 +1,4 @@
-#include "app/pipeline.h"
+#include "film/pipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "scratch_folder.h"
 #include "system/error.h"
 
-namespace twrench::app {
+namespace twrench::film {
 namespace {
 
 std::vector<video::FrameRecord> numbered_frames(int count) {
@@ -54,7 +54,6 @@ class PipelineOfThreads : public testing::Test {
   static constexpr int count = 40;
   const ScratchFolder folder_;
   const std::vector<video::FrameRecord> frames_ = numbered_frames(count);
-  Progress progress_{"none"};
   StageTimes times_;
 };
 
@@ -62,7 +61,7 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
   for (const int jobs : {1, 4}) {
     const auto frames_folder = folder_ / std::to_string(jobs);
     video::FrameSequence sequence(frames_folder, manifest_of(count));
-    run_pipeline(frames_, drawing(), {&sequence, nullptr, jobs}, progress_, times_);
+    run_pipeline(frames_, drawing(), {&sequence, nullptr, jobs}, {}, times_);
     sequence.finish();
     const video::Manifest manifest = video::read_manifest(frames_folder / video::manifest_name);
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
@@ -86,7 +85,7 @@ TEST_F(PipelineOfThreads, GivesEveryFrameBackWhenAllStagesAreDoneWithIt) {
       back.push_back(frame.image.pixels[0]);
       frame.image.pixels.assign(frame.image.pixels.size(), 255);  // no stage reads it any more
     };
-    run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, progress_, times_);
+    run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, {}, times_);
     sequence.finish();
     if (film) encoder->finish();
     std::ranges::sort(back);
@@ -101,7 +100,7 @@ TEST_F(PipelineOfThreads, GivesEveryFrameBackWhenAllStagesAreDoneWithIt) {
 
 TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
   video::VideoEncoder encoder(folder_ / "film.mp4", {16, 16, 25});
-  run_pipeline(frames_, drawing(), {nullptr, &encoder, 1}, progress_, times_);
+  run_pipeline(frames_, drawing(), {nullptr, &encoder, 1}, {}, times_);
   encoder.finish();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "film.mp4"));
 }
@@ -120,7 +119,7 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
                             });
                           },
                           ahead};
-    run_pipeline(frames_, counted, {nullptr, nullptr, 1}, progress_, times_);
+    run_pipeline(frames_, counted, {nullptr, nullptr, 1}, {}, times_);
     EXPECT_EQ(ended, frames_.size());
   }
 }
@@ -132,7 +131,7 @@ TEST_F(PipelineOfThreads, AFrameThatWasKeptIsNotWritten) {
     frame.is_new = index % 2 == 0;
     return frame;
   };
-  run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_);
+  run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, {}, times_);
   sequence.finish();
   EXPECT_EQ(video::read_manifest(folder_ / "frames/manifest.json").frames.size(), count / 2u);
 }
@@ -146,7 +145,7 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
       return frame_of(frame);
     };
     EXPECT_THROW(
-        run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, progress_, times_),
+        run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, {}, times_),
         gl::GlError);
     sequence.finish();
     // The frames in flight are complete and recorded.
@@ -162,10 +161,10 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return frame_of(frame);
   };
-  EXPECT_THROW(run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, progress_, times_),
+  EXPECT_THROW(run_pipeline(frames_, drawing(draw), {&sequence, nullptr, 2}, {}, times_),
                system::FileError);
   EXPECT_LT(drawn, count);
 }
 
 }  // namespace
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -9,7 +9,7 @@
 #include "video/earlier_run.h"
 #include "video/frame_sequence.h"
 
-namespace twrench::app {
+namespace twrench::film {
 
 /// What a run may do with existing frames.
 enum class Reuse {
@@ -23,8 +23,8 @@ class FramesOutput {
  public:
   /// Looks, and touches nothing. `film` is the manifest to be written, all but its frames, with the
   /// whole range that was asked for; `frames` are those that this run draws.
-  /// Throws OverwriteError where the run would write over frames that it does not know to be of the
-  /// same film.
+  /// Throws ForeignFramesError where the run would write over frames that it does not know to be of
+  /// the same film.
   FramesOutput(std::filesystem::path folder, video::Manifest film, std::vector<int> frames,
                Reuse reuse);
 
@@ -51,4 +51,4 @@ class FramesOutput {
   std::unique_ptr<video::FrameSequence> sequence_;  ///< Set by open().
 };
 
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -1,26 +1,21 @@
-#include "app/frames_output.h"
+#include "film/frames_output.h"
 
 #include <algorithm>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
-#include "system/error.h"
+#include "film/error.h"
 #include "video/frame_range.h"
 
-namespace twrench::app {
+namespace twrench::film {
 namespace {
 
 /// Throws if the run would destroy frames without permission.
 void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
                        const video::Shard& shard, Reuse reuse) {
   if (objection.empty() || reuse == Reuse::overwrite) return;
-  throw system::OverwriteError(
-      folder.string(), objection,
-      shard.is_whole()
-          ? "use --overwrite to replace them, or --frames-dir to choose another folder"
-          : "all shards of a video need the same program version, scene and kind of machine; use "
-            "--frames-dir to choose another folder, or --overwrite to replace them");
+  throw ForeignFramesError(folder.string(), objection, !shard.is_whole());
 }
 
 }  // namespace
@@ -67,4 +62,4 @@ std::optional<video::FrameRecord> FramesOutput::kept(const video::FrameRecord& w
   return record;
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -6,14 +6,13 @@
 #include <future>
 #include <vector>
 
-#include "app/progress.h"
-#include "app/timing.h"
+#include "film/stage_times.h"
 #include "image/frame.h"
 #include "system/error.h"
 #include "video/encoder.h"
 #include "video/frame_sequence.h"
 
-namespace twrench::app {
+namespace twrench::film {
 
 /// Where and how drawn frames are written.
 struct Outputs {
@@ -23,9 +22,12 @@ struct Outputs {
   video::VideoEncoder* encoder = nullptr;
   /// Number of threads that compress PNG files.
   int jobs = 1;
-  /// Start of the command, for measuring the time to the first frame.
+  /// Start of the run, for measuring the time to the first frame.
   std::chrono::steady_clock::time_point start{};
 };
+
+/// Is told how many frames of how many have been drawn.
+using ProgressCallback = std::function<void(int done, int total)>;
 
 /// How frames are drawn.
 struct Drawing {
@@ -40,11 +42,12 @@ struct Drawing {
 
 /// Draws `frames` in sequence on this thread while other threads compress and write earlier frames
 /// and feed the encoder. Bounded queues connect the stages, so that memory use does not depend on
-/// the length of the video. Does not finish the outputs.
+/// the length of the video. Does not finish the outputs. Calls `progress`, which may be empty, on
+/// this thread after each frame.
 ///
-/// The first error of any stage ends the run after the frames in flight, and is thrown. Throws
-/// FileError if a thread cannot be started.
+/// The first error of any stage, or of `progress`, ends the run after the frames in flight, and is
+/// thrown. Throws ThreadError if a thread cannot be started.
 void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
-                  const Outputs& outputs, Progress& progress, StageTimes& times);
+                  const Outputs& outputs, const ProgressCallback& progress, StageTimes& times);
 
-}  // namespace twrench::app
+}  // namespace twrench::film

@@ -1,0 +1,213 @@
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <twrench/base/require.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "body.h"
+#include "interruptible.h"
+#include "module.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+using Array = py::array_t<double, py::array::c_style>;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+body::Shape shape_called(const std::string& name, const Vector3d& size) {
+  if (name == "cylinder") return body::Cylinder{size[0], size[1]};
+  if (name == "box") return body::Box{size};
+  return body::Ellipsoid{size};
+}
+
+body::Part make_part(const std::string& shape, const Vector3d& size, double density,
+                     const Vector3d& position, const std::optional<Vector3d>& axis,
+                     const std::optional<Vector3d>& rotation) {
+  const Matrix3d turn = axis       ? body::frame_with_z_along(*axis)
+                        : rotation ? so3::exp(*rotation)
+                                   : Matrix3d::Identity();
+  return {shape_called(shape, size), density, position, turn};
+}
+
+Body body_from_parts(const std::vector<body::Part>& parts) {
+  return {{parts, {}}, body::mass_properties(parts)};
+}
+
+Body body_from_moments(const Vector3d& moments) {
+  for (const double moment : moments) require_positive("moments", moment);
+  const scene::Body description{{}, moments};
+  return {description, scene::mass_properties(description)};
+}
+
+Body body_from_inertia(const Matrix3d& inertia) {
+  const motion::FreeBody checked(inertia, Vector3d::Zero());
+  const auto& [moments, axes] = checked.principal();
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  return {{}, {unknown, Vector3d::Zero(), inertia, moments, axes}};
+}
+
+Array new_array(std::vector<py::ssize_t> shape) { return Array(std::move(shape)); }
+
+/// Views of the samples' X and omega as arrays (n, 3, 3) and (n, 3), which own the samples.
+py::tuple views_of(std::vector<motion::Sample> samples) {
+  auto owned = std::make_unique<std::vector<motion::Sample>>(std::move(samples));
+  const auto* first = owned->data();
+  const auto count = static_cast<py::ssize_t>(owned->size());
+  const py::capsule owner(owned.release(), [](void* memory) {
+    delete static_cast<std::vector<motion::Sample>*>(memory);
+  });
+  if (count == 0) return py::make_tuple(new_array({0, 3, 3}), new_array({0, 3}));
+  constexpr py::ssize_t number = sizeof(double), step = sizeof(motion::Sample);
+  return py::make_tuple(
+      py::array_t<double>({count, py::ssize_t{3}, py::ssize_t{3}}, {step, number, 3 * number},
+                          first->X.data(), owner),
+      py::array_t<double>({count, py::ssize_t{3}}, {step, number}, first->omega.data(), owner));
+}
+
+py::tuple integrate(const motion::FreeBody& body, const std::string& method, double step,
+                    double tolerance, std::int64_t max_steps, const Array& times) {
+  const std::span<const double> t(times.data(), static_cast<std::size_t>(times.size()));
+  const motion::Method& found = motion::find_method(method);
+  motion::Trajectory result = run_interruptibly([&](const std::atomic<bool>& stop) {
+    return motion::integrate(body, found, {step, tolerance, max_steps, &stop}, t);
+  });
+  const py::tuple views = views_of(std::move(result.samples));
+  return py::make_tuple(views[0], views[1], result.steps, result.evaluations);
+}
+
+/// Calls work(begin, end) for parts of 0 to `count` without Python's global lock, and runs Python's
+/// signal handlers between them.
+template <typename Work>
+void for_parts(std::size_t count, const Work& work) {
+  constexpr std::size_t part = std::size_t{1} << 18U;
+  for (std::size_t begin = 0; begin < count; begin += part) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    const py::gil_scoped_release others_run;
+    work(begin, std::min(begin + part, count));
+  }
+}
+
+py::tuple exact_at(const motion::ExactMotion& motion, const Array& times) {
+  const py::ssize_t n = times.size();
+  Array X = new_array({n, 3, 3}), omega = new_array({n, 3});
+  const double* const t = times.data();
+  double* const X_to = X.mutable_data();
+  double* const omega_to = omega.mutable_data();
+  for_parts(static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const motion::Sample sample = motion.at(t[i]);
+      Eigen::Map<RowMajor>(X_to + 9 * i) = sample.X;
+      Eigen::Map<Vector3d>(omega_to + 3 * i) = sample.omega;
+    }
+  });
+  return py::make_tuple(X, omega);
+}
+
+/// Energy, its drift, the error of orthogonality and that of the momentum, (4, n).
+Array diagnose(const motion::FreeBody& body, const Array& X, const Array& omega) {
+  const py::ssize_t n = omega.shape(0);
+  Array result = new_array({4, n});
+  double* const to = result.mutable_data();
+  const double* const X_from = X.data();
+  const double* const omega_from = omega.data();
+  const double initial = motion::energy(body.inertia(), body.omega());
+  const auto size = static_cast<std::size_t>(n);
+  for_parts(size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const motion::Sample sample{0, Eigen::Map<const RowMajor>(X_from + 9 * i),
+                                  Eigen::Map<const Vector3d>(omega_from + 3 * i)};
+      const motion::Diagnostics d = motion::diagnose(body, initial, sample);
+      to[i] = d.energy;
+      to[size + i] = d.energy_drift;
+      to[2 * size + i] = d.orthogonality_error;
+      to[3 * size + i] = d.momentum_error;
+    }
+  });
+  return result;
+}
+
+/// Unit quaternions (x, y, z, w), (n, 4), each the nearer of its two signs to the one before.
+Array quaternions(const Array& X) {
+  const py::ssize_t n = X.shape(0);
+  Array result = new_array({n, 4});
+  double* const to = result.mutable_data();
+  const double* const from = X.data();
+  Eigen::Vector4d last(0, 0, 0, 1);
+  for_parts(static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Matrix3d attitude = Eigen::Map<const RowMajor>(from + 9 * i);
+      Eigen::Vector4d q = Eigen::Quaterniond(attitude).normalized().coeffs();
+      if (q.dot(last) < 0) q = -q;
+      last = q;
+      Eigen::Map<Eigen::Vector4d>(to + 4 * i) = q;
+    }
+  });
+  return result;
+}
+
+const char* name_of(motion::ExactMotion::Kind kind) {
+  switch (kind) {
+    case motion::ExactMotion::Kind::steady:
+      return "steady";
+    case motion::ExactMotion::Kind::about_least:
+      return "about_least";
+    case motion::ExactMotion::Kind::about_greatest:
+      return "about_greatest";
+    case motion::ExactMotion::Kind::separatrix:
+      break;
+  }
+  return "separatrix";
+}
+
+}  // namespace
+
+void add_dynamics(py::module_& module) {
+  py::class_<body::Part>(module, "Part").def(py::init(&make_part));
+  py::class_<Body>(module, "Body")
+      .def_static("from_parts", &body_from_parts)
+      .def_static("from_moments", &body_from_moments)
+      .def_static("from_inertia", &body_from_inertia)
+      .def_property_readonly("mass", [](const Body& b) { return b.properties.mass; })
+      .def_property_readonly("centre_of_mass",
+                             [](const Body& b) { return b.properties.centre_of_mass; })
+      .def_property_readonly("inertia", [](const Body& b) { return b.properties.inertia; })
+      .def_property_readonly("moments", [](const Body& b) { return b.properties.moments; })
+      .def_property_readonly("axes", [](const Body& b) { return b.properties.axes; });
+  py::class_<motion::FreeBody>(module, "FreeBody")
+      .def(py::init<const Matrix3d&, const Vector3d&>())
+      .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); });
+  using Flips = motion::ExactMotion::Flips;
+  py::class_<Flips>(module, "Flips")
+      .def_readonly("interval", &Flips::interval)
+      .def_readonly("first", &Flips::first)
+      .def_readonly("swing", &Flips::swing)
+      .def_property_readonly("turns_over", &Flips::turns_over);
+  py::class_<motion::ExactMotion>(module, "ExactMotion")
+      .def(py::init<const motion::FreeBody&>())
+      .def("at", &exact_at)
+      .def("flip_times",
+           [](const motion::ExactMotion& motion, double t_end) {
+             const std::vector<double> times = motion.flip_times(t_end);
+             return Array(static_cast<py::ssize_t>(times.size()), times.data());
+           })
+      .def_property_readonly("flips", &motion::ExactMotion::flips)
+      .def_property_readonly("kind",
+                             [](const motion::ExactMotion& m) { return name_of(m.kind()); });
+  module.def("integrate", &integrate);
+  module.def("diagnose", &diagnose);
+  module.def("quaternions", &quaternions);
+}
+
+}  // namespace twrench::python

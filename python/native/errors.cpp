@@ -1,0 +1,104 @@
+#include "errors.h"
+
+#include <fmt/format.h>
+#include <pybind11/pybind11.h>
+#include <twrench/motion/error.h>
+
+#include <system_error>
+
+#include "canvas/error.h"
+#include "film/error.h"
+#include "gl/error.h"
+#include "video/error.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+
+/// What can be done about it, in the words of the module's arguments; may be empty.
+std::string remedy_of(const motion::MotionError& error) {
+  using enum motion::MotionError::Reason;
+  switch (error.reason()) {
+    case step_too_long:
+      return "take a shorter step";
+    case diverged:
+      return "take a shorter step, or a method that stays on SO(3)";
+    case too_many_steps:
+      return "take a longer step or a shorter duration";
+    case out_of_steps:
+      return "take a larger tolerance or a shorter duration";
+    case step_underflow:
+      return "take a larger tolerance, or a slower motion";
+    case too_many_flips:
+      return "take a shorter duration";
+    case stopped:
+      break;
+  }
+  return {};
+}
+
+std::string remedy_of(const Error& error) {
+  if (!error.remedy().empty()) return error.remedy();
+  if (const auto* motion = dynamic_cast<const motion::MotionError*>(&error)) {
+    return remedy_of(*motion);
+  }
+  if (const auto* size = dynamic_cast<const video::FilmSizeError*>(&error)) {
+    return fmt::format("use size=({}, {}), or write frames alone", size->width(), size->height());
+  }
+  if (dynamic_cast<const canvas::MissingGlyph*>(&error)) {
+    return "set font to a file of a font that has it, or another title";
+  }
+  if (dynamic_cast<const film::SpaceError*>(&error)) {
+    return "free some space, or choose another disk, a smaller size or fewer frames";
+  }
+  if (dynamic_cast<const film::ThreadError*>(&error)) {
+    return "use fewer jobs, or raise the limit on processes";
+  }
+  if (dynamic_cast<const system::OverwriteError*>(&error)) {
+    return "pass overwrite=True to replace it, or choose another path";
+  }
+  return {};
+}
+
+/// The name of the exception in twrench.errors.
+const char* type_of(const Error& error) {
+  if (dynamic_cast<const SceneError*>(&error)) return "SceneError";
+  if (dynamic_cast<const canvas::MissingGlyph*>(&error)) return "SceneError";
+  if (dynamic_cast<const video::FilmSizeError*>(&error)) return "SceneError";
+  if (dynamic_cast<const InvalidArgument*>(&error)) return "UsageError";
+  if (dynamic_cast<const motion::MotionError*>(&error)) return "MotionError";
+  if (dynamic_cast<const gl::GlError*>(&error)) return "GlError";
+  if (dynamic_cast<const video::EncoderError*>(&error)) return "EncoderError";
+  if (dynamic_cast<const system::OverwriteError*>(&error)) return "OverwriteError";
+  if (dynamic_cast<const system::FileError*>(&error)) return "FileError";
+  return "Error";
+}
+
+/// A text as Python's str; bytes that are not UTF-8, which a path may have, are escaped.
+py::str to_str(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace"));
+}
+
+void set_exception(const char* type, const std::string& message, const std::string& remedy) {
+  const py::object exception = py::module_::import("twrench.errors").attr(type);
+  const py::object value = exception(to_str(message), to_str(remedy));
+  PyErr_SetObject(exception.ptr(), value.ptr());
+}
+
+}  // namespace
+
+void register_errors() {
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      set_exception(type_of(error), error.what(), remedy_of(error));
+    } catch (const std::system_error& error) {
+      set_exception("FileError", fmt::format("the system refused: {}", error.what()), {});
+    }
+  });
+}
+
+}  // namespace twrench::python

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <twrench/base/error.h>
+
+namespace twrench::python {
+
+/// A value that a scene cannot have: twrench.SceneError.
+struct SceneError : InvalidArgument {
+  explicit SceneError(const InvalidArgument& error) : InvalidArgument(error) {}
+};
+
+/// Does work on a scene, in which a value that is not allowed is a SceneError.
+template <typename Work>
+auto on_scene(Work work) {
+  try {
+    return work();
+  } catch (const InvalidArgument& error) {
+    throw SceneError(error);
+  }
+}
+
+/// From now on, errors of the libraries reach Python as the exceptions of twrench.errors.
+void register_errors();
+
+}  // namespace twrench::python

@@ -1,0 +1,61 @@
+#include "frame_drawer.h"
+
+#include <optional>
+#include <utility>
+
+#include "gl/error.h"
+#include "render/renderer.h"
+#include "timeline/timeline.h"
+
+namespace twrench::python {
+
+/// What lives on the drawing thread alone.
+class FrameDrawer::Canvas {
+ public:
+  explicit Canvas(const FrameDrawer& drawer) : drawer_(drawer) {}
+
+  image::Image draw(int frame) {
+    const timeline::Timeline timeline(drawer_.scene_, {frame});
+    if (!renderer_) {
+      if (!opened_.context) opened_ = gl::open_context(drawer_.backend_);
+      renderer_.emplace(*opened_.context, drawer_.scene_, timeline.solutions());
+    }
+    return renderer_->draw(timeline.frame_state(0)).image;
+  }
+
+ private:
+  const FrameDrawer& drawer_;
+  gl::OpenedContext opened_;
+  std::optional<render::Renderer> renderer_;
+};
+
+FrameDrawer::FrameDrawer(scene::Scene scene, gl::BackendChoice backend)
+    : scene_(std::move(scene)), backend_(std::move(backend)) {}
+
+FrameDrawer::~FrameDrawer() {
+  if (!thread_.joinable()) return;
+  tasks_.close();
+  if (::getpid() == process_) {
+    thread_.join();
+  } else {
+    thread_.detach();  // it does not exist in this process
+  }
+}
+
+image::Image FrameDrawer::draw(int frame) {
+  if (::getpid() != process_) {
+    throw gl::GlError("frame", "this process was forked from the one that began to draw the scene",
+                      "start processes by multiprocessing's 'spawn' or 'forkserver'");
+  }
+  std::call_once(started_, [this] {
+    thread_ = std::thread([this] {
+      Canvas canvas(*this);
+      while (const auto task = tasks_.pop()) (**task)(canvas);
+    });
+  });
+  const auto task = std::make_shared<Task>([frame](Canvas& canvas) { return canvas.draw(frame); });
+  tasks_.push(task);
+  return task->get_future().get();
+}
+
+}  // namespace twrench::python

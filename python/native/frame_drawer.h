@@ -1,0 +1,43 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "gl/backend.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "system/bounded_queue.h"
+
+namespace twrench::python {
+
+/// Draws single frames of a scene for any thread, on a thread of its own, because an OpenGL context
+/// belongs to the thread that created it. Neither the thread nor the context exists before the
+/// first frame.
+class FrameDrawer {
+ public:
+  FrameDrawer(scene::Scene scene, gl::BackendChoice backend);
+  ~FrameDrawer();
+  FrameDrawer(const FrameDrawer&) = delete;
+  FrameDrawer& operator=(const FrameDrawer&) = delete;
+
+  /// Returns the frame. Throws as film::RenderJob() does, and GlError in a process that was forked
+  /// from the one that created this: neither threads nor OpenGL survive that.
+  image::Image draw(int frame);
+
+ private:
+  class Canvas;
+  using Task = std::packaged_task<image::Image(Canvas&)>;
+
+  const scene::Scene scene_;
+  const gl::BackendChoice backend_;
+  const pid_t process_ = ::getpid();
+  system::BoundedQueue<std::shared_ptr<Task>> tasks_{16};
+  std::once_flag started_;
+  std::thread thread_;
+};
+
+}  // namespace twrench::python

@@ -1,0 +1,65 @@
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <twrench/motion/trajectory.h>
+
+#include <nlohmann/json.hpp>
+
+#include "body.h"
+#include "errors.h"
+#include "module.h"
+#include "scene/fields.h"
+#include "scene/scene_json.h"
+#include "scene/scene_values.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+using scene::Scene;
+
+/// A value, null included, as the text of JSON.
+std::string get_value(const Scene& scene, const std::string& key) {
+  for (const scene::Field& field : scene::fields()) {
+    if (field.key != key) continue;
+    const nlohmann::ordered_json value = field.get(scene);
+    return value.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+  }
+  throw InvalidArgument("scene", "has no key " + key);
+}
+
+void set_value(Scene& scene, const std::string& key, const std::string& json) {
+  on_scene([&] { scene::set_value(scene, key, nlohmann::ordered_json::parse(json)); });
+}
+
+}  // namespace
+
+void add_scenes(py::module_& module) {
+  using scene::Field;
+  py::class_<Field>(module, "Field")
+      .def_readonly("table", &Field::table)
+      .def_readonly("key", &Field::key)
+      .def_readonly("help", &Field::help);
+  module.def("fields", &scene::fields);
+  module.def("scene_names", &scene::builtin_scene_names);
+  py::class_<Scene>(module, "Scene")
+      .def(py::init<const Scene&>())
+      .def_static(
+          "load",
+          [](const std::string& name) { return on_scene([&] { return scene::load_scene(name); }); })
+      .def_static("parse",
+                  [](const std::string& toml, const std::string& source) {
+                    return on_scene([&] { return scene::parse_scene(toml, source); });
+                  })
+      .def_readonly("name", &Scene::name)
+      .def("get", &get_value)
+      .def("set", &set_value)
+      .def("json", [](const Scene& scene) { return scene::scene_json(scene).dump(-1, ' ', true); })
+      .def_property("body", &body_of,
+                    [](Scene& scene, const Body& body) {
+                      on_scene([&] { scene::set_body(scene, body.description); });
+                    })
+      .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); })
+      .def("time_of", [](const Scene& scene, int frame) { return scene.film.time_of(frame); });
+}
+
+}  // namespace twrench::python

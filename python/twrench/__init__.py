@@ -1,0 +1,52 @@
+"""twrench: the torque-free rotation of rigid bodies, from the equations of motion to the film.
+
+Units are g, cm, s and rad throughout. Attitudes ``X`` are rotation matrices space_from_body, and
+angular velocities ``omega`` are in body axes; X = Id at t = 0.
+"""
+
+from ._native import version as __version__
+from .body import Body, Box, Cylinder, Ellipsoid, Part, Sphere
+from .errors import (
+    EncoderError,
+    Error,
+    FileError,
+    GlError,
+    MotionError,
+    OverwriteError,
+    SceneError,
+    UsageError,
+)
+from .motion import ExactMotion, Method, Motion, exact, methods, simulate
+from .scene import Film, Scene, scenes
+from .study import MethodStudy, Study, StudyRun, study
+
+__all__ = [
+    "Body",
+    "Box",
+    "Cylinder",
+    "Ellipsoid",
+    "EncoderError",
+    "Error",
+    "ExactMotion",
+    "FileError",
+    "Film",
+    "GlError",
+    "Method",
+    "MethodStudy",
+    "Motion",
+    "MotionError",
+    "OverwriteError",
+    "Part",
+    "Scene",
+    "SceneError",
+    "Sphere",
+    "Study",
+    "StudyRun",
+    "UsageError",
+    "__version__",
+    "exact",
+    "methods",
+    "scenes",
+    "simulate",
+    "study",
+]

@@ -1,0 +1,85 @@
+"""Conversion of arguments to arrays, with errors that name the argument."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import UsageError
+
+Array = NDArray[np.float64]
+
+
+def brief(value: Any) -> str:
+    """What a message shows of a wrong value."""
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape} and type {value.dtype}"
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def array(name: str, value: ArrayLike, shape: tuple[int | None, ...], form: str) -> Array:
+    """A C-contiguous array of finite doubles; None in `shape` is any length, `form` describes it."""
+    refused = UsageError(f"{name}: must be {form}, not {brief(value)}")
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind not in "fiu":
+            raise refused
+        result = np.ascontiguousarray(given, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise refused from error
+    # ascontiguousarray makes a scalar one-dimensional.
+    if given.ndim != len(shape) or any(
+        wanted is not None and wanted != length for wanted, length in zip(shape, given.shape)
+    ):
+        raise refused
+    if not np.isfinite(result).all():
+        raise UsageError(f"{name}: must be finite, but has a NaN or an infinity")
+    return result
+
+
+def vector(name: str, value: ArrayLike) -> Array:
+    return array(name, value, (3,), "three numbers")
+
+
+def vectors(name: str, value: ArrayLike) -> Array:
+    return array(name, value, (None, 3), "an array of shape (n, 3)")
+
+
+def times(name: str, value: ArrayLike) -> Array:
+    return array(name, value, (None,), "a one-dimensional array of times in s")
+
+
+def number(name: str, value: Any) -> float:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)):
+        raise UsageError(f"{name}: must be a number, not {brief(value)}")
+    try:
+        result = float(value)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise UsageError(f"{name}: must be a number, not {brief(value)}") from error
+    if not np.isfinite(result):
+        raise UsageError(f"{name}: must be finite, not {result}")
+    return result
+
+
+def positive(name: str, value: Any) -> float:
+    result = number(name, value)
+    if result <= 0:
+        raise UsageError(f"{name}: must be greater than 0, not {brief(value)}")
+    return result
+
+
+def whole(name: str, value: Any, least: int, greatest: int) -> int:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+        raise UsageError(f"{name}: must be an integer, not {brief(value)}")
+    if not least <= int(value) <= greatest:
+        raise UsageError(f"{name}: must be from {least} to {greatest}, not {int(value)}")
+    return int(value)
+
+
+def text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise UsageError(f"{name}: must be a string, not {brief(value)}")
+    return value

@@ -1,0 +1,349 @@
+"""Scenes: a body, its motion, and how it is shown; their pictures and their film."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Generic, Iterable, Optional, TypeVar, Union, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arguments, _native
+from ._arguments import Array
+from .body import Body
+from .errors import SceneError, UsageError
+from .motion import Motion, simulate
+
+__all__ = ["Film", "Scene", "scenes"]
+
+T = TypeVar("T")
+Vector = tuple[float, float, float]
+StrPath = Union[str, "os.PathLike[str]"]
+Progress = Callable[[int, int], object]
+
+
+def scenes() -> list[str]:
+    """The names of the built-in scenes."""
+    return list(_native.scene_names())
+
+
+def _as_json(key: str, value: Any) -> str:
+    def convert(other: Any) -> Any:
+        if isinstance(other, (np.ndarray, np.generic)):
+            return other.tolist()
+        if isinstance(other, (set, frozenset)):
+            return sorted(other)
+        if isinstance(other, os.PathLike):
+            return os.fspath(other)
+        raise TypeError
+
+    try:
+        return json.dumps(value, default=convert, allow_nan=False)
+    except (TypeError, ValueError, RecursionError) as error:
+        raise SceneError(f"{key}: cannot be {_arguments.brief(value)}") from error
+
+
+class _Value(Generic[T]):
+    """A value of a scene, an attribute of :class:`Scene` with the name of its key."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.key = name
+        field = next(field for field in _native.fields() if field.key == name)
+        self.__doc__ = f"{field.help}. ``{name}`` in ``[{field.table}]`` of a scene file."
+
+    @overload
+    def __get__(self, scene: None, owner: type) -> _Value[T]: ...
+
+    @overload
+    def __get__(self, scene: Scene, owner: type) -> T: ...
+
+    def __get__(self, scene: Scene | None, owner: type) -> _Value[T] | T:
+        if scene is None:
+            return self
+        value = json.loads(scene._native.get(self.key))
+        result: T = tuple(value) if isinstance(value, list) else value
+        return result
+
+    def __set__(self, scene: Scene, value: T) -> None:
+        scene._native.set(self.key, _as_json(self.key, value))
+        scene._drawer = None
+
+
+class Scene:
+    """Everything that determines a film.
+
+    :param source: name of a built-in scene, or path of a scene file.
+    :param values: values that replace those of the scene, by their keys in a scene file; also
+        ``body``.
+    :raises SceneError: for a mistake, which it names with file, line and key.
+    :raises FileError: where the file cannot be read.
+
+    Every key of a scene file is an attribute that can be set. A value that is not allowed is refused
+    and changes nothing.
+
+    >>> scene = Scene("dzhanibekov", size=(640, 360), method="exact")
+    >>> scene.frame(100).shape
+    (360, 640, 3)
+    """
+
+    title = _Value[str]()
+    omega = _Value[Vector]()
+    method = _Value[str]()
+    step = _Value[float]()
+    tolerance = _Value[float]()
+    duration = _Value[float]()
+    size = _Value[tuple[int, int]]()
+    fps = _Value[float]()
+    speed = _Value[float]()
+    theme = _Value[str]()
+    samples = _Value[int]()
+    motion_blur = _Value[int]()
+    background = _Value[Optional[str]]()
+    color = _Value[Optional[str]]()
+    metallic = _Value[Optional[float]]()
+    roughness = _Value[Optional[float]]()
+    azimuth = _Value[float]()
+    elevation = _Value[float]()
+    distance = _Value[float]()
+    orbit = _Value[float]()
+    field_of_view = _Value[float]()
+    view = _Value[str]()
+    show = _Value[tuple[str, ...]]()
+    compare = _Value[tuple[str, ...]]()
+    trail_point = _Value[Optional[Vector]]()
+    trail_length = _Value[Optional[float]]()
+    font = _Value[str]()
+
+    def __init__(self, source: StrPath = "dzhanibekov", **values: Any) -> None:
+        name = _path("source", source)
+        # A built-in scene is no file.
+        self._inputs = [Path(name)] if os.path.exists(name) else []
+        self._native = _native.Scene.load(name)
+        self._drawer: _native.FrameDrawer | None = None
+        self._set_all(values)
+
+    @classmethod
+    def from_toml(cls, text: str, name: str = "scene", **values: Any) -> Scene:
+        """The scene of the text of a scene file; ``name`` stands for the file in messages."""
+        scene = cls.__new__(cls)
+        scene._inputs = []
+        scene._native = _native.Scene.parse(
+            _arguments.text("text", text), _arguments.text("name", name)
+        )
+        scene._drawer = None
+        scene._set_all(values)
+        return scene
+
+    def _set_all(self, values: dict[str, Any]) -> None:
+        for key, value in values.items():
+            if key == "body":
+                self.body = value
+            elif isinstance(getattr(type(self), key, None), _Value):
+                setattr(self, key, value)
+            else:
+                self._native.set(key, "null")  # says which keys there are
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and not hasattr(type(self), name):
+            self._native.set(name, "null")
+        super().__setattr__(name, value)
+
+    @property
+    def name(self) -> str:
+        """The name of the scene, from which names of outputs derive."""
+        return self._native.name
+
+    @property
+    def body(self) -> Body:
+        """The rigid body."""
+        return Body._wrap(self._native.body)
+
+    @body.setter
+    def body(self, body: Body) -> None:
+        if not isinstance(body, Body):
+            raise SceneError(f"body: must be a twrench.Body, not {_arguments.brief(body)}")
+        self._native.body = body._native
+        self._drawer = None
+
+    @property
+    def frame_count(self) -> int:
+        """The number of frames, round(duration * fps / speed)."""
+        return self._native.frame_count()
+
+    @property
+    def times(self) -> Array:
+        """The time of each frame in the motion, s, (frame_count,)."""
+        return np.arange(self.frame_count) * self.speed / self.fps
+
+    def to_dict(self) -> dict[str, Any]:
+        """Every value, with the tables, keys and units of a scene file."""
+        values: dict[str, Any] = json.loads(self._native.json())
+        return values
+
+    def simulate(self) -> Motion:
+        """The motion at the times of the frames, by the scene's method."""
+        return simulate(
+            self.body,
+            self.omega,
+            self.times,
+            self.method,
+            step=self.step,
+            tolerance=self.tolerance,
+        )
+
+    def __repr__(self) -> str:
+        width, height = self.size
+        return f"<twrench.Scene {self.name}: {self.frame_count} frames of {width}x{height}>"
+
+    # Pictures.
+
+    def frame(self, index: int | None = None, *, time: float | None = None) -> NDArray[np.uint8]:
+        """Draws a frame, byte for byte as ``twrench render`` does.
+
+        :param index: number of the frame, from 0; negative ones count from the end.
+        :param time: time of the motion in s, in place of ``index``: the frame nearest to it.
+        :returns: (height, width, 3), sRGB; (height, width, 4) with unpremultiplied alpha where the
+            background is transparent. Row 0 is the top.
+        :raises GlError: where there is no OpenGL.
+
+        The first call opens OpenGL and takes longer. Threads may call it; they take turns.
+        """
+        return self._drawing().frame(self._index(index, time))
+
+    def png(self, index: int | None = None, *, time: float | None = None) -> bytes:
+        """A frame, as in :meth:`frame`, as the PNG file that ``twrench render`` writes."""
+        return self._drawing().png(self._index(index, time))
+
+    def _drawing(self) -> _native.FrameDrawer:
+        if self._drawer is None:
+            self._drawer = _native.FrameDrawer(_native.Scene(self._native), "auto")
+        return self._drawer
+
+    def _index(self, index: int | None, time: float | None) -> int:
+        if (index is None) == (time is None):
+            raise UsageError("frame: give either index or time")
+        count = self.frame_count
+        if index is not None:
+            number = _arguments.whole("index", index, -count, count - 1)
+            return number % count
+        number = round(_arguments.number("time", time) * self.fps / self.speed)
+        last = (count - 1) * self.speed / self.fps
+        if not 0 <= number < count:
+            raise UsageError(f"time: must be from 0 to {last:g} s, not {time}")
+        return number
+
+    def _repr_png_(self) -> bytes:
+        """The picture of a notebook: the frame at a quarter of the film, where trails are long."""
+        return self.png(self.frame_count // 4)
+
+    def render(
+        self,
+        path: StrPath | None = None,
+        *,
+        frames_dir: StrPath | None = None,
+        frames: str | Iterable[int] | None = None,
+        container: str | None = None,
+        resume: bool = False,
+        overwrite: bool = False,
+        jobs: int | None = None,
+        backend: str = "auto",
+        progress: Progress | None = None,
+    ) -> Film:
+        """Draws the frames and writes the film.
+
+        :param path: the video, .mp4, .mov, .mkv or .webm; None for frames alone.
+        :param frames_dir: folder for the frames as PNG, with their manifest; None for a video alone.
+        :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
+        :param container: mp4, mov, mkv or webm, if the ending of ``path`` does not say.
+        :param resume: keep the intact frames of this scene that are there.
+        :param overwrite: replace frames and a video of another scene.
+        :param jobs: number of threads that compress frames, 1 to 256; None: half the processors.
+        :param backend: auto, osmesa or egl.
+        :param progress: is called with the numbers of frames done and of all, after each frame. An
+            exception that it raises ends the run.
+        :raises OverwriteError: where something else would be overwritten.
+        :raises EncoderError: where ffmpeg is missing or fails.
+        :raises FileError: where something cannot be written.
+        :raises GlError: where there is no OpenGL.
+
+        A video appears when it is complete, and not at all otherwise. Whatever ends the run, Ctrl-C
+        included, the frames that are there are whole and ``resume=True`` continues.
+        """
+        if path is None and frames_dir is None:
+            raise UsageError("render: give path, frames_dir or both")
+        if resume and overwrite:
+            raise UsageError("render: resume keeps frames and overwrite replaces them; give one")
+        if progress is not None and not callable(progress):
+            raise UsageError(f"progress: must be callable, not {_arguments.brief(progress)}")
+        video = None if path is None else Path(_path("path", path))
+        folder = None if frames_dir is None else Path(_path("frames_dir", frames_dir))
+        existing = "overwrite" if overwrite else "resume" if resume else "none"
+        inputs = self._inputs + ([Path(self.font)] if os.path.exists(self.font) else [])
+        count = _native.render(
+            self._native,
+            video,
+            None if container is None else _arguments.text("container", container),
+            folder,
+            _range(frames),
+            existing,
+            None if jobs is None else _arguments.whole("jobs", jobs, 1, 256),
+            _arguments.text("backend", backend),
+            inputs,
+            progress,
+        )
+        return Film(video, folder, count)
+
+
+def _path(name: str, value: Any) -> str:
+    try:
+        path = os.fspath(value)
+    except TypeError as error:
+        raise UsageError(f"{name}: must be a path, not {_arguments.brief(value)}") from error
+    if not isinstance(path, str):
+        raise UsageError(f"{name}: must be a path of type str, not {_arguments.brief(path)}")
+    if not path or "\0" in path:
+        raise UsageError(f"{name}: must be a path, not {_arguments.brief(path)}")
+    return path
+
+
+def _range(frames: str | Iterable[int] | None) -> str:
+    if frames is None:
+        return ""
+    if isinstance(frames, str):
+        if not frames:
+            raise UsageError("frames: must be a range such as '0-99', not an empty string")
+        return frames
+    try:
+        numbers = [_arguments.whole("frames", number, 0, 10**7) for number in frames]
+    except TypeError as error:
+        raise UsageError(f"frames: must be integers, not {_arguments.brief(frames)}") from error
+    if not numbers:
+        raise UsageError("frames: must name one frame at least")
+    return ",".join(str(number) for number in numbers)
+
+
+@dataclass(frozen=True)
+class Film:
+    """What :meth:`Scene.render` wrote. In a notebook it plays."""
+
+    #: The video; None if none was written.
+    path: Path | None
+    #: The folder of the frames; None if none were written.
+    frames_dir: Path | None
+    #: The number of frames.
+    frame_count: int
+
+    def _repr_html_(self) -> str | None:
+        if self.path is None:
+            return None
+        # Players take what is in MOV, and mostly what is in MKV, as MP4.
+        kind = "webm" if self.path.suffix.lower() == ".webm" else "mp4"
+        data = base64.b64encode(self.path.read_bytes()).decode("ascii")
+        return (
+            f'<video controls loop style="max-width: 100%" '
+            f'src="data:video/{kind};base64,{data}"></video>'
+        )

@@ -1,0 +1,139 @@
+"""Methods compared with the exact solution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arguments, _native
+from ._arguments import Array
+from .body import Body
+from .errors import UsageError
+from .motion import _free_body
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["MethodStudy", "Study", "StudyRun", "study"]
+
+
+@dataclass(frozen=True)
+class StudyRun:
+    """One run of a method, compared with the exact solution."""
+
+    #: Name of the method.
+    method: str
+    #: Step size in s; of an adaptive method, the mean of the accepted ones.
+    step: float
+    #: Tolerance of an adaptive method; otherwise None.
+    tolerance: float | None
+    #: Why the method failed; if not empty, the errors below are 0.
+    failure: str
+    #: Frobenius norm of X - X_exact at the end.
+    error: float
+    #: The same at :attr:`Study.early`.
+    early_error: float
+    #: Largest relative energy drift of all steps.
+    energy_drift: float
+    #: Largest Frobenius norm of X^T X - Id of all steps.
+    orthogonality_error: float
+    #: Largest relative error of the angular momentum of all steps.
+    momentum_error: float
+    #: Largest error of a flip time in s; NaN if there are no flips.
+    flip_error: float
+    #: Times in s of the flips in the method's own solution.
+    flip_times: Array
+    #: Number of steps, including rejected ones.
+    steps: int
+    #: Number of evaluations of omega.
+    evaluations: int
+    #: Processor time in s for computing the state at the end.
+    cpu_seconds: float
+
+
+@dataclass(frozen=True)
+class MethodStudy:
+    """All runs of a method."""
+
+    #: Name of the method.
+    method: str
+    #: Slope of the early error over the step size in logarithms; None if it cannot be measured.
+    order: float | None
+    #: The runs, in the order of the steps or tolerances.
+    runs: list[StudyRun]
+
+
+@dataclass(frozen=True)
+class Study:
+    """The results of :func:`study`."""
+
+    #: Duration of the motion in s.
+    duration: float
+    #: Time in s at which orders are measured: after about 10 rad of rotation.
+    early: float
+    #: Times in s of the flips of the exact motion.
+    flip_times: Array
+    #: Results by the name of the method.
+    methods: dict[str, MethodStudy]
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A pandas DataFrame with a row for each run."""
+        import pandas
+
+        return pandas.DataFrame([vars(run) for of in self.methods.values() for run in of.runs])
+
+
+def _run(method: str, run: _native.StudyRun) -> StudyRun:
+    return StudyRun(
+        method=method,
+        step=run.step,
+        tolerance=run.tolerance,
+        failure=run.failure,
+        error=run.error,
+        early_error=run.early_error,
+        energy_drift=run.energy_drift,
+        orthogonality_error=run.orthogonality_error,
+        momentum_error=run.momentum_error,
+        flip_error=run.flip_error,
+        flip_times=np.array(run.flip_times),
+        steps=run.steps,
+        evaluations=run.evaluations,
+        cpu_seconds=run.cpu_seconds,
+    )
+
+
+def study(
+    body: Body,
+    omega: ArrayLike,
+    methods: Sequence[str],
+    *,
+    duration: float,
+    steps: ArrayLike = (0.08, 0.04, 0.02, 0.01),
+    tolerances: ArrayLike = (1e-4, 1e-6, 1e-8, 1e-10),
+) -> Study:
+    """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
+
+    :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
+    :param methods: names of methods.
+    :param duration: duration of the motion in s.
+    :param steps: step sizes in s of the methods of fixed steps, (n,).
+    :param tolerances: error tolerances of the adaptive methods, (m,).
+    :raises UsageError: for a wrong argument. A method that fails is a run with a ``failure``.
+    """
+    if isinstance(methods, str) or not all(isinstance(name, str) for name in methods):
+        raise UsageError(f"methods: must be a list of names, not {_arguments.brief(methods)}")
+    result = _native.study(
+        _free_body(body, omega),
+        list(methods),
+        list(_arguments.array("steps", steps, (None,), "a one-dimensional array of steps in s")),
+        list(_arguments.array("tolerances", tolerances, (None,), "a one-dimensional array")),
+        _arguments.positive("duration", duration),
+    )
+    by_method = {
+        of.method: MethodStudy(of.method, of.order, [_run(of.method, run) for run in of.runs])
+        for of in result.methods
+    }
+    return Study(result.duration, result.early, np.array(result.flip_times), by_method)

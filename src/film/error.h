@@ -1,0 +1,30 @@
+#pragma once
+
+#include "system/error.h"
+
+namespace twrench::film {
+
+/// The folder has frames that the run does not know to be of the same video.
+class ForeignFramesError : public system::OverwriteError {
+ public:
+  /// `sharded`: whether the run draws one of several shards into the folder.
+  ForeignFramesError(const std::string& what, const std::string& why, bool sharded)
+      : system::OverwriteError(what, why), sharded_(sharded) {}
+
+  bool sharded() const noexcept { return sharded_; }
+
+ private:
+  bool sharded_;
+};
+
+/// The disk has too little room for the frames and the video.
+struct SpaceError : system::FileError {
+  using FileError::FileError;
+};
+
+/// The system does not start the threads that compress frames.
+struct ThreadError : system::FileError {
+  using FileError::FileError;
+};
+
+}  // namespace twrench::film

@@ -1,0 +1,190 @@
+#include "film/render_job.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "film/output_space.h"
+#include "image/png.h"
+#include "scene/scene_json.h"
+#include "system/file.h"
+#include "system/processors.h"
+#include "video/frame_range.h"
+#include "video/video_file.h"
+
+namespace twrench::film {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A matrix in row-major order.
+template <std::size_t count, typename Matrix>
+std::array<double, count> row_major(const Matrix& matrix) {
+  std::array<double, count> values;
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+    values[static_cast<std::size_t>(i)] = matrix(i / matrix.cols(), i % matrix.cols());
+  }
+  return values;
+}
+
+/// The frames to draw, each with the first method's pose at its own time.
+std::vector<video::FrameRecord> frame_records(const timeline::Timeline& timeline,
+                                              const render::Renderer& renderer) {
+  std::vector<video::FrameRecord> frames(timeline.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const timeline::FrameState state = timeline.frame_state(i);
+    const render::Camera camera = renderer.camera(state.video_time);
+    frames[i].frame = state.frame;
+    frames[i].t = state.solutions.front().sample.t;
+    frames[i].X = row_major<9>(state.solutions.front().sample.X);
+    frames[i].view = row_major<16>(camera.view);
+    frames[i].projection = row_major<16>(camera.projection);
+  }
+  return frames;
+}
+
+std::vector<int> asked_frames(const scene::Scene& scene, const std::string& range) {
+  const int count = scene.frame_count();
+  const std::string all = "0-" + std::to_string(count - 1);
+  return video::parse_frame_range(range.empty() ? all : range, count);
+}
+
+video::VideoFormat video_format(const scene::Scene& scene, const VideoOutput& video) {
+  return {scene.film.width, scene.film.height,      scene.film.fps,
+          video.container,  scene.look.transparent, video.is_streamed()};
+}
+
+/// Tests the encoder in the background, which takes about as long as creating the OpenGL context.
+std::future<void> try_encoder(const RenderSettings& settings, const scene::Scene& scene) {
+  if (!settings.video) return {};
+  const video::VideoFormat format = video_format(scene, *settings.video);
+  video::encoder_arguments(format);  // throws for an invalid size
+  return std::async(std::launch::async, [format] { video::require_encoder(format); });
+}
+
+/// Opens the encoder, tested before; null without a video. It starts while the test finishes; a
+/// missing folder is created only after the test has passed, so that none is left behind on
+/// failure.
+std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings,
+                                                  const scene::Scene& scene,
+                                                  const std::string& identity,
+                                                  std::future<void> trial) {
+  if (!settings.video) return nullptr;
+  const fs::path& path = settings.video->path;
+  std::error_code failed;
+  if (path.has_parent_path() && !fs::exists(path.parent_path(), failed)) {
+    trial.get();
+    system::make_folder(path.parent_path());
+  }
+  auto encoder =
+      std::make_unique<video::VideoEncoder>(path, video_format(scene, *settings.video), identity);
+  if (trial.valid()) trial.get();
+  return encoder;
+}
+
+video::Manifest manifest_of(const RenderSettings& settings, const scene::Scene& scene,
+                            const render::Renderer& renderer, const std::vector<int>& asked) {
+  video::Manifest manifest;
+  manifest.version = TWRENCH_VERSION;
+  // As it will be read back: its strings may contain invalid UTF-8.
+  manifest.scene = nlohmann::ordered_json::parse(scene::scene_json(scene).dump(
+      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  manifest.font = renderer.typeface_digest();
+  manifest.renderer = renderer.description();
+  manifest.width = scene.film.width;
+  manifest.height = scene.film.height;
+  manifest.fps = scene.film.fps;
+  manifest.range = video::format_frame_range(asked);
+  manifest.shard = settings.shard;
+  if (settings.video) {
+    manifest.encoder = video::encoder_arguments(video_format(scene, *settings.video));
+  }
+  return manifest;
+}
+
+/// Reads a frame that --resume keeps; without its image if no video needs it.
+image::Frame read_frame(const fs::path& path, bool has_video) {
+  if (!has_video) return {{}, {}, false};
+  image::Image image = image::read_png(path);
+  const image::Area all{0, 0, image.width, image.height};
+  return {std::move(image), {all}, false};
+}
+
+/// The video file that the run writes, if any.
+std::optional<fs::path> video_file(const RenderSettings& settings) {
+  if (!settings.video || settings.video->is_streamed()) return std::nullopt;
+  return settings.video->path;
+}
+
+PlannedOutput planned_output(const RenderSettings& settings, const scene::Scene& scene,
+                             const std::optional<FramesOutput>& frames, std::size_t count) {
+  PlannedOutput planned;
+  planned.frame_pixels = double(scene.film.width) * scene.film.height;
+  if (frames) {
+    planned.frames_folder = frames->folder();
+    planned.new_frames = frames->count_without_file();
+  }
+  planned.film = video_file(settings);
+  if (planned.film) planned.film_frames = count;
+  return planned;
+}
+
+timeline::Timeline timed_timeline(const scene::Scene& scene, const std::vector<int>& numbers,
+                                  StageTimes& times) {
+  const Timed timed(times.pose);
+  return timeline::Timeline(scene, numbers);
+}
+
+}  // namespace
+
+int default_job_count() { return std::max(1, static_cast<int>(system::processor_count() / 2)); }
+
+RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
+    : scene_(scene),
+      settings_(std::move(settings)),
+      asked_(asked_frames(scene_, settings_.range)),
+      numbers_(video::frames_of_shard(asked_, settings_.shard)),
+      trial_(try_encoder(settings_, scene_)),
+      opened_(gl::open_context(settings_.backend)),
+      timeline_(timed_timeline(scene_, numbers_, times_)),
+      renderer_(*opened_.context, scene_, timeline_.solutions()),
+      frames_(frame_records(timeline_, renderer_)) {
+  const video::Manifest manifest = manifest_of(settings_, scene_, renderer_, asked_);
+  const std::string identity = video::video_identity(manifest, numbers_);
+  const std::optional<fs::path> file = video_file(settings_);
+  if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
+  if (settings_.frames_folder) {
+    output_.emplace(*settings_.frames_folder, manifest, numbers_, settings_.reuse);
+  }
+  if (!frames_.empty()) {
+    require_space(planned_output(settings_, scene_, output_, frames_.size()),
+                  [&] { return renderer_.draw(timeline_.frame_state(0)).image; });
+  }
+  encoder_ = open_encoder(settings_, scene_, identity, std::move(trial_));
+  if (output_) sequence_ = &output_->open();
+}
+
+void RenderJob::run(const ProgressCallback& progress) {
+  const auto begin = [&](std::size_t index) {
+    const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
+    if (!kept) return renderer_.begin(timeline_.frame_state(index));
+    return std::async(std::launch::deferred, read_frame, output_->folder() / kept->file,
+                      encoder_ != nullptr);
+  };
+  const auto reuse = [&](image::Frame frame) {
+    if (frame.is_new) renderer_.reuse(std::move(frame));
+  };
+  run_pipeline(frames_, {begin, renderer_.frames_ahead(), reuse},
+               {sequence_, encoder_.get(), settings_.jobs, start_}, progress, times_);
+  if (sequence_ != nullptr) sequence_->finish();
+  if (encoder_) encoder_->finish();
+}
+
+std::optional<std::size_t> RenderJob::record_frames() {
+  if (sequence_ == nullptr) return std::nullopt;
+  sequence_->finish();
+  return sequence_->count(frames_);
+}
+
+}  // namespace twrench::film

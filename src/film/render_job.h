@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "film/frames_output.h"
+#include "film/pipeline.h"
+#include "film/stage_times.h"
+#include "gl/backend.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+#include "timeline/timeline.h"
+#include "video/encoder.h"
+#include "video/shard.h"
+
+namespace twrench::film {
+
+/// Returns the number of threads that compress frames unless the caller says otherwise: half the
+/// processors. Drawing and the encoder use the other half; more would only compete with them for
+/// time and cache.
+int default_job_count();
+
+/// The video of a run.
+struct VideoOutput {
+  /// A file, or "-" for standard output.
+  std::filesystem::path path;
+  video::Container container = video::Container::mp4;
+
+  bool is_streamed() const { return path == "-"; }
+};
+
+/// What a run draws, and where it writes it.
+struct RenderSettings {
+  /// Folder of the PNG frames and their manifest; nothing if none are written.
+  std::optional<std::filesystem::path> frames_folder;
+  /// Nothing if no video is written.
+  std::optional<VideoOutput> video;
+  /// The frames to draw, as video::parse_frame_range() reads them; all of them if empty.
+  std::string range;
+  /// The part of those frames that this run draws.
+  video::Shard shard;
+  /// What it may do with frames and a video that exist.
+  Reuse reuse = Reuse::none;
+  /// Number of threads that compress frames, at least 1.
+  int jobs = default_job_count();
+  gl::BackendChoice backend;
+};
+
+/// A run that draws the frames of a scene, and writes them and the video. Use it only on the thread
+/// that created it.
+class RenderJob {
+ public:
+  /// Opens OpenGL and the outputs. Whatever can fail for a reason known in advance fails here,
+  /// before the first frame: throws InvalidArgument, MotionError, GlError, EncoderError,
+  /// FileError and OverwriteError as the stages do, and SpaceError.
+  RenderJob(const scene::Scene& scene, RenderSettings settings);
+
+  /// Returns the number of frames of the run.
+  std::size_t size() const { return frames_.size(); }
+
+  /// Returns what OpenGL was used in place of the requested one, and why; usually empty.
+  const std::string& note() const { return opened_.note; }
+
+  /// Draws and writes all frames, and completes the video. `progress` may be empty. Throws as the
+  /// stages do; the frames written until then are recorded in the manifest.
+  void run(const ProgressCallback& progress);
+
+  /// Records the frames that are complete, and returns their number; nothing if the run writes no
+  /// frames. For a TerminationAction: may be called on another thread, under hold_termination().
+  std::optional<std::size_t> record_frames();
+
+  /// How long the stages were busy so far.
+  const StageTimes& times() const { return times_; }
+
+ private:
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  StageTimes times_;
+  const scene::Scene scene_;
+  const RenderSettings settings_;
+  const std::vector<int> asked_;    ///< Numbers of the frames of all shards.
+  const std::vector<int> numbers_;  ///< Numbers of those of this run.
+  std::future<void> trial_;         ///< The test of the encoder.
+  const gl::OpenedContext opened_;
+  const timeline::Timeline timeline_;
+  render::Renderer renderer_;
+  const std::vector<video::FrameRecord> frames_;
+  std::optional<FramesOutput> output_;
+  std::unique_ptr<video::VideoEncoder> encoder_;
+  video::FrameSequence* sequence_ = nullptr;
+};
+
+}  // namespace twrench::film

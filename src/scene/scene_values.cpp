@@ -1,0 +1,95 @@
+#include "scene/scene_values.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "scene/fields.h"
+#include "scene/limits.h"
+
+namespace twrench::scene {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool is_array_of(const ordered_json& value, std::size_t count, bool (ordered_json::*is)() const) {
+  return value.is_array() && (count == 0 || value.size() == count) &&
+         std::ranges::all_of(value, [is](const ordered_json& entry) { return (entry.*is)(); });
+}
+
+/// Throws unless the value has that form.
+void require_form(Field::Kind kind, const ordered_json& value, const std::string& what) {
+  const auto require = [&](bool has_form, const char* form) {
+    if (!has_form) throw InvalidArgument(what, fmt::format("must be {}", form));
+  };
+  switch (kind) {
+    case Field::Kind::number:
+    case Field::Kind::integer:
+      return require(value.is_number(), "a number");
+    case Field::Kind::vector:
+      return require(is_array_of(value, 3, &ordered_json::is_number), "an array of 3 numbers");
+    case Field::Kind::size:
+      return require(is_array_of(value, 2, &ordered_json::is_number), "an array of 2 numbers");
+    case Field::Kind::text:
+      return require(value.is_string(), "a string");
+    case Field::Kind::texts:
+      return require(is_array_of(value, 0, &ordered_json::is_string), "an array of strings");
+  }
+}
+
+/// Throws unless the part is one that a scene file may have.
+void require_allowed(const body::Part& part, const std::string& what) {
+  const auto require_length = [&](const char* quantity, double length) {
+    limits::check(limits::length, what + "." + quantity, length);
+  };
+  if (const auto* cylinder = std::get_if<body::Cylinder>(&part.shape)) {
+    require_length("radius", cylinder->radius);
+    require_length("length", cylinder->length);
+  } else if (const auto* box = std::get_if<body::Box>(&part.shape)) {
+    for (const double edge : box->size) require_length("size", edge);
+  } else {
+    for (const double radius : std::get<body::Ellipsoid>(part.shape).radii) {
+      require_length("radii", radius);
+    }
+  }
+  limits::check(limits::density, what + ".density", part.density);
+  limits::check(limits::coordinate, what + ".position", part.position);
+}
+
+}  // namespace
+
+void set_value(Scene& scene, const std::string& key, const ordered_json& value) {
+  const auto field = std::ranges::find(fields(), key, &Field::key);
+  if (field == fields().end()) {
+    std::vector<std::string> keys;
+    std::ranges::transform(fields(), std::back_inserter(keys), &Field::key);
+    throw unknown_name("scene", key, keys);
+  }
+  require_form(field->kind, value, key);
+  Scene changed = scene;
+  field->set(changed, value, key);
+  scene = std::move(changed);
+}
+
+void set_body(Scene& scene, Body body) {
+  if (body.parts.size() > limits::max_parts) {
+    throw InvalidArgument("body", fmt::format("has {} parts, but at most {} are allowed",
+                                              body.parts.size(), limits::max_parts));
+  }
+  for (std::size_t i = 0; i < body.parts.size(); ++i) {
+    require_allowed(body.parts[i], fmt::format("part[{}]", i));
+  }
+  if (body.moments) {
+    limits::check(limits::moment, "moments", *body.moments);
+    limits::check_moments("moments", *body.moments);
+  } else {
+    limits::check_moments("body", mass_properties(body).moments);
+  }
+  scene.body = std::move(body);
+}
+
+}  // namespace twrench::scene
