@@ -20,7 +20,10 @@ cache=$dir/CMakeCache.txt
 # share one folder and must not undo each other's configuration.
 # A folder configured elsewhere (the sources were moved or copied) is configured again.
 in_cache() { grep -qsxF "$1" "$cache"; }
-options=(--preset "$preset" -DBUILD_TESTING="$tests")
+# The Python module belongs to what the tests of the release test.
+python=OFF
+[[ $tests == OFF || $preset != release ]] || python=ON
+options=(--preset "$preset" -DBUILD_TESTING="$tests" -DTWRENCH_PYTHON="$python")
 if [[ ! -f $dir/build.ninja ]] || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
   configure=(cmake --fresh "${options[@]}")
 elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then

@@ -48,6 +48,14 @@ render   | the typeface Roboto           | fonts-roboto-unhinted
 render   | the typeface Fira Code        | fonts-firacode
 render   | ffmpeg                        | ffmpeg
 test     | GoogleTest                    | libgtest-dev
+test     | Python's headers              | python3-dev
+test     | pybind11                      | pybind11-dev
+test     | NumPy                         | python3-numpy
+test     | pytest                        | python3-pytest
+test     | SciPy, to compare with        | python3-scipy
+test     | pandas                        | python3-pandas
+test     | Pillow, to read our PNG       | python3-pil
+test     | mypy                          | mypy
 test     | GoogleMock                    | libgmock-dev
 test     | a typeface of many scripts    | fonts-freefont-ttf
 test     | gnuplot, for figures          | gnuplot-nox gnuplot

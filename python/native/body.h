@@ -15,7 +15,8 @@ struct Body {
 
 /// A scene's body.
 inline Body body_of(const scene::Scene& scene) {
-  return {scene.body, scene::mass_properties(scene.body)};
+  const body::MassProperties properties = scene::mass_properties(scene.body);
+  return {scene.body, properties};
 }
 
 }  // namespace twrench::python

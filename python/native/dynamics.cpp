@@ -42,13 +42,16 @@ body::Part make_part(const std::string& shape, const Vector3d& size, double dens
 }
 
 Body body_from_parts(const std::vector<body::Part>& parts) {
-  return {{parts, {}}, body::mass_properties(parts)};
+  // Not in the braces below: where it throws there, GCC 12 destroys what stands before it twice.
+  const body::MassProperties properties = body::mass_properties(parts);
+  return {{parts, {}}, properties};
 }
 
 Body body_from_moments(const Vector3d& moments) {
   for (const double moment : moments) require_positive("moments", moment);
   const scene::Body description{{}, moments};
-  return {description, scene::mass_properties(description)};
+  const body::MassProperties properties = scene::mass_properties(description);
+  return {description, properties};
 }
 
 Body body_from_inertia(const Matrix3d& inertia) {

@@ -28,7 +28,13 @@ std::string get_value(const Scene& scene, const std::string& key) {
 }
 
 void set_value(Scene& scene, const std::string& key, const std::string& json) {
-  on_scene([&] { scene::set_value(scene, key, nlohmann::ordered_json::parse(json)); });
+  on_scene([&] {
+    try {
+      scene::set_value(scene, key, nlohmann::ordered_json::parse(json));
+    } catch (const nlohmann::ordered_json::out_of_range&) {
+      throw InvalidArgument(key, "is a number beyond those of double precision");
+    }
+  });
 }
 
 }  // namespace
@@ -54,10 +60,15 @@ void add_scenes(py::module_& module) {
       .def("get", &get_value)
       .def("set", &set_value)
       .def("json", [](const Scene& scene) { return scene::scene_json(scene).dump(-1, ' ', true); })
-      .def_property("body", &body_of,
-                    [](Scene& scene, const Body& body) {
-                      on_scene([&] { scene::set_body(scene, body.description); });
-                    })
+      .def_property(
+          "body", &body_of,
+          [](Scene& scene, const Body& body) {
+            if (body.description.parts.empty() && !body.description.moments) {
+              throw SceneError({"body", "is given by an inertia matrix, which no scene can show",
+                                "give the body by parts or moments"});
+            }
+            on_scene([&] { scene::set_body(scene, body.description); });
+          })
       .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); })
       .def("time_of", [](const Scene& scene, int frame) { return scene.film.time_of(frame); });
 }

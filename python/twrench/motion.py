@@ -88,9 +88,9 @@ class Motion:
         )
 
     @cached_property
-    def _diagnostics(self) -> Array:
+    def _diagnostics(self) -> tuple[Array, ...]:
         X, omega = np.ascontiguousarray(self.X), np.ascontiguousarray(self.omega)
-        return _native.diagnose(self._free_body, X, omega)
+        return tuple(_native.diagnose(self._free_body, X, omega))
 
     @property
     def energy(self) -> Array:

@@ -1,0 +1,105 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import twrench
+from twrench import Body, Box, Cylinder, Ellipsoid, Sphere
+
+
+def test_a_cylinder_has_the_moments_of_the_formula():
+    body = Body([Cylinder(radius=2, length=6, density=3)])
+    mass = 3 * math.pi * 2**2 * 6
+    assert body.mass == pytest.approx(mass, rel=1e-15)
+    across = mass * (3 * 2**2 + 6**2) / 12
+    np.testing.assert_allclose(body.inertia, np.diag([across, across, mass * 2**2 / 2]), rtol=1e-14)
+
+
+def test_parts_are_placed_and_turned():
+    box = Box(size=[1, 2, 3], density=1, position=[10, 0, 0], rotation=[0, 0, math.pi / 2])
+    body = Body([box])
+    np.testing.assert_allclose(body.centre_of_mass, [10, 0, 0])
+    # A quarter turn about z exchanges the moments about x and y: m/12 (a^2 + b^2), m = 6.
+    np.testing.assert_allclose(np.diag(body.inertia), [5, 6.5, 2.5], atol=1e-12)
+
+
+def test_the_built_in_body_is_that_of_its_parts():
+    scene = twrench.Scene("dzhanibekov")
+    parts = [
+        Cylinder(
+            radius=part["radius"],
+            length=part["length"],
+            density=part["density"],
+            position=part["position"],
+            rotation=part["rotation"],
+        )
+        for part in scene.to_dict()["part"]
+    ]
+    np.testing.assert_allclose(Body(parts).inertia, scene.body.inertia, atol=1e-12)
+
+
+def test_a_sphere_is_an_ellipsoid_of_equal_axes():
+    assert Body([Sphere(radius=2, density=1)]).principal_moments == pytest.approx(
+        Body([Ellipsoid(radii=[2, 2, 2], density=1)]).principal_moments
+    )
+
+
+def test_moments_and_inertia():
+    assert Body(moments=[3, 1, 2]).principal_moments.tolist() == [1, 2, 3]
+    inertia = np.array([[4.0, 1, 0], [1, 5, 0.5], [0, 0.5, 6]])
+    body = Body(inertia=inertia)
+    np.testing.assert_array_equal(body.inertia, inertia)
+    np.testing.assert_allclose(body.principal_moments, np.linalg.eigvalsh(inertia))
+    axes = body.principal_axes
+    np.testing.assert_allclose(axes.T @ inertia @ axes, np.diag(body.principal_moments), atol=1e-12)
+
+
+def test_the_body_of_a_scene_by_name_by_file_and_by_scene(tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text("[body]\nmoments = [1, 2, 3]\n")
+    assert Body.from_scene("sphere").principal_moments.std() < 1e-9
+    assert Body.from_scene(file).principal_moments.tolist() == [1, 2, 3]
+    assert Body.from_scene(twrench.Scene(file)).principal_moments.tolist() == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Body(), "exactly one"),
+        (lambda: Body([], moments=[1, 2, 3]), "exactly one"),
+        (lambda: Body([]), "parts"),
+        (lambda: Body(3), "parts: must be a sequence"),
+        (lambda: Body([3]), "parts: must be a sequence"),
+        (lambda: Body([Sphere(radius=-1, density=1)]), "radi"),
+        (lambda: Body([Sphere(radius=1, density=0)]), "density"),
+        (lambda: Body([Sphere(radius=math.nan, density=1)]), "radius: must be finite"),
+        (lambda: Body([Sphere(radius="1", density=1)]), "radius: must be a number"),
+        (lambda: Body([Sphere(radius=None, density=1)]), "radius: must be a number"),
+        (lambda: Body([Box(size=[1, 2], density=1)]), "size: must be three numbers"),
+        (lambda: Body([Box(size=[1, 2, 3], density=1, axis=[0, 0, 0])]), "axis: must not be zero"),
+        (
+            lambda: Body([Box(size=[1, 2, 3], density=1, axis=[0, 0, 1], rotation=[0, 0, 1])]),
+            "rotation: cannot be combined",
+        ),
+        (lambda: Body(moments=[1, 2, -3]), "moments"),
+        (lambda: Body(moments=[1, 2]), "moments: must be three numbers"),
+        (lambda: Body(moments=[1, 2, math.inf]), "moments: must be finite"),
+        (lambda: Body(moments="abc"), "moments: must be three numbers, not 'abc'"),
+        (lambda: Body(moments=[[1, 2], [3]]), "moments: must be three numbers"),
+        (lambda: Body(moments=[True, True, True]), "moments: must be three numbers"),
+        (lambda: Body(inertia=np.eye(2)), r"inertia: must be an array of shape \(3, 3\)"),
+        (lambda: Body(inertia=np.diag([1, 2, -3])), "inertia"),
+        (lambda: Body(inertia=[[1, 2, 3], [4, 5, 6], [7, 8, 9]]), "inertia"),
+        (lambda: Body(inertia=np.eye(3) * 1j), "inertia: must be an array"),
+    ],
+)
+def test_a_wrong_body_is_refused_by_the_name_of_the_argument(make, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        make()
+
+
+def test_it_shows_what_it_is():
+    assert repr(Body(moments=[1, 2, 3])) == "<twrench.Body: principal moments 1, 2, 3 g cm^2>"
+    assert "mass 252.584 g" in repr(twrench.Scene().body)

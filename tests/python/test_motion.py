@@ -1,0 +1,277 @@
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import twrench
+
+OMEGA = (1.0, 0.05, 0.0)
+
+
+@pytest.fixture(scope="module")
+def body() -> twrench.Body:
+    return twrench.Scene().body
+
+
+def solved_by_scipy(inertia: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """X of Euler's equations with the attitude as a quaternion, from a program nobody here wrote."""
+    integrate = pytest.importorskip("scipy.integrate")
+    Rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    inverse = np.linalg.inv(inertia)
+
+    def rate(_: float, y: np.ndarray) -> np.ndarray:
+        q, w = y[:4], y[4:]
+        turn = 0.5 * np.concatenate([q[3] * w + np.cross(q[:3], w), [-q[:3] @ w]])
+        return np.concatenate([turn, inverse @ np.cross(inertia @ w, w)])
+
+    start = np.concatenate([[0, 0, 0, 1], OMEGA])
+    solution = integrate.solve_ivp(
+        rate, (0, times[-1]), start, "DOP853", times, rtol=1e-12, atol=1e-12
+    )
+    return Rotation.from_quat(solution.y[:4].T).as_matrix()
+
+
+def test_the_exact_motion_is_that_of_scipy(body):
+    times = np.linspace(0, 30, 61)
+    motion = twrench.simulate(body, OMEGA, times)
+    assert motion.X.shape == (61, 3, 3) and motion.omega.shape == (61, 3)
+    assert np.abs(motion.X - solved_by_scipy(body.inertia, times)).max() < 1e-8
+    assert np.abs(twrench.exact(body, OMEGA).at(times).X - motion.X).max() < 1e-14
+
+
+@pytest.mark.parametrize("method", [m.name for m in twrench.methods()])
+def test_every_method_gives_the_motion_that_the_program_gives(body, method, program):
+    text = program("simulate", "--method", method, "--times", "0,0.5,2", "--format", "json")
+    rows = json.loads(text)["samples"]
+    scene = twrench.Scene()
+    motion = twrench.simulate(
+        body, OMEGA, [0, 0.5, 2], method, step=scene.step, tolerance=scene.tolerance
+    )
+    np.testing.assert_array_equal(motion.X, [np.reshape(row["X"], (3, 3)) for row in rows])
+    np.testing.assert_array_equal(motion.omega, [row["omega"] for row in rows])
+
+
+def test_times_may_come_in_any_order_and_a_sample_depends_on_its_own_alone(body):
+    times = [3.0, -1.5, 0.0, 7.25]
+    for method in ("exact", "rkmk4", "rkmk45"):
+        together = twrench.simulate(body, OMEGA, times, method)
+        for i, t in enumerate(times):
+            alone = twrench.simulate(body, OMEGA, [t], method)
+            np.testing.assert_array_equal(together.X[i], alone.X[0])
+    assert len(twrench.simulate(body, OMEGA, [])) == 0
+    assert twrench.simulate(body, OMEGA, [], "rkmk4").X.shape == (0, 3, 3)
+    assert twrench.exact(body, OMEGA).at([]).quaternion_xyzw.shape == (0, 4)
+
+
+@pytest.mark.parametrize("method", ["euler", "rk4"])
+def test_what_is_conserved(body, method):
+    motion = twrench.simulate(body, OMEGA, np.linspace(0, 5, 20), method, step=0.01)
+    inertia = body.inertia
+    energy = 0.5 * np.einsum("ni,ij,nj->n", motion.omega, inertia, motion.omega)
+    np.testing.assert_allclose(motion.energy, energy, rtol=1e-13)
+    start = 0.5 * np.array(OMEGA) @ inertia @ np.array(OMEGA)
+    np.testing.assert_allclose(motion.energy_drift, energy / start - 1, atol=1e-13)
+    gram = np.einsum("nji,njk->nik", motion.X, motion.X) - np.eye(3)
+    np.testing.assert_allclose(
+        motion.orthogonality_error, np.linalg.norm(gram, axis=(1, 2)), atol=1e-13
+    )
+    L = inertia @ np.array(OMEGA)
+    np.testing.assert_allclose(motion.momentum, L)
+    error = motion.X @ (inertia @ motion.omega[:, :, None]) - L[:, None]
+    np.testing.assert_allclose(
+        motion.momentum_error, np.linalg.norm(error[:, :, 0], axis=1) / np.linalg.norm(L), atol=1e-13
+    )
+    # There is something to measure: Euler's method leaves SO(3), and both change the energy.
+    assert (motion.orthogonality_error.max() > 1e-3) == (method == "euler")
+    assert np.abs(motion.energy_drift).max() > 1e-12
+
+
+def test_quaternions_say_their_order(body):
+    Rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    motion = twrench.simulate(body, OMEGA, np.linspace(0, 60, 601))
+    q = motion.quaternion_xyzw
+    np.testing.assert_allclose(Rotation.from_quat(q).as_matrix(), motion.X, atol=1e-14)
+    np.testing.assert_array_equal(motion.quaternion_wxyz[:, 0], q[:, 3])
+    np.testing.assert_array_equal(motion.quaternion_wxyz[:, 1:], q[:, :3])
+    assert (np.sum(q[1:] * q[:-1], axis=1) > 0.9).all()  # no sign jumps
+    np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1, atol=1e-15)
+
+
+def test_flips(body):
+    exact = twrench.exact(body, OMEGA)
+    flips = exact.flip_times(96)
+    assert exact.kind == "about_least" and exact.turns_over
+    assert flips[0] == exact.first_flip
+    np.testing.assert_allclose(np.diff(flips), exact.flip_interval, rtol=1e-13)
+    component = exact.at(np.concatenate([flips - 1e-6, flips + 1e-6])).omega @ body.principal_axes[:, 1]
+    assert (component[: len(flips)] * component[len(flips) :] < 0).all()
+    steady = twrench.exact(body, [0, 0, 0])
+    assert math.isnan(steady.flip_interval) and math.isnan(steady.first_flip)
+    assert steady.kind == "steady" and steady.swing == 0 and not steady.turns_over
+    assert len(steady.flip_times(10)) == 0
+
+
+def test_arrays_outlive_what_they_came_from(body):
+    X = twrench.simulate(body, OMEGA, np.linspace(0, 1, 100_000), "rkmk4").X
+    copy = X.copy()
+    for _ in range(5):
+        twrench.simulate(body, OMEGA, np.linspace(0, 1, 100_000), "rkmk4", step=0.02)
+    np.testing.assert_array_equal(X, copy)
+
+
+def test_to_dataframe(body):
+    pytest.importorskip("pandas")
+    frame = twrench.simulate(body, OMEGA, [0, 1]).to_dataframe()
+    assert list(frame.columns[:2]) == ["t", "X11"] and frame.shape == (2, 17)
+    assert frame["X11"][0] == 1 and frame["omega_y"][0] == 0.05
+
+
+def test_a_study_measures_the_orders(body):
+    study = twrench.study(body, OMEGA, ["rkmk4", "rkmk45"], duration=24)
+    assert study.methods["rkmk4"].order == pytest.approx(4, abs=0.2)
+    assert [run.step for run in study.methods["rkmk4"].runs] == [0.08, 0.04, 0.02, 0.01]
+    assert study.methods["rkmk45"].runs[-1].tolerance == 1e-10
+    assert study.methods["rkmk45"].runs[-1].error < 1e-6
+    np.testing.assert_allclose(study.flip_times, twrench.exact(body, OMEGA).flip_times(24))
+    pytest.importorskip("pandas")
+    assert len(study.to_dataframe()) == 8
+    failed = twrench.study(body, [100, 5, 0], ["rk4"], duration=1, steps=[1.0])
+    assert "longer than a turn" in failed.methods["rk4"].runs[0].failure
+
+
+NOT_TIMES = [None, "abc", 3.0, [[0.0]], [0.0, math.nan], [math.inf], [None], [1j], {}, [[1], [2, 3]]]
+
+
+@pytest.mark.parametrize("times", NOT_TIMES)
+def test_wrong_times(body, times):
+    with pytest.raises(twrench.UsageError, match="^times: must be"):
+        twrench.simulate(body, OMEGA, times)
+    with pytest.raises(twrench.UsageError, match="^times: must be"):
+        twrench.exact(body, OMEGA).at(times)
+
+
+@pytest.mark.parametrize("omega", [None, 1.0, [1, 2], [1, 2, math.nan], "x", np.ones((3, 1)), ["1"] * 3])
+def test_wrong_omega(body, omega):
+    for call in (
+        lambda: twrench.simulate(body, omega, [0]),
+        lambda: twrench.exact(body, omega),
+        lambda: twrench.study(body, omega, ["rk4"], duration=1),
+    ):
+        with pytest.raises(twrench.UsageError, match="^omega: must be"):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"body": None}, twrench.UsageError, "body: must be a twrench.Body"),
+        ({"method": "rkmk5"}, twrench.UsageError, "rkmk5.*did you mean"),
+        ({"method": 4}, twrench.UsageError, "method: must be a string"),
+        ({"step": 0}, twrench.UsageError, "step: must be greater than 0"),
+        ({"step": "0.1"}, twrench.UsageError, "step: must be a number"),
+        ({"step": math.nan}, twrench.UsageError, "step: must be finite"),
+        ({"tolerance": -1}, twrench.UsageError, "tolerance: must be greater than 0"),
+        ({"tolerance": 1e-20, "method": "rkmk45"}, twrench.UsageError, "tolerance"),
+        ({"max_steps": 0}, twrench.UsageError, "max_steps: must be from 1"),
+        ({"max_steps": 1.5}, twrench.UsageError, "max_steps: must be an integer"),
+        ({"max_steps": 10, "method": "rk4"}, twrench.MotionError, "take a longer step"),
+        ({"step": 20, "method": "rk4"}, twrench.MotionError, "take a shorter step"),
+    ],
+)
+def test_other_wrong_arguments(body, arguments, error, message):
+    with pytest.raises(error, match=message) as raised:
+        twrench.simulate(**({"body": body, "omega": OMEGA, "times": [0, 50]} | arguments))
+    assert "--" not in str(raised.value) and "\n" not in str(raised.value)
+
+
+def test_wrong_studies(body):
+    for methods in ("rk4", [4], ["rk5"]):
+        with pytest.raises(twrench.UsageError, match="methods"):
+            twrench.study(body, OMEGA, methods, duration=1)
+    with pytest.raises(twrench.UsageError, match="duration"):
+        twrench.study(body, OMEGA, ["rk4"], duration=0)
+    with pytest.raises(twrench.UsageError, match="steps"):
+        twrench.study(body, OMEGA, ["rk4"], duration=1, steps=[])
+    with pytest.raises(twrench.UsageError, match="^step: is 0"):
+        twrench.study(body, OMEGA, ["rk4"], duration=1, steps=[0.0])
+
+
+def test_errors_survive_pickling():
+    import pickle
+
+    error = twrench.MotionError("a: b", "do c")
+    copy = pickle.loads(pickle.dumps(error))
+    assert (str(copy), copy.remedy) == ("a: b; do c", "do c")
+    assert isinstance(twrench.FileError("a"), OSError)
+    assert isinstance(twrench.SceneError("a"), ValueError)
+
+
+def test_eight_threads_get_what_one_gets(body):
+    times = np.linspace(0, 20, 2000)
+    methods = ["exact", "rkmk4", "rkmk45", "taylor"]
+    wanted = {m: twrench.simulate(body, OMEGA, times, m).X.copy() for m in methods}
+
+    def work(i: int) -> bool:
+        method = methods[i % len(methods)]
+        return bool((twrench.simulate(body, OMEGA, times, method).X == wanted[method]).all())
+
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(work, range(64)))
+
+
+def test_other_threads_run_while_a_motion_is_integrated(body):
+    turns = 0
+    done = threading.Event()
+
+    def integrate() -> None:
+        twrench.simulate(body, OMEGA, [96], "suzuki4", step=2e-4)
+        done.set()
+
+    thread = threading.Thread(target=integrate)
+    thread.start()
+    while not done.wait(0.001):
+        turns += 1
+    thread.join()
+    assert turns > 10
+
+
+INTERRUPTED = """
+import sys, time, twrench
+body = twrench.Scene().body
+def work():
+    if sys.argv[1] == "simulate":
+        twrench.simulate(body, (1, 0.05, 0), [9.6], "suzuki4", step=2e-7, max_steps=10**9)
+    elif sys.argv[1] == "study":
+        twrench.study(body, (1, 0.05, 0), ["suzuki4"], duration=9.6, steps=[2e-6])
+print("begun", flush=True)
+try:
+    work()
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+twrench.simulate(body, (1, 0.05, 0), [1], "rkmk4")  # and all goes on
+print("fine", flush=True)
+"""
+
+
+@pytest.mark.parametrize("work", ["simulate", "study"])
+@pytest.mark.parametrize("delay", [0.0, 0.05, 0.3])
+def test_control_c_ends_the_work(work, delay):
+    child = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, work], stdout=subprocess.PIPE, text=True
+    )
+    assert child.stdout is not None
+    assert child.stdout.readline() == "begun\n"
+    time.sleep(delay + 0.05)
+    os.kill(child.pid, signal.SIGINT)
+    out, _ = child.communicate(timeout=60)
+    assert out == "interrupted\nfine\n" and child.returncode == 0

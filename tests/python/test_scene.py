@@ -1,0 +1,224 @@
+from __future__ import annotations
+
+import json
+import math
+import os
+import sys
+import subprocess
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import twrench
+from twrench import Scene, SceneError
+
+Image = pytest.importorskip("PIL.Image")
+
+
+def pixels(file: Path) -> np.ndarray:
+    return np.asarray(Image.open(file))
+
+
+def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
+    from twrench import _native
+
+    keys = {field.key for field in _native.fields()}
+    assert keys == {key for key, value in vars(Scene).items() if type(value).__name__ == "_Value"}
+    other = {
+        "title": "Another", "omega": (2.0, 0.1, 0.0), "method": "rkmk4", "step": 0.02,
+        "tolerance": 1e-8, "duration": 12.0, "size": (320, 200), "fps": 24.0, "speed": 2.0,
+        "theme": "paper", "samples": 4, "motion_blur": 2, "background": "#102030",
+        "color": "#ff8800", "metallic": 0.25, "roughness": 0.5, "azimuth": 0.5, "elevation": 0.1,
+        "distance": 1.5, "orbit": 0.1, "field_of_view": 0.7, "view": "quad",
+        "show": ("floor", "axes"), "compare": ("rk4", "exact"), "trail_point": (1.0, 2.0, 3.0),
+        "trail_length": 5.0, "font": "mono",
+    }  # fmt: skip
+    assert other.keys() == keys
+    scene = Scene()
+    for key, value in other.items():
+        assert getattr(scene, key) != value
+        setattr(scene, key, value)
+        assert getattr(scene, key) == value, key
+    assert {key: getattr(Scene(**other), key) for key in keys} == other
+
+
+def test_a_scene_is_that_of_its_file(tmp_path):
+    toml = '[motion]\nomega = [1, 0, 2]\n[film]\nsize = [64, 48]\n[body]\nmoments = [1, 2, 3]\n'
+    file = tmp_path / "mine.toml"
+    file.write_text(toml)
+    for scene in (Scene(file), Scene(str(file)), Scene.from_toml(toml, "mine")):
+        assert scene.name == "mine" and scene.omega == (1, 0, 2) and scene.size == (64, 48)
+        assert scene.body.principal_moments.tolist() == [1, 2, 3]
+    assert Scene(file, fps=30).fps == 30
+    assert Scene().to_dict()["motion"]["omega"] == [1, 0.05, 0]
+    assert json.dumps(Scene().to_dict())
+    assert repr(Scene()) == "<twrench.Scene dzhanibekov: 960 frames of 1920x1080>"
+
+
+def test_a_body_can_be_put_into_a_scene(small):
+    small.body = twrench.Body([twrench.Box(size=[1, 2, 5], density=2)])
+    assert small.body.mass == pytest.approx(20)
+    first = small.frame(3)
+    small.body = twrench.Body(moments=[1, 2, 3])
+    assert (small.frame(3) != first).any()
+    for body, message in [
+        (None, "body: must be a twrench.Body"),
+        (twrench.Body([twrench.Sphere(radius=1e7, density=1)]), "radii"),
+        (twrench.Body(moments=[1, 2, 3e15]), "moments"),
+        (twrench.Body(inertia=np.diag([1, 2, 3])), "body"),
+    ]:
+        before = small.body.inertia
+        with pytest.raises(SceneError, match=message):
+            small.body = body
+        np.testing.assert_array_equal(small.body.inertia, before)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "message"),
+    [
+        ("omega", [1, 2], "omega: must be an array of 3 numbers"),
+        ("omega", "fast", "omega: must be an array of 3 numbers"),
+        ("omega", [1, math.nan, 2], "omega: cannot be"),
+        ("omega", None, "omega: must be"),
+        ("size", (0, 0), "size"),
+        ("size", (640.5, 360), "size"),
+        ("size", [10**30, 10], "size"),
+        ("fps", "30", "fps: must be a number"),
+        ("fps", 10**400, "fps"),
+        ("fps", True, "fps: must be a number"),
+        ("method", "rk5", "method: .*rk5"),
+        ("theme", "dark", "theme: .*dark"),
+        ("view", 3, "view: must be a string"),
+        ("show", ["everything"], "everything"),
+        ("show", "floor", "show: must be an array of strings"),
+        ("color", "#12", "color"),
+        ("compare", ["rk4"] * 5, "compare"),
+        ("title", b"bytes", "title: cannot be"),
+        ("title", object(), "title: cannot be"),
+        ("colour", "red", "colour.*did you mean 'color'"),
+    ],
+)
+def test_a_wrong_value_is_refused_and_changes_nothing(key, value, message):
+    scene = Scene()
+    before = scene.to_dict()
+    with pytest.raises(SceneError, match=message):
+        setattr(scene, key, value)
+    with pytest.raises(SceneError, match=message):
+        Scene(**{key: value})
+    assert scene.to_dict() == before
+
+
+def test_mistakes_of_files(tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text("[motion]\nomega = [1, 2]\n[body]\nmoments = [1, 2, 3]\n")
+    with pytest.raises(SceneError, match="mine.toml:2: motion.omega"):
+        Scene(file)
+    with pytest.raises(SceneError, match="mine:1"):
+        Scene.from_toml("omega =", "mine")
+    with pytest.raises(twrench.FileError, match="none.toml"):
+        Scene(tmp_path / "none.toml")
+    with pytest.raises(SceneError, match="dzhanibekof.*did you mean 'dzhanibekov'"):
+        Scene("dzhanibekof")
+    for source in (None, 3, b"sphere", "", "a\0b"):
+        with pytest.raises(twrench.UsageError, match="source: must be a path"):
+            Scene(source)
+
+
+def test_a_frame_is_that_of_the_program_byte_for_byte(small, program, tmp_path):
+    size = ["--size", "160x90", "--duration", 24, "--fps", 6, "--speed", 6]
+    program("render", *size, "--no-video", "--frames-dir", tmp_path / "f", "--progress", "none")
+    for index in (0, 7, 23, -1):
+        file = tmp_path / "f" / f"frame_{index % 24:06d}.png"
+        np.testing.assert_array_equal(small.frame(index), pixels(file))
+        assert small.png(index) == file.read_bytes()
+    np.testing.assert_array_equal(small.frame(time=7.1), small.frame(7))
+
+
+def test_a_transparent_frame_has_alpha(small):
+    assert small.frame(0).shape == (90, 160, 3)
+    small.background = "transparent"
+    small.show = ()
+    frame = small.frame(0)
+    assert frame.shape == (90, 160, 4) and frame.dtype == np.uint8
+    assert frame[0, 0, 3] == 0 and frame[..., 3].max() == 255
+
+
+def test_a_change_shows_at_once(small):
+    before = small.frame(5)
+    small.theme = "paper"
+    assert (small.frame(5) != before).mean() > 0.5
+    small.theme = "studio"
+    np.testing.assert_array_equal(small.frame(5), before)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{}, {"index": 1, "time": 2}, {"index": 24}, {"index": -25}, {"index": 1.5}, {"index": True},
+     {"index": "1"}, {"time": 25}, {"time": -1}, {"time": math.nan}, {"time": "1"}],
+)  # fmt: skip
+def test_wrong_frames(small, wrong):
+    with pytest.raises(twrench.UsageError, match="frame|index|time"):
+        small.frame(**wrong)
+
+
+def test_a_scene_shows_itself_in_a_notebook(small):
+    assert small._repr_png_() == small.png(6)
+    assert small._repr_png_().startswith(b"\x89PNG")
+
+
+def test_threads_draw_the_same_frames_as_one(small):
+    """One scene for all threads, and a scene, so an OpenGL context, for each."""
+    wanted = [small.frame(i).copy() for i in range(6)]
+    mine = threading.local()
+
+    def draw(i: int) -> bool:
+        if not hasattr(mine, "scene"):
+            mine.scene = Scene(size=(160, 90), duration=24, fps=6, speed=6)
+        scene = mine.scene if i % 2 else small
+        return bool((scene.frame(i % 6) == wanted[i % 6]).all())
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(pool.map(draw, range(24)))
+
+
+def test_a_forked_process_is_told(small):
+    small.frame(0)
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            small.frame(0)
+            os.write(writer, b"drawn")
+        except twrench.GlError as error:
+            os.write(writer, str(error).encode())
+        os._exit(0)
+    os.close(writer)
+    assert b"spawn" in os.read(reader, 1000)
+    assert os.waitpid(child, 0)[1] == 0
+
+
+def test_no_opengl_is_opened_before_a_picture_is_asked_for():
+    code = (
+        "import twrench; s = twrench.Scene(size=(64, 48)); s.simulate(); s.frame_count; repr(s); s.body\n"
+        "maps = open('/proc/self/maps').read()\n"
+        "assert 'libEGL' not in maps and 'OSMesa' not in maps\n"
+        "s.frame(0); maps = open('/proc/self/maps').read()\n"
+        "assert 'libEGL' in maps or 'OSMesa' in maps\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_the_simulation_of_a_scene_is_at_its_frames(small):
+    motion = small.simulate()
+    np.testing.assert_array_equal(motion.t, np.arange(24) * 6 / 6)
+    assert motion.method == small.method
+    np.testing.assert_array_equal(small.times, motion.t)
+
+
+def test_scenes_and_methods():
+    assert twrench.scenes()[0] == "dzhanibekov"
+    names = [method.name for method in twrench.methods()]
+    assert {"rk4", "rkf45", "exact"} <= set(names) and len(names) == len(set(names))
