@@ -41,6 +41,9 @@ class Pipeline {
     } catch (const std::system_error& error) {
       close();  // the threads already started end and are joined
       throw ThreadError("cannot start a thread", error.code().message());
+    } catch (...) {
+      close();
+      throw;
     }
   }
 
