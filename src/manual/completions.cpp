@@ -8,6 +8,9 @@
 namespace twrench::manual {
 namespace {
 
+using app::Candidates;
+using app::Command;
+using app::Option;
 using Kind = Candidates::Kind;
 
 std::vector<std::string> names_of(const std::vector<Command>& commands) {

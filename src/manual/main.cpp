@@ -19,14 +19,14 @@ void write_all(const std::filesystem::path& folder, const std::string& example,
   CLI::App app(app::about, "twrench");
   app::ExitCode code = app::ExitCode::done;
   app::add_commands(app, code);
-  const Command program = read_program(app);
-  const std::vector<Command> commands = read_commands(app);
+  const app::Command program = app::read_command(app);
+  const std::vector<app::Command> commands = app::read_commands(app);
   std::filesystem::create_directories(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     system::write_file_atomically(folder / name, text);
   };
   write("twrench.1", program_page(program, commands, release));
-  for (const Command& command : commands) {
+  for (const app::Command& command : commands) {
     write("twrench-" + command.name + ".1", command_page(command, release));
   }
   write("twrench-scene.5", scene_page(example, release));

@@ -12,6 +12,9 @@
 namespace twrench::manual {
 namespace {
 
+using app::Command;
+using app::Option;
+
 /// Breaks long lines of filled text, which man joins again; conventions ask for short ones.
 std::string with_short_lines(const std::string& page) {
   constexpr std::size_t longest = 78;

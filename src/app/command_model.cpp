@@ -1,13 +1,14 @@
-#include "manual/command_model.h"
+#include "app/command_model.h"
 
 #include <twrench/motion/method.h>
 
+#include <CLI/CLI.hpp>
 #include <map>
 
 #include "scene/names.h"
 #include "scene/scene.h"
 
-namespace twrench::manual {
+namespace twrench::app {
 namespace {
 
 using Kind = Candidates::Kind;
@@ -73,12 +74,12 @@ Option read_option(const CLI::App& command, const CLI::Option& option) {
   if (option.get_positional()) {
     result.names = {option.get_name(true)};
   } else {
+    if (option.get_expected_max() > 0) result.placeholder = option.get_type_name();
     for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) {
       result.names.push_back(without_default("--" + name));
     }
   }
-  if (option.get_expected_max() > 0) result.placeholder = option.get_type_name();
   result.help = option.get_description();
   result.otherwise = option.get_default_str();
   result.candidates = candidates_of(command, result.names.back());
@@ -89,6 +90,8 @@ std::string usage_of(const CLI::Option& argument) {
   const std::string name = argument.get_name(true) + (argument.get_expected_max() > 1 ? "..." : "");
   return argument.get_required() ? name : "[" + name + "]";
 }
+
+}  // namespace
 
 Command read_command(const CLI::App& app) {
   Command result{app.get_name(), app.get_description(), {}, {}, {}, app.get_footer()};
@@ -103,10 +106,6 @@ Command read_command(const CLI::App& app) {
   return result;
 }
 
-}  // namespace
-
-Command read_program(const CLI::App& app) { return read_command(app); }
-
 std::vector<Command> read_commands(const CLI::App& app) {
   std::vector<Command> commands;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -115,4 +114,4 @@ std::vector<Command> read_commands(const CLI::App& app) {
   return commands;
 }
 
-}  // namespace twrench::manual
+}  // namespace twrench::app
