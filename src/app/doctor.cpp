@@ -15,7 +15,7 @@
 #include "canvas/font.h"
 #include "gl/backend.h"
 #include "plot/gnuplot.h"
-#include "system/child_process.h"
+#include "system/program.h"
 #include "system/disk_space.h"
 #include "system/file.h"
 #include "system/processors.h"
