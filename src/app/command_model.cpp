@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "app/arguments.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 
@@ -22,7 +23,7 @@ std::vector<std::string> method_names() {
 Candidates words(std::vector<std::string> all) { return {Kind::words, std::move(all)}; }
 Candidates list(std::vector<std::string> all) { return {Kind::list, std::move(all)}; }
 
-/// The candidates of the options whose values have names.
+/// The candidates of the options whose values are neither free nor checked by one_of().
 std::map<std::string, Candidates> named_values() {
   return {
       {"--method", words(method_names())},
@@ -35,9 +36,7 @@ std::map<std::string, Candidates> named_values() {
       {"--background", words({"black", "gray", "white", "transparent"})},
       {"--color", words({"black", "gray", "white"})},
       {"--container", words({"mp4", "mov", "mkv", "webm"})},
-      {"--backend", words({"auto", "osmesa", "egl"})},
       {"--egl-device", words({"software"})},
-      {"--progress", words({"auto", "bar", "plain", "json", "openjd", "none"})},
       {"SCENE", {Kind::scene, scene::builtin_scene_names()}},
       {"--font", {Kind::file, {}}},
       {"--output", {Kind::file, {}}},
@@ -50,10 +49,17 @@ std::map<std::string, Candidates> named_values() {
   };
 }
 
-Candidates candidates_of(const CLI::App& command, const std::string& name) {
-  if (name == "--format") {
-    return command.get_name() == "study" ? words({"text", "csv", "json"}) : words({"csv", "json"});
-  }
+/// The words that one_of() allows: CLI11 writes a value FORMAT that is checked "FORMAT:{csv,json}".
+std::string checked_words(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t brace = type.find('{');
+  return brace == std::string::npos ? "" : type.substr(brace + 1, type.size() - brace - 2);
+}
+
+Candidates candidates_of(const CLI::App& command, const CLI::Option& option,
+                         const std::string& name) {
+  const std::string checked = checked_words(option);
+  if (!checked.empty()) return words(parse_words(checked));
   if (name == "COMMAND") {
     std::vector<std::string> names;
     for (const CLI::App* other : command.get_parent()->get_subcommands({})) {
@@ -74,7 +80,7 @@ Option read_option(const CLI::App& command, const CLI::Option& option) {
   if (option.get_positional()) {
     result.names = {option.get_name(true)};
   } else {
-    if (option.get_expected_max() > 0) result.placeholder = option.get_type_name();
+    if (option.get_expected_max() > 0) result.placeholder = placeholder_of(option);
     for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) {
       result.names.push_back(without_default("--" + name));
@@ -82,7 +88,7 @@ Option read_option(const CLI::App& command, const CLI::Option& option) {
   }
   result.help = option.get_description();
   result.otherwise = option.get_default_str();
-  result.candidates = candidates_of(command, result.names.back());
+  result.candidates = candidates_of(command, option, result.names.back());
   return result;
 }
 
@@ -112,6 +118,11 @@ std::vector<Command> read_commands(const CLI::App& app) {
     commands.push_back(read_command(*command));
   }
   return commands;
+}
+
+std::string placeholder_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
 }
 
 }  // namespace twrench::app

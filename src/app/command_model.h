@@ -51,4 +51,7 @@ Command read_command(const CLI::App& app);
 /// Returns the commands of the program, in the order of --help.
 std::vector<Command> read_commands(const CLI::App& app);
 
+/// Returns what stands for the value of an option in help and messages, such as "FILE".
+std::string placeholder_of(const CLI::Option& option);
+
 }  // namespace twrench::app
