@@ -45,7 +45,7 @@ std::string command_list(const std::vector<Command>& commands) {
 }
 
 /// The text of --help.
-std::string help_of(const CLI::App& app, const std::string& name) {
+std::string help_text(const CLI::App& app, const std::string& name) {
   const Command command = read_command(app);
   const std::vector<Command> commands = read_commands(app);
   std::string usage = fmt::format("Usage: {} [OPTIONS]", name);
@@ -60,7 +60,7 @@ class HelpFormat : public CLI::FormatterBase {
  public:
   std::string make_help(const CLI::App* command, std::string name,
                         CLI::AppFormatMode /*mode*/) const override {
-    return help_of(*command, name);
+    return help_text(*command, name);
   }
 };
 
@@ -82,7 +82,7 @@ void add_help(CLI::App& app) {
     }
     if (asked == &app && !word->empty()) throw unknown_name("command", *word, names);
     const std::string name = app.get_name() + (word->empty() ? "" : " " + *word);
-    write_output("-", help_of(*asked, name));
+    write_output("-", help_text(*asked, name));
   });
 }
 

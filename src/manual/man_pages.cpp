@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/scene_options.h"
 #include "scene/fields.h"
 
 namespace twrench::manual {
@@ -152,7 +153,7 @@ std::string field_entry(const scene::Field& field) {
   std::string otherwise = field.otherwise;
   if (!value.is_null() && value != "") otherwise = value.dump();
   return ".TP\n" + bold(field.key) + " = " + value_form(field) + "\n" +
-         sentence(field.help, otherwise);
+         sentence(app::help_of(field), otherwise);
 }
 
 constexpr std::string_view about_bodies = R"(.SS [[part]]

@@ -140,7 +140,7 @@ const std::vector<Field>& fields() {
           {"motion", "omega", "X,Y,Z", "initial angular velocity in body axes, rad/s"},
           angular_velocity, [](auto& s) -> auto& { return s.motion.omega; }),
       complete<text>(
-          {"motion", "method", "NAME", "integration method (see twrench methods)"}, method_name,
+          {"motion", "method", "NAME", "integration method"}, method_name,
           [](auto& s) -> auto& { return s.motion.method; }),
       complete<number>(
           {"motion", "step", "H", "step size, s; initial step size of adaptive methods"},
