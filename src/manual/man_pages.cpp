@@ -151,6 +151,7 @@ std::string value_form(const scene::Field& field) {
 std::string field_entry(const scene::Field& field) {
   const auto value = field.get(scene::Scene());
   std::string otherwise = field.otherwise;
+  // NOLINTNEXTLINE(readability-container-size-empty): empty() is false of any text in JSON
   if (!value.is_null() && value != "") otherwise = value.dump();
   return ".TP\n" + bold(field.key) + " = " + value_form(field) + "\n" +
          sentence(app::help_of(field), otherwise);
