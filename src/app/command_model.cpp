@@ -73,7 +73,7 @@ Candidates candidates_of(const CLI::App& command, const CLI::Option& option,
 }
 
 /// "--timing{text}" is CLI11's notation for a flag with a default value.
-std::string without_default(std::string name) { return name.substr(0, name.find('{')); }
+std::string without_default(const std::string& name) { return name.substr(0, name.find('{')); }
 
 Option read_option(const CLI::App& command, const CLI::Option& option) {
   Option result;
