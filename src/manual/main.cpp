@@ -41,7 +41,7 @@ void write_all(const std::filesystem::path& folder, const std::string& example,
 int main(int argc, char** argv) try {
   using namespace twrench;
   if (argc != 4) {
-    std::fputs("usage: twrench_manual FOLDER SCENE_FILE DATE\n", stderr);
+    static_cast<void>(std::fputs("usage: twrench_manual FOLDER SCENE_FILE DATE\n", stderr));
     return 2;
   }
   constexpr std::size_t largest = 1 << 20;
@@ -49,6 +49,6 @@ int main(int argc, char** argv) try {
   manual::write_all(argv[1], {example.begin(), example.end()}, {app::version, argv[3]});
   return 0;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "twrench_manual: error: %s\n", error.what());
+  static_cast<void>(std::fprintf(stderr, "twrench_manual: error: %s\n", error.what()));
   return 5;
 }
