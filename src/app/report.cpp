@@ -80,10 +80,15 @@ const Kind* as(const Error& error) {
   return dynamic_cast<const Kind*>(&error);
 }
 
+template <typename Kind>
+bool is(const Error& error) {
+  return as<Kind>(error) != nullptr;
+}
+
 ExitCode exit_code_of(const Error& error) {
-  if (as<gl::GlError>(error)) return ExitCode::no_gl;
-  if (as<video::EncoderError>(error) || as<plot::PlotError>(error)) return ExitCode::encoder;
-  return as<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
+  if (is<gl::GlError>(error)) return ExitCode::no_gl;
+  if (is<video::EncoderError>(error) || is<plot::PlotError>(error)) return ExitCode::encoder;
+  return is<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
 }
 
 ExitCode report(const Error& error) {
@@ -130,8 +135,8 @@ std::string remedy_for(const Error& error) {
     return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),
                        size->height());
   }
-  if (as<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
-  if (as<canvas::MissingGlyph>(error)) {
+  if (is<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (is<canvas::MissingGlyph>(error)) {
     return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
            "none";
   }
