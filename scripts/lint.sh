@@ -26,8 +26,9 @@ case "${1-}" in
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
     scripts/setup.sh tidy
-    # The compile commands and the generated headers; clang does not read GCC's precompiled headers.
-    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    # The compile commands, one for each source, and the generated headers; clang does not read GCC's precompiled headers.
+    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_UNITY_BUILD=OFF \
+      -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern excludes generated sources, which are under build/.
     run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench|torture)/"
     ;;
