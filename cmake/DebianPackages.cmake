@@ -4,6 +4,8 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
+# Each package has a synopsis of its own.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
@@ -37,15 +39,14 @@ twrench_package(program NAME twrench SECTION science
   SYNOPSIS "films of rigid bodies that rotate freely"
   DESCRIPTION
 "twrench turns a rigid body's equations of motion into a film. It computes the
- body's inertia from its shape, integrates Euler's equations on the rotation
- group SO(3) by Runge-Kutta-Munthe-Kaas methods or evaluates the exact solution,
- draws each frame with OpenGL, without a screen, and encodes the video.
- .
- Without arguments it shows the Dzhanibekov effect: the flips of a wing nut in
- weightlessness. Scenes in TOML describe other bodies and motions. It also
- compares methods, plots attitudes and writes trajectories as CSV and JSON.")
+body's inertia from its shape, integrates Euler's equations on the rotation
+group SO(3) by Runge-Kutta-Munthe-Kaas methods or evaluates the exact solution,
+draws each frame with OpenGL, without a screen, and encodes the video.
+
+Without arguments it shows the Dzhanibekov effect: the flips of a wing nut in
+weightlessness. Scenes in TOML describe other bodies and motions. It also
+compares methods, plots attitudes and writes trajectories as CSV or JSON.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_MULTIARCH foreign)
 
 # The static library holds calls of the fmt against which it was compiled, whose names change with
 # each major version.
@@ -55,13 +56,12 @@ twrench_package(development NAME libtwrench-dev SECTION libdevel
   SYNOPSIS "rigid-body rotation on SO(3) - development files"
   DESCRIPTION
 "A C++20 library that computes the free rotation of rigid bodies: maps of the
- rotation group SO(3), mass properties, Lie-group and other integration methods,
- the exact motion in elliptic functions with the times of its flips, and studies
- that hold methods against it.
- .
- This package has the headers, the static library, and the files by which CMake
- (find_package) and pkg-config find them.")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_MULTIARCH same)
+rotation group SO(3), mass properties, Lie-group and other integrators, the
+exact motion in elliptic functions with the times of its flips, and studies
+that compare methods with it.
+
+This package has the headers, the static library, and the files by which CMake
+(find_package) and pkg-config find them.")
 
 if(TWRENCH_PYTHON)
   # A module is compiled for one minor version of Python.
@@ -73,10 +73,10 @@ if(TWRENCH_PYTHON)
     SYNOPSIS "rigid-body rotation and its films, from Python"
     DESCRIPTION
 "The Python module twrench computes the free rotation of rigid bodies as NumPy
- arrays, by the exact solution or by Lie-group and other integration methods,
- and draws it as pictures and films.
- .
- It is compiled from the same code as the program twrench, which is not needed.")
+arrays, by the exact solution or by Lie-group and other integration methods,
+and draws it as pictures and films.
+
+It is compiled from the same code as the program twrench, which is not needed.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/packaging/python3-twrench/postinst
