@@ -48,10 +48,14 @@ try_package() {
   before=$(files)
   try root "apt-get install --yes ./${package}_*.deb $tools"
   for command; do try someone "$command"; done
-  try root "apt-get remove --purge --yes $package $tools && apt-get autoremove --purge --yes"
+  try root "apt-get remove --purge --yes $package $tools && $clean"
   left=$(comm -13 <(echo "$before") <(files))
-  [[ -z $left ]] || die "$suite: $package left $(wc -l <<<"$left") files behind" "$left"
+  [[ -z $left ]] || die "$suite: $package left $(wc -l <<<"$left") files behind, such as" \
+    "$(head -n 20 <<<"$left")"
 }
+# apt would keep what came with the package if another one happens to suggest it.
+clean="apt-get autoremove --purge --yes -o APT::AutoRemove::RecommendsImportant=false \
+  -o APT::AutoRemove::SuggestsImportant=false"
 
 try root "apt-get update"
 # What this release lacks but the program does not need is no fault of the package.
