@@ -43,8 +43,8 @@ body's inertia from its shape, integrates Euler's equations on the rotation
 group SO(3) by Runge-Kutta-Munthe-Kaas methods or evaluates the exact solution,
 draws each frame with OpenGL, without a screen, and encodes the video.
 
-The default film shows the Dzhanibekov effect: the flips of a T-shaped wrench in
-weightlessness. Scenes in TOML describe other bodies and motions. twrench also
+The default film shows the Dzhanibekov effect, the flips of a T-shaped wrench
+in weightlessness. Scenes in TOML describe other bodies and motions. It also
 compares methods, plots attitudes and writes trajectories as CSV or JSON.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 
