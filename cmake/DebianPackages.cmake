@@ -64,11 +64,10 @@ This package has the headers, the static library, and the files by which CMake
 (find_package) and pkg-config find them.")
 
 if(TWRENCH_PYTHON)
-  # A module is compiled for one minor version of Python.
-  find_package(Python3 REQUIRED COMPONENTS Interpreter)
-  math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+  # A module is compiled for one minor version of Python, by find_package(Python).
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
   twrench_package(python NAME python3-twrench SECTION python
-    DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${opengl}"
+    DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${opengl}"
     RECOMMENDS ffmpeg
     SYNOPSIS "rigid-body rotation and its films, from Python"
     DESCRIPTION
