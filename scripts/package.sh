@@ -31,6 +31,8 @@ export DEB_BUILD_MAINT_OPTIONS='hardening=+all optimize=-lto' DEB_CXXFLAGS_MAINT
 CXXFLAGS="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
 LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
+# An earlier run's flags do not count.
+rm -f build/package/CMakeCache.txt
 scripts/build.sh package
 
 build=build/package packages=out/packages
