@@ -7,6 +7,7 @@
 #   setup.sh bench    building the benchmarks and the programs they compare with
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
+#   setup.sh package  making Debian's packages
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -75,6 +76,9 @@ bench    | a screen for VTK              | xvfb
 bench    | its access control            | xauth
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind
+package  | the tools for packages        | dpkg-dev
+package  | file, which they use          | file
+package  | lintian, to check packages    | lintian
 distros  | debootstrap                   | debootstrap
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
@@ -110,10 +114,10 @@ END
 
 case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
-  test | bench) uses=(render "$1") ;;
+  test | bench | package) uses=(render "$1") ;;
   check | tidy | coverage) uses=(render test "$1") ;;
   *)
-    echo "usage: $0 render|test|check|tidy|bench|coverage|arm64|distros" >&2
+    echo "usage: $0 render|test|check|tidy|bench|coverage|arm64|package|distros" >&2
     exit 2
     ;;
 esac
