@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the missing Debian or Ubuntu packages for:
 #   setup.sh render   building the program and making videos
+#   setup.sh python   building the Python module
 #   setup.sh test     running its tests as well
 #   setup.sh check    running the project's checks as well
 #   setup.sh tidy     running clang-tidy and the fuzzers as well
@@ -49,9 +50,11 @@ render   | the typeface Roboto           | fonts-roboto-unhinted
 render   | the typeface Fira Code        | fonts-firacode
 render   | ffmpeg                        | ffmpeg
 test     | GoogleTest                    | libgtest-dev
-test     | Python's headers              | python3-dev
-test     | pybind11                      | pybind11-dev
-test     | NumPy                         | python3-numpy
+python   | Python's headers              | python3-dev
+python   | pybind11                      | pybind11-dev
+python   | NumPy                         | python3-numpy
+python   | setuptools, for pip           | python3-setuptools
+python   | wheel, for the same           | python3-wheel
 test     | pytest                        | python3-pytest
 test     | SciPy, to compare with        | python3-scipy
 test     | pandas                        | python3-pandas
@@ -114,10 +117,12 @@ END
 
 case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
-  test | bench | package) uses=(render "$1") ;;
-  check | tidy | coverage) uses=(render test "$1") ;;
+  python) uses=(render python) ;;
+  bench) uses=(render bench) ;;
+  test | package) uses=(render python "$1") ;;
+  check | tidy | coverage) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|test|check|tidy|bench|coverage|arm64|package|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|coverage|arm64|package|distros" >&2
     exit 2
     ;;
 esac
