@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folders=()
-for folder in src tests fuzz bench torture; do
+for folder in include src python tests fuzz bench torture; do
   [[ ! -d $folder ]] || folders+=("$folder")
 done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
@@ -26,8 +26,9 @@ case "${1-}" in
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
     scripts/setup.sh tidy
-    # The compile commands and the generated headers; clang does not read GCC's precompiled headers.
-    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    # The compile commands, one for each source, and the generated headers; clang does not read GCC's precompiled headers.
+    cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_UNITY_BUILD=OFF \
+      -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern excludes generated sources, which are under build/.
     run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench|torture)/"
     ;;

@@ -1,10 +1,14 @@
 // Times single calls of the hot functions of a motion.
 #include <benchmark/benchmark.h>
 #include <twrench/math/so3.h>
-#include <twrench/motion/exact.h>
+#include <twrench/motion/exact_many.h>
 #include <twrench/motion/stepper.h>
 #include <twrench/motion/taylor.h>
 #include <twrench/motion/trajectory.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
 
 namespace twrench {
 namespace {
@@ -65,6 +69,77 @@ void exact_sample(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(motion.at(t += 0.01));
 }
 BENCHMARK(exact_sample);
+
+/// CPU time for each of so many things that an iteration does.
+benchmark::Counter each(double count) {
+  return {count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
+}
+
+/// Near the separatrix and far from it: by either of the two series.
+const std::array<Eigen::Vector3d, 2> velocities{Eigen::Vector3d(0.01, 1, 0.02),
+                                                Eigen::Vector3d(1, 0.5, 0.2)};
+
+/// Many times of one body, on one thread.
+void exact_samples(benchmark::State& state, const Eigen::Vector3d& omega) {
+  const motion::ExactMotion motion(motion::FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), omega));
+  std::vector<double> times(4096), X(9 * times.size()), velocity(3 * times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = 0.01 * static_cast<double>(i);
+  for (auto _ : state) {
+    motion.at(times, X, velocity, 1);
+    benchmark::ClobberMemory();
+  }
+  state.counters["sample"] = each(static_cast<double>(times.size()));
+}
+BENCHMARK_CAPTURE(exact_samples, hyperbolic, velocities[0]);
+BENCHMARK_CAPTURE(exact_samples, circular, velocities[1]);
+
+/// Starting velocities all over the ellipsoid of one momentum, as for a map of the first flips.
+std::vector<double> starts(std::size_t count) {
+  std::vector<double> omega;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count) - 1;
+    const double r = std::sqrt(1 - z * z), phi = 2.4 * static_cast<double>(i);
+    for (const double w : {r * std::cos(phi), r * std::sin(phi) / 2, z / 3}) omega.push_back(w);
+  }
+  return omega;
+}
+
+/// As many times of each body as the argument says, on one thread.
+void exact_many(benchmark::State& state) {
+  const std::vector<double> inertia{1, 2, 3}, omega = starts(100);
+  std::vector<double> times(static_cast<std::size_t>(state.range()));
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = 0.1 * static_cast<double>(i);
+  const std::size_t samples = times.size() * omega.size() / 3;
+  std::vector<double> X(9 * samples), velocity(3 * samples);
+  for (auto _ : state) {
+    motion::exact_many(inertia, omega, times, X, velocity, 1);
+    benchmark::ClobberMemory();
+  }
+  state.counters["sample"] = each(static_cast<double>(samples));
+}
+BENCHMARK(exact_many)->Arg(1)->Arg(100)->Arg(1000);
+
+void first_flip(benchmark::State& state) {
+  const std::vector<double> inertia{1, 2, 3}, omega = starts(10'000);
+  std::vector<double> first(omega.size() / 3);
+  for (auto _ : state) {
+    motion::first_flip_times(inertia, omega, first, 1);
+    benchmark::ClobberMemory();
+  }
+  state.counters["body"] = each(static_cast<double>(first.size()));
+}
+BENCHMARK(first_flip);
+
+/// A map of a million first flips on all processors; its real time counts.
+void flip_map(benchmark::State& state) {
+  const std::vector<double> inertia{1, 2, 3}, omega = starts(1'000'000);
+  std::vector<double> first(omega.size() / 3);
+  for (auto _ : state) {
+    motion::first_flip_times(inertia, omega, first);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(flip_map)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// The cost of initialisation.
 void exact_set_up(benchmark::State& state) {

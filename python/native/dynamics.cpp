@@ -5,6 +5,7 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/exact_many.h>
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "body.h"
 #include "interruptible.h"
@@ -91,10 +93,10 @@ py::tuple integrate(const motion::FreeBody& body, const std::string& method, dou
 }
 
 /// Calls work(begin, end) for parts of 0 to `count` without Python's global lock, and runs Python's
-/// signal handlers between them.
+/// signal handlers between them. Each item is `samples` samples of work.
 template <typename Work>
-void for_parts(std::size_t count, const Work& work) {
-  constexpr std::size_t part = std::size_t{1} << 18U;
+void for_parts(std::size_t count, const Work& work, std::size_t samples = 1) {
+  const std::size_t part = std::max<std::size_t>((std::size_t{1} << 20U) / (samples + 1), 1);
   for (std::size_t begin = 0; begin < count; begin += part) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const py::gil_scoped_release others_run;
@@ -102,20 +104,58 @@ void for_parts(std::size_t count, const Work& work) {
   }
 }
 
+std::span<const double> numbers_of(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+std::span<double> numbers_of(Array& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
 py::tuple exact_at(const motion::ExactMotion& motion, const Array& times) {
   const py::ssize_t n = times.size();
   Array X = new_array({n, 3, 3}), omega = new_array({n, 3});
-  const double* const t = times.data();
-  double* const X_to = X.mutable_data();
-  double* const omega_to = omega.mutable_data();
-  for_parts(static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const motion::Sample sample = motion.at(t[i]);
-      Eigen::Map<RowMajor>(X_to + 9 * i) = sample.X;
-      Eigen::Map<Vector3d>(omega_to + 3 * i) = sample.omega;
-    }
+  const std::span<const double> t = numbers_of(times);
+  const std::span<double> X_to = numbers_of(X), omega_to = numbers_of(omega);
+  for_parts(t.size(), [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    motion.at(t.subspan(begin, count), X_to.subspan(9 * begin, 9 * count),
+              omega_to.subspan(3 * begin, 3 * count));
   });
   return py::make_tuple(X, omega);
+}
+
+py::tuple exact_many(const Array& inertia, const Array& omega, const Array& times) {
+  const py::ssize_t n = omega.shape(0), m = times.size();
+  Array X = new_array({n, m, 3, 3}), velocities = new_array({n, m, 3});
+  const std::span<const double> moments = numbers_of(inertia), start = numbers_of(omega),
+                                t = numbers_of(times);
+  const std::span<double> X_to = numbers_of(X), velocities_to = numbers_of(velocities);
+  const bool alike = moments.size() == 3;
+  for_parts(
+      static_cast<std::size_t>(n),
+      [&](std::size_t begin, std::size_t end) {
+        const std::size_t count = end - begin, samples = count * t.size();
+        motion::exact_many(alike ? moments : moments.subspan(3 * begin, 3 * count),
+                           start.subspan(3 * begin, 3 * count), t,
+                           X_to.subspan(9 * begin * t.size(), 9 * samples),
+                           velocities_to.subspan(3 * begin * t.size(), 3 * samples));
+      },
+      t.size());
+  return py::make_tuple(X, velocities);
+}
+
+Array first_flip_times(const Array& inertia, const Array& omega) {
+  Array first = new_array({omega.shape(0)});
+  const std::span<const double> moments = numbers_of(inertia), start = numbers_of(omega);
+  const std::span<double> to = numbers_of(first);
+  const bool alike = moments.size() == 3;
+  for_parts(to.size(), [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    motion::first_flip_times(alike ? moments : moments.subspan(3 * begin, 3 * count),
+                             start.subspan(3 * begin, 3 * count), to.subspan(begin, count));
+  });
+  return first;
 }
 
 /// Energy, its drift, the error of orthogonality and that of the momentum, (4, n).
@@ -209,6 +249,8 @@ void add_dynamics(py::module_& module) {
       .def_property_readonly("kind",
                              [](const motion::ExactMotion& m) { return name_of(m.kind()); });
   module.def("integrate", &integrate);
+  module.def("exact_many", &exact_many);
+  module.def("first_flip_times", &first_flip_times);
   module.def("diagnose", &diagnose);
   module.def("quaternions", &quaternions);
 }

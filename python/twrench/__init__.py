@@ -16,7 +16,17 @@ from .errors import (
     SceneError,
     UsageError,
 )
-from .motion import ExactMotion, Method, Motion, exact, methods, simulate
+from .motion import (
+    ExactMotion,
+    ManyMotions,
+    Method,
+    Motion,
+    exact,
+    exact_many,
+    first_flip_times,
+    methods,
+    simulate,
+)
 from .scene import Film, Scene, scenes
 from .study import MethodStudy, Study, StudyRun, study
 
@@ -31,6 +41,7 @@ __all__ = [
     "FileError",
     "Film",
     "GlError",
+    "ManyMotions",
     "Method",
     "MethodStudy",
     "Motion",
@@ -45,6 +56,8 @@ __all__ = [
     "UsageError",
     "__version__",
     "exact",
+    "exact_many",
+    "first_flip_times",
     "methods",
     "scenes",
     "simulate",

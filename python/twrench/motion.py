@@ -18,7 +18,17 @@ from .errors import UsageError
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["ExactMotion", "Method", "Motion", "exact", "methods", "simulate"]
+__all__ = [
+    "ExactMotion",
+    "ManyMotions",
+    "Method",
+    "Motion",
+    "exact",
+    "exact_many",
+    "first_flip_times",
+    "methods",
+    "simulate",
+]
 
 
 @dataclass(frozen=True)
@@ -254,3 +264,58 @@ class ExactMotion:
 def exact(body: Body, omega: ArrayLike) -> ExactMotion:
     """The exact motion of a body whose angular velocity at t = 0 is ``omega`` (body axes, rad/s)."""
     return ExactMotion(body, omega)
+
+
+class ManyMotions:
+    """The exact motions of n bodies at m times. See :func:`exact_many`."""
+
+    def __init__(self, t: Array, X: Array, omega: Array) -> None:
+        #: Times in s, (m,).
+        self.t = t
+        #: Attitudes space_from_body, (n, m, 3, 3).
+        self.X = X
+        #: Angular velocities in principal axes in rad/s, (n, m, 3).
+        self.omega = omega
+
+    def __len__(self) -> int:
+        return len(self.X)
+
+    def __repr__(self) -> str:
+        return f"<twrench.ManyMotions: {len(self)} bodies at {len(self.t)} times>"
+
+
+def _many(inertia: ArrayLike, omega: ArrayLike) -> tuple[Array, Array]:
+    velocities = _arguments.vectors("omega", omega)
+    if np.ndim(inertia) == 1:
+        return _arguments.vector("inertia", inertia), velocities
+    moments = _arguments.vectors("inertia", inertia)
+    if len(moments) != len(velocities):
+        raise UsageError(
+            f"inertia: must have as many rows as omega, {len(velocities)}, not {len(moments)}"
+        )
+    return moments, velocities
+
+
+def exact_many(inertia: ArrayLike, omega: ArrayLike, times: ArrayLike) -> ManyMotions:
+    """The exact motions of many bodies at once, on all processors.
+
+    :param inertia: principal moments in g cm^2, (n, 3), or (3,) for n bodies alike. The body axes
+        are the principal axes.
+    :param omega: angular velocities at t = 0 in body axes in rad/s, (n, 3).
+    :param times: times in s, (m,), in any order and of either sign.
+    :raises UsageError: for a wrong argument, which it names with its row.
+
+    Each sample has the bits that ``exact(body, omega).at(times)`` gives.
+    """
+    moments, velocities = _many(inertia, omega)
+    t = _arguments.times("times", times)
+    X, result = _native.exact_many(moments, velocities, t)
+    return ManyMotions(t, X, result)
+
+
+def first_flip_times(inertia: ArrayLike, omega: ArrayLike) -> Array:
+    """The time in s of each body's first flip after t = 0, (n,), infinite where there is none.
+
+    The arguments are those of :func:`exact_many`.
+    """
+    return _native.first_flip_times(*_many(inertia, omega))

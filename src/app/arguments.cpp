@@ -1,9 +1,11 @@
 #include "app/arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 
@@ -59,12 +61,13 @@ Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
   throw InvalidArgument(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
 }
 
-std::function<std::string(const std::string&)> one_of(const std::string& what,
-                                                      std::vector<std::string> names) {
-  return [what, names = std::move(names)](const std::string& word) -> std::string {
+CLI::Validator one_of(const std::string& what, std::vector<std::string> names) {
+  const std::string description = fmt::format("{{{}}}", fmt::join(names, ","));
+  const auto check = [what, names = std::move(names)](const std::string& word) -> std::string {
     if (std::ranges::find(names, word) == names.end()) throw unknown_name(what, word, names);
     return {};
   };
+  return {check, description};
 }
 
 }  // namespace twrench::app

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "app/command_line.h"
 
 namespace twrench::app {
 
@@ -21,8 +22,7 @@ Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 
 /// Returns a check for CLI::Option that the value is one of `names`; it throws InvalidArgument if
-/// not.
-std::function<std::string(const std::string&)> one_of(const std::string& what,
-                                                      std::vector<std::string> names);
+/// not. The names are its description, "{csv,json}", by which read_command() knows them.
+CLI::Validator one_of(const std::string& what, std::vector<std::string> names);
 
 }  // namespace twrench::app

@@ -15,10 +15,10 @@
 #include "canvas/font.h"
 #include "gl/backend.h"
 #include "plot/gnuplot.h"
-#include "system/child_process.h"
 #include "system/disk_space.h"
 #include "system/file.h"
 #include "system/processors.h"
+#include "system/program.h"
 #include "video/encoder.h"
 #include "video/error.h"
 

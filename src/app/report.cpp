@@ -83,10 +83,32 @@ const Kind* as(const Error& error) {
   return dynamic_cast<const Kind*>(&error);
 }
 
+template <typename Kind>
+bool is(const Error& error) {
+  return as<Kind>(error) != nullptr;
+}
+
+/// For errors of a run that draws a film; empty for others.
+std::string remedy_for_run(const Error& error) {
+  if (const auto* frames = as<film::ForeignFramesError>(error)) {
+    return frames->sharded()
+               ? "all shards of a video need the same program version, scene and kind of machine; "
+                 "use --frames-dir to choose another folder, or --overwrite to replace them"
+               : "use --overwrite to replace them, or --frames-dir to choose another folder";
+  }
+  if (is<film::SpaceError>(error)) {
+    return "free some space, or choose another disk, a smaller --size or fewer --frames";
+  }
+  if (is<film::ThreadError>(error)) {
+    return "use fewer --jobs, or raise the limit on processes (ulimit -u)";
+  }
+  return {};
+}
+
 ExitCode exit_code_of(const Error& error) {
-  if (as<gl::GlError>(error)) return ExitCode::no_gl;
-  if (as<video::EncoderError>(error) || as<plot::PlotError>(error)) return ExitCode::encoder;
-  return as<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
+  if (is<gl::GlError>(error)) return ExitCode::no_gl;
+  if (is<video::EncoderError>(error) || is<plot::PlotError>(error)) return ExitCode::encoder;
+  return is<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
 }
 
 ExitCode report(const Error& error) {
@@ -133,20 +155,9 @@ std::string remedy_for(const Error& error) {
     return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),
                        size->height());
   }
-  if (const auto* frames = as<film::ForeignFramesError>(error)) {
-    return frames->sharded()
-               ? "all shards of a video need the same program version, scene and kind of machine; "
-                 "use --frames-dir to choose another folder, or --overwrite to replace them"
-               : "use --overwrite to replace them, or --frames-dir to choose another folder";
-  }
-  if (as<film::SpaceError>(error)) {
-    return "free some space, or choose another disk, a smaller --size or fewer --frames";
-  }
-  if (as<film::ThreadError>(error)) {
-    return "use fewer --jobs, or raise the limit on processes (ulimit -u)";
-  }
-  if (as<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
-  if (as<canvas::MissingGlyph>(error)) {
+  if (const std::string remedy = remedy_for_run(error); !remedy.empty()) return remedy;
+  if (is<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (is<canvas::MissingGlyph>(error)) {
     return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
            "none";
   }

@@ -74,6 +74,10 @@ bool determines_motion(const scene::Field& field) {
 
 }  // namespace
 
+std::string help_of(const scene::Field& field) {
+  return field.key == "method" ? field.help + " (see twrench methods)" : field.help;
+}
+
 SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
   command.add_option("SCENE", names_, ".toml file or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
@@ -91,7 +95,7 @@ CLI::Option* SceneOptions::add(const std::string& name, const std::string& value
 void SceneOptions::add_field(const scene::Field& field) {
   std::string name = "--" + field.key;
   std::ranges::replace(name, '_', '-');
-  add(name, field.placeholder, field.help,
+  add(name, field.placeholder, help_of(field),
       [&field, name](scene::Scene& scene, const std::string& text) {
         field.set(scene, parse_value(field.kind, text, name), name);
       })

@@ -16,6 +16,9 @@ namespace twrench::app {
 inline constexpr const char* about_defaults =
     "Options override the scene; the defaults apply to what neither sets.\n";
 
+/// Returns the help of a field, which names the command that lists its values if there is one.
+std::string help_of(const scene::Field& field);
+
 /// The SCENE argument, one or several, and the options that override its values. Must live as long
 /// as the command.
 class SceneOptions {

@@ -86,10 +86,9 @@ Format csv() {
 
 /// Indented to its depth in the document.
 std::string json_row(const motion::Sample& s, const motion::Diagnostics& d) {
-  std::vector<double> X;
-  for (int i = 0; i < 9; ++i) X.push_back(s.X(i / 3, i % 3));
+  const auto X = s.X.reshaped<Eigen::RowMajor>();
   const nlohmann::ordered_json row{{"t", s.t},
-                                   {"X", X},
+                                   {"X", std::vector<double>(X.begin(), X.end())},
                                    {"omega", std::vector<double>(s.omega.begin(), s.omega.end())},
                                    {"energy", d.energy},
                                    {"energy_drift", d.energy_drift},

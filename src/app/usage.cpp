@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/command_model.h"
+
 namespace twrench::app {
 namespace {
 
@@ -68,7 +70,7 @@ std::string fault_of(const CLI::Option& option) {
   if (option.get_expected_max() == 0) return "it takes no value";
   if (option.count() > 1)
     return fmt::format("it can be given only once, but was given {} times", option.count());
-  return fmt::format("its value {} is missing", option.get_type_name());
+  return fmt::format("its value {} is missing", placeholder_of(option));
 }
 
 }  // namespace

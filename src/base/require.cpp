@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <twrench/base/require.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,12 @@ double require_finite(const char* quantity, double value) {
   if (std::isfinite(value)) return value;
   throw OutOfRange(quantity, fmt::format("is {}, but must be finite", value),
                    {value, -greatest, greatest});
+}
+
+void require_finite(const char* quantity, std::span<const double> values) {
+  const auto bad = std::ranges::find_if_not(values, [](double x) { return std::isfinite(x); });
+  if (bad == values.end()) return;
+  require_finite(fmt::format("{}[{}]", quantity, bad - values.begin()).c_str(), *bad);
 }
 
 double require_positive(const char* quantity, double value) {

@@ -57,7 +57,7 @@ void check(const Part& part) {
 /// Throws unless it is finite and, to round-off, symmetric.
 void check(const Matrix3d& inertia) {
   constexpr double round_off = 1e-12;
-  if (!inertia.allFinite()) throw InvalidArgument("inertia", "must be finite");
+  for (const double entry : inertia.reshaped()) require_finite("inertia", entry);
   const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
   if (asymmetry <= round_off * inertia.cwiseAbs().maxCoeff()) return;
   throw InvalidArgument("inertia",

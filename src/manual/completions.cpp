@@ -8,10 +8,14 @@
 namespace twrench::manual {
 namespace {
 
+using app::Candidates;
+using app::Command;
+using app::Option;
 using Kind = Candidates::Kind;
 
 std::vector<std::string> names_of(const std::vector<Command>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.name);
   return names;
 }
@@ -99,12 +103,13 @@ std::string zsh_option(const Option& option) {
   if (!option.placeholder.empty()) {
     value = fmt::format(":{}:{}", zsh_text(option.placeholder), zsh_action(option.candidates));
   }
+  const std::string others = option.names.size() > 1 ? "(" + joined(option.names) + ")" : "";
   std::string text;
   for (const std::string& name : option.names) {
-    const std::string others = option.names.size() > 1 ? "(" + joined(option.names) + ")" : "";
-    const std::string equals = !value.empty() && name.starts_with("--") ? "=" : "";
-    text += fmt::format("        {} \\\n",
-                        quoted(others + name + equals + "[" + zsh_text(option.help) + "]" + value));
+    const char* const equals = !value.empty() && name.starts_with("--") ? "=" : "";
+    const std::string specification =
+        fmt::format("{}{}{}[{}]{}", others, name, equals, zsh_text(option.help), value);
+    text += fmt::format("        {} \\\n", quoted(specification));
   }
   return text;
 }

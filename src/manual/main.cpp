@@ -19,14 +19,14 @@ void write_all(const std::filesystem::path& folder, const std::string& example,
   CLI::App app(app::about, "twrench");
   app::ExitCode code = app::ExitCode::done;
   app::add_commands(app, code);
-  const Command program = read_program(app);
-  const std::vector<Command> commands = read_commands(app);
+  const app::Command program = app::read_command(app);
+  const std::vector<app::Command> commands = app::read_commands(app);
   std::filesystem::create_directories(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     system::write_file_atomically(folder / name, text);
   };
   write("twrench.1", program_page(program, commands, release));
-  for (const Command& command : commands) {
+  for (const app::Command& command : commands) {
     write("twrench-" + command.name + ".1", command_page(command, release));
   }
   write("twrench-scene.5", scene_page(example, release));
@@ -41,7 +41,7 @@ void write_all(const std::filesystem::path& folder, const std::string& example,
 int main(int argc, char** argv) try {
   using namespace twrench;
   if (argc != 4) {
-    std::fputs("usage: twrench_manual FOLDER SCENE_FILE DATE\n", stderr);
+    static_cast<void>(std::fputs("usage: twrench_manual FOLDER SCENE_FILE DATE\n", stderr));
     return 2;
   }
   constexpr std::size_t largest = 1 << 20;
@@ -49,6 +49,6 @@ int main(int argc, char** argv) try {
   manual::write_all(argv[1], {example.begin(), example.end()}, {app::version, argv[3]});
   return 0;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "twrench_manual: error: %s\n", error.what());
+  static_cast<void>(std::fprintf(stderr, "twrench_manual: error: %s\n", error.what()));
   return 5;
 }

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/scene_options.h"
 #include "scene/fields.h"
 
 namespace twrench::manual {
 namespace {
+
+using app::Command;
+using app::Option;
 
 /// Breaks long lines of filled text, which man joins again; conventions ask for short ones.
 std::string with_short_lines(const std::string& page) {
@@ -147,9 +151,10 @@ std::string value_form(const scene::Field& field) {
 std::string field_entry(const scene::Field& field) {
   const auto value = field.get(scene::Scene());
   std::string otherwise = field.otherwise;
+  // NOLINTNEXTLINE(readability-container-size-empty): empty() is false of any text in JSON
   if (!value.is_null() && value != "") otherwise = value.dump();
   return ".TP\n" + bold(field.key) + " = " + value_form(field) + "\n" +
-         sentence(field.help, otherwise);
+         sentence(app::help_of(field), otherwise);
 }
 
 constexpr std::string_view about_bodies = R"(.SS [[part]]

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "manual/command_model.h"
+#include "app/command_model.h"
 
 namespace twrench::manual {
 
@@ -15,11 +15,11 @@ struct Release {
 };
 
 /// Returns twrench(1): the program, its commands and its exit codes.
-std::string program_page(const Command& program, const std::vector<Command>& commands,
+std::string program_page(const app::Command& program, const std::vector<app::Command>& commands,
                          const Release& release);
 
 /// Returns twrench-COMMAND(1).
-std::string command_page(const Command& command, const Release& release);
+std::string command_page(const app::Command& command, const Release& release);
 
 /// Returns twrench-scene(5): the format of scene files, with every field of a scene; `example` is
 /// the text of one.

@@ -11,9 +11,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The n-th power of x >= 0, and 1 for n = 0.
-double power(double x, std::size_t n) { return std::pow(x, static_cast<double>(n)); }
-
 /// theta_k(0, q), eq. (E10); for theta_2 without its factor q^(1/4), which cancels wherever it is
 /// used. q <= 0.124.
 struct ThetaConstants {
@@ -21,14 +18,9 @@ struct ThetaConstants {
 };
 
 ThetaConstants theta_constants(double q) {
-  ThetaConstants t{2, 1, 1};
-  for (std::size_t n = 1; n < 5; ++n) {
-    const double term = 2 * power(q, n * n);
-    t.theta2 += 2 * power(q, n * (n + 1));
-    t.theta3 += term;
-    t.theta4 += n % 2 == 0 ? term : -term;
-  }
-  return t;
+  const double q2 = q * q, q4 = q2 * q2, q6 = q2 * q4, q8 = q4 * q4, q12 = q6 * q6;
+  const double even = 1 + 2 * (q4 + q8 * q8), odd = 2 * q * (1 + q8);
+  return {2 * (1 + q2 + q6 + q12 + q8 * q12), even + odd, even - odd};
 }
 
 }  // namespace
@@ -54,115 +46,64 @@ Jacobi::Jacobi(double m, double mc, double a_prime) : K_(complete_first(mc)) {
 }
 
 void Jacobi::expand_in_nome(double Kc, double a_prime) {
-  scale_ = pi / (2 * K_);
   const double q = std::exp(-pi * Kc / K_);
   const auto [theta2, theta3, theta4] = theta_constants(q);
   sn_scale_ = 2 * theta3 / theta2;
   cn_scale_ = 2 * theta4 / theta2;
   dn_scale_ = theta4 / theta3;
+  circular_.quarter_turns = 1 / K_;
+
+  // The multiple angles of eq. (E10) in powers of C, eq. (E12).
+  const double q2 = q * q, q3 = q * q2, q4 = q2 * q2, q6 = q3 * q3, q9 = q3 * q6, q12 = q6 * q6;
+  const double e1 = 2 * q, e2 = 2 * q4, e3 = 2 * q9, e4 = 2 * q4 * q12;
+  circular_.even34 = {1 - e2 + e4, 2 * e2 - 8 * e4, 8 * e4};
+  circular_.odd34 = {e1 - 3 * e3, 4 * e3};
+  circular_.even12 = {1 - q2 - q6 + q12, 4 * (q6 - q12)};
+  circular_.odd12 = {2 * (q6 - q2) + 4 * q12, -8 * q12};
 
   // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi a/2K. Unlike alpha, p has a limit as q -> 0.
   const double p = std::exp(-pi * a_prime / K_), inverse = q > 0 ? q / p : 0;
-  even_[0] = odd_[0] = cosine_[0] = 1;
-  double slope = 0, theta = 1;  // Of Theta(u + i a) at u = 0.
-  for (std::size_t n = 1; n < terms; ++n) {
-    const double sign = n % 2 == 0 ? 1 : -1;
-    const double growing = power(q, n * (2 * n - 1)) * power(p, n);
-    const double decaying = power(q, 2 * n * n) * power(inverse, n);
-    even_[n] = 2 * power(q, n * n);
-    odd_[n] = power(q, n * (n + 1));
-    cosine_[n] = sign * (growing + decaying);
-    sine_[n] = -sign * (growing - decaying);
-    theta += cosine_[n];
-    slope += 2 * static_cast<double>(n) * sine_[n];
-  }
-  slope_ = scale_ * slope / theta;
+  const double g1 = q * p, g2 = q6 * p * p, g3 = q3 * q12 * p * p * p;
+  const double d1 = q2 * inverse, d2 = q4 * q4 * inverse * inverse;
+  const double d3 = q6 * q12 * inverse * inverse * inverse;
+  const double c1 = -(g1 + d1), c2 = g2 + d2, c3 = -(g3 + d3);
+  const double s1 = g1 - d1, s2 = d2 - g2, s3 = g3 - d3;
+  circular_.re = {1 - c2, c1 - 3 * c3, 2 * c2, 4 * c3};
+  circular_.im = {s1 - s3, 2 * s2, 4 * s3};
+  slope_ = pi / K_ * (s1 + 2 * s2 + 3 * s3) / (1 + c1 + c2 + c3);
 }
 
 void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
-  scale_ = pi / (2 * Kc);
-  turns_per_unit_ = 0.5 / K_;
-  root_ = std::exp(-scale_ * K_);
-  const double q = root_ * root_;  // q'
-  const auto [theta2, theta3, theta4] = theta_constants(q);
+  Hyperbolic& k = hyperbolic_series_;
+  k.scale = pi / (2 * Kc);
+  k.turns = 0.5 / K_;
+  k.period = std::isfinite(K_) ? 2 * K_ : 0;
+  k.root = std::exp(-k.scale * K_);
+  k.q = k.root * k.root;
+  k.q2 = k.q * k.q;
+  k.q4 = k.q2 * k.q2;
+  k.q6 = k.q2 * k.q4;
+  const auto [theta2, theta3, theta4] = theta_constants(k.q);
   sn_scale_ = theta3 / theta4;
   cn_scale_ = theta2 / theta4;
   dn_scale_ = theta2 / theta3;
 
-  const double x = 0.5 * scale_ * (Kc - a_prime);  // pi a/4K'
-  drift_ = -x / K_;
+  const double x = 0.5 * k.scale * (Kc - a_prime);  // pi a/4K'
+  k.drift = -x / K_;
   double slope = 0, theta = 0;  // Of theta_2(x - i w, root) at w = 0.
-  for (std::size_t n = 0; n < terms; ++n) {
+  double size = 1, power = 1;   // root^(n^2) and root^n
+  for (std::size_t n = 0; n < k.re.size(); ++n) {
     const auto multiple = static_cast<double>(2 * n + 1);
-    even_[n] = power(q, n * n - n);
-    odd_[n] = power(q, n * n);
-    cosine_[n] = power(root_, n * n) * std::cos(multiple * x);
-    sine_[n] = power(root_, n * n) * std::sin(multiple * x);
-    theta += power(root_, n) * cosine_[n];
-    slope += power(root_, n) * multiple * sine_[n];
+    k.re[n] = size * std::cos(multiple * x);
+    k.im[n] = size * std::sin(multiple * x);
+    k.re_rest[n] = power * k.re[n];
+    k.im_rest[n] = power * k.im[n];
+    theta += k.re_rest[n];
+    slope += multiple * k.im_rest[n];
+    size *= power * power * k.root;
+    power *= k.root;
   }
-  slope_ = drift_ + 0.5 * scale_ * slope / theta;
-}
-
-Jacobi::Values Jacobi::circular(double u) const {  // Eq. (E10).
-  const double z = scale_ * u;
-  const double c = std::cos(z), s = std::sin(z);
-  const double c2 = (c - s) * (c + s), s2 = 2 * c * s;
-  double theta1 = s, theta2 = c, theta3 = 1, theta4 = 1, re = 1, im = 0;
-  double cn = 1, sn = 0, sign = 1;  // cos 2nz, sin 2nz, (-1)^n
-  for (std::size_t n = 1; n < terms; ++n) {
-    const double previous = cn;
-    cn = cn * c2 - sn * s2;
-    sn = sn * c2 + previous * s2;
-    sign = -sign;
-    theta1 += sign * odd_[n] * (sn * c + cn * s);
-    theta2 += odd_[n] * (cn * c - sn * s);
-    theta3 += even_[n] * cn;
-    theta4 += sign * even_[n] * cn;
-    re += cosine_[n] * cn;
-    im += sine_[n] * sn;
-  }
-  const double inverse = 1 / theta4;
-  return {sn_scale_ * theta1 * inverse,
-          cn_scale_ * theta2 * inverse,
-          dn_scale_ * theta3 * inverse,
-          {re, im},
-          0};
-}
-
-Jacobi::Values Jacobi::hyperbolic(double u) const {  // Eq. (E11).
-  // u = 2K turns + r, where turns = 0 if K is infinite.
-  const double turns = std::nearbyint(turns_per_unit_ * u);
-  const double r = turns == 0 ? u : u - turns * (2 * K_);
-  // Hyperbolic functions of w = scale r without their growing factor e^|w|, which cancels.
-  const double x = std::exp(-scale_ * std::abs(r));
-  const double y = x > 0 ? root_ / x : 0;  // exp(-scale (K - |r|))
-  const double x2 = x * x, x4 = x2 * x2, y2 = y * y;
-  double theta1 = 1 - x2, theta2 = 1 + x2, theta3 = 1, theta4 = 1;
-  double re = cosine_[0] * (1 + x), im = sine_[0] * (1 - x);
-  double xn = x, xe = 1, xo = x2, yn = 1, y2n = 1, sign = 1;  // x^(2n+1), x^4n, x^(4n+2), ...
-  for (std::size_t n = 1; n + 1 < terms; ++n) {
-    xn *= x2;
-    xe *= x4;
-    xo *= x4;
-    yn *= y;
-    y2n *= y2;
-    sign = -sign;
-    theta1 += sign * odd_[n] * y2n * (1 - xo);
-    theta2 += odd_[n] * y2n * (1 + xo);
-    theta3 += even_[n] * y2n * (1 + xe);
-    theta4 += sign * even_[n] * y2n * (1 + xe);
-    re += cosine_[n] * yn * (1 + xn);
-    im += sine_[n] * yn * (1 - xn);
-  }
-  const double half_turn = 2 * std::nearbyint(0.5 * turns) == turns ? 1 : -1,
-               side = std::copysign(1.0, r);
-  const double inverse = 1 / theta2;
-  return {half_turn * side * sn_scale_ * theta1 * inverse,
-          half_turn * cn_scale_ * x * theta4 * inverse,
-          dn_scale_ * x * theta3 * inverse,
-          {re, side * im},
-          drift_ * r};
+  slope_ = k.drift + 0.5 * k.scale * slope / theta;
 }
 
 }  // namespace twrench::elliptic

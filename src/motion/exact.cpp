@@ -1,20 +1,39 @@
 #include <fmt/format.h>
 #include <twrench/base/require.h>
-#include <twrench/math/so3.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace twrench::motion {
 
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Matrix4d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
+
+/// A number of twice the digits of double, as the sum of two.
+struct Twofold {
+  double high, low;
+};
+
+/// a + b, exactly (Knuth).
+Twofold exact_sum(double a, double b) {
+  const double sum = a + b, part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part)};
+}
+
+/// a b, exactly.
+Twofold exact_product(double a, double b) { return {a * b, std::fma(a, b, -(a * b))}; }
+
+Twofold operator*(const Twofold& a, const Twofold& b) {
+  const Twofold product = exact_product(a.high, b.high);
+  return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
 
 /// D2 / G^2 of eq. (E1) for ascending moments: negative if L circles the axis of least moment,
 /// positive if it circles that of greatest moment, zero on the separatrix. It is the only
@@ -22,12 +41,15 @@ using Eigen::Vector3d;
 /// depend on its last digit. It is therefore computed from the given velocity, not from the rounded
 /// L, and in twice the digits.
 double beyond_separatrix(const Vector3d& I, const Vector3d& omega, double G) {
-  using Quad = boost::multiprecision::cpp_bin_float_quad;
+  // With G about 1 nothing overflows. The unit is a power of two, so that nothing is rounded.
+  const int unit = -std::ilogb(G);
   const auto term = [&](int i) {
-    const Quad w = Quad(omega[i]) / G;
-    return Quad(w * w * I[i] * (Quad(I[i]) - I[1]));
+    const double w = std::scalbn(omega[i], unit);
+    return exact_product(w, I[i]) * Twofold{w, 0} * exact_sum(I[i], -I[1]);
   };
-  return static_cast<double>(term(0) + term(2));
+  const Twofold least = term(0), greatest = term(2), sum = exact_sum(least.high, greatest.high);
+  const double size = std::scalbn(G, unit);
+  return (sum.high + (sum.low + (least.low + greatest.low))) / (size * size);
 }
 
 /// Body axes (a, b, c) as a proper rotation: a is the principal axis `a` (0 or 2), b the
@@ -46,6 +68,25 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
   return (mu.array().square() * (I.array() - I[i]) / I.array()).sum();
 }
 
+/// The matrices that multiply the quaternion (w, x, y, z) from the left and from the right.
+Matrix4d left_product(const Quaterniond& q) {
+  Matrix4d L;
+  L << q.w(), -q.x(), -q.y(), -q.z(),  //
+      q.x(), q.w(), -q.z(), q.y(),     //
+      q.y(), q.z(), q.w(), -q.x(),     //
+      q.z(), -q.y(), q.x(), q.w();
+  return L;
+}
+
+Matrix4d right_product(const Quaterniond& q) {
+  Matrix4d R;
+  R << q.w(), -q.x(), -q.y(), -q.z(),  //
+      q.x(), q.w(), q.z(), -q.y(),     //
+      q.y(), -q.z(), q.w(), q.x(),     //
+      q.z(), q.y(), -q.x(), q.w();
+  return R;
+}
+
 }  // namespace
 
 ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
@@ -60,15 +101,17 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
       beyond_separatrix(principal.moments, principal.axes.transpose() * body.omega(), G);
   const int a = D2 > 0 ? 2 : 0;
   const Vector3d I(principal.moments[a], principal.moments[1], principal.moments[2 - a]);
-  body_from_motion_ = motion_axes(principal, a, m);
-  const Vector3d mu = body_from_motion_.transpose() * momentum / G;
+  const Matrix3d body_from_motion = motion_axes(principal, a, m);
+  const Vector3d mu = body_from_motion.transpose() * momentum / G;
   // Below the smallest normal number D2 has no digits left.
   constexpr double nothing = std::numeric_limits<double>::min();
   if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
-  motion_from_body_ = Quaterniond(body_from_motion_).conjugate();
-  space_from_turned_ = (orbit_->at(0).turn * motion_from_body_).conjugate().normalized();
+  orbit_->omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();
+  const Quaterniond motion_from_body = Quaterniond(body_from_motion).conjugate();
+  const Quaterniond start = turn_at_start(*orbit_).normalized() * motion_from_body;
+  orbit_->attitude_from_turn = left_product(start.conjugate()) * right_product(motion_from_body);
 }
 
 ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector3d& I, double D2) {
@@ -93,26 +136,14 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
   // Eq. (E9).
   const double energy = (mu.array().square() / I.array()).sum();
   const double spin =
-      G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) - 2 * rate * jacobi.slope();
-  return {jacobi, m, mc, rate, phase, spin, amplitude, G * I.cwiseInverse()};
-}
-
-ExactMotion::Orbit::State ExactMotion::Orbit::at(double t) const {
-  const elliptic::Jacobi::Values v = jacobi.at(rate * t + phase);
-  const Vector3d mu = amplitude.cwiseProduct(Vector3d(v.dn, v.sn, v.cn));
-  // A multiple of exp(i psi/2), eq. (E7), times P, eq. (E5).
-  const double angle = 0.5 * spin * t + v.angle, c = std::cos(angle), s = std::sin(angle);
-  const double w = c * v.theta.real() - s * v.theta.imag();
-  const double x = s * v.theta.real() + c * v.theta.imag();
-  return {mu, {w * (1 + mu[0]), x * (1 + mu[0]), w * mu[2] + x * mu[1], x * mu[2] - w * mu[1]}};
-}
-
-Sample ExactMotion::at(double t) const {
-  if (!orbit_) return {t, so3::exp(t * omega0_), omega0_};
-  const auto [mu, turn] = orbit_->at(t);
-  const Quaterniond X = space_from_turned_ * turn * motion_from_body_;
-  return {t, X.normalized().toRotationMatrix(),
-          body_from_motion_ * orbit_->velocity.cwiseProduct(mu)};
+      G * (energy + amplitude[0] / I[0]) / (1 + amplitude[0]) - 2 * rate * jacobi.slope();  // rad/s
+  return {.jacobi = jacobi,
+          .m = m,
+          .mc = mc,
+          .rate = rate,
+          .phase = phase,
+          .quarter_turns = spin / std::numbers::pi,
+          .amplitude = amplitude};
 }
 
 std::optional<ExactMotion::Flips> ExactMotion::flips() const {

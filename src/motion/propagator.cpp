@@ -223,6 +223,12 @@ class ExactPropagator final : public Propagator {
     return motion_.at(t);
   }
 
+  std::vector<Sample> samples_at(std::span<const double> times) override {
+    for (const double t : times) require_finite("t", t);
+    evaluations_ += static_cast<std::int64_t>(times.size());
+    return motion_.at(times);
+  }
+
   AcceptedStep next_step() override {
     const double start = t();
     const Matrix3d before = X_;
@@ -255,6 +261,13 @@ void check(const Method& method, const StepControl& control) {
 }
 
 }  // namespace
+
+std::vector<Sample> Propagator::samples_at(std::span<const double> times) {
+  std::vector<Sample> samples;
+  samples.reserve(times.size());
+  for (const double t : times) samples.push_back(sample_at(t));
+  return samples;
+}
 
 std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& method,
                                             const StepControl& control, Direction direction) {

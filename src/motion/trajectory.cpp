@@ -27,12 +27,13 @@ void require_possible(const Method& method, const StepControl& control, double t
 Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
                      std::span<const double> times) {
   for (const double t : times) require_finite("time", t);
+  const auto forward = make_propagator(body, method, control, Direction::forward);
+  if (method.exact()) return {forward->samples_at(times), 0, forward->evaluations()};
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
-  const auto forward = make_propagator(body, method, control, Direction::forward);
+  if (!order.empty()) require_possible(method, control, times[order.back()]);
   const auto backward = make_propagator(body, method, control, Direction::backward);
-  if (!order.empty() && !method.exact()) require_possible(method, control, times[order.back()]);
   Trajectory result;
   result.samples.resize(times.size());
   for (const std::size_t i : order) {
@@ -48,7 +49,14 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
                    const std::function<void(const Sample&)>& visit) {
   const auto propagator = make_propagator(body, method, control);
   if (count > 0 && !method.exact()) require_possible(method, control, time(count - 1));
-  for (std::size_t i = 0; i < count; ++i) visit(propagator->sample_at(time(i)));
+  // A method that goes in steps hands over each sample before it goes on and perhaps fails.
+  const std::size_t together = method.exact() ? 4096 : 1;
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count;) {
+    times.clear();
+    for (; i < count && times.size() < together; ++i) times.push_back(time(i));
+    std::ranges::for_each(propagator->samples_at(times), visit);
+  }
 }
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,

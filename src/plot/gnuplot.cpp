@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "system/child_process.h"
 #include "system/error.h"
 #include "system/file.h"
 #include "system/pending_file.h"
+#include "system/program.h"
 
 namespace twrench::plot {
 namespace {

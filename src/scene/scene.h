@@ -172,6 +172,6 @@ std::vector<std::string> builtin_scene_names();
 Scene load_scene(const std::string& name_or_path);
 
 /// Parses a scene from TOML text; `source` names it in errors. Throws InvalidArgument.
-Scene parse_scene(std::string_view toml, const std::string& source);
+Scene parse_scene(std::string_view text, const std::string& source);
 
 }  // namespace twrench::scene

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "system/file.h"
+#include "system/program.h"
 #include "video/error.h"
 #include "video/video_file.h"
 

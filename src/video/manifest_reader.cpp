@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -14,82 +13,14 @@
 #include "system/file.h"
 #include "video/frame_range.h"
 #include "video/manifest.h"
+#include "video/manifest_value.h"
 
 namespace twrench::video {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value of the manifest with its path, which error messages show: "frames[3].X".
-class Place {
- public:
-  Place(const Json& value, std::string manifest, std::string path)
-      : value_(value), manifest_(std::move(manifest)), path_(std::move(path)) {}
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw system::FileError("cannot use " + manifest_,
-                            fmt::format("{} must be {}", path_.empty() ? "it" : path_, expected));
-  }
-
-  Place key(const char* name) const {
-    if (!value_.is_object() || !value_.contains(name)) {
-      fail(fmt::format("an object with \"{}\"", name));
-    }
-    return {value_[name], manifest_, path_.empty() ? name : path_ + "." + name};
-  }
-
-  Place item(std::size_t index) const {
-    return {value_[index], manifest_, fmt::format("{}[{}]", path_, index)};
-  }
-
-  const Json& value() const { return value_; }
-
-  std::size_t size_of_array() const {
-    if (!value_.is_array()) {
-      fail("an array");
-    }
-    return value_.size();
-  }
-
-  std::string text() const {
-    if (!value_.is_string()) {
-      fail("a string");
-    }
-    return value_.get<std::string>();
-  }
-
-  double number() const {
-    if (!value_.is_number() || !std::isfinite(value_.get<double>())) {
-      fail("a number");
-    }
-    return value_.get<double>();
-  }
-
-  int integer(int least, int most) const {
-    const double number = value_.is_number_integer() ? value_.get<double>() : std::nan("");
-    if (!(number >= least && number <= most)) {
-      fail(fmt::format("an integer from {} to {}", least, most));
-    }
-    return static_cast<int>(number);
-  }
-
-  template <std::size_t N>
-  std::array<double, N> numbers() const {
-    const auto is_number = [](const Json& item) { return item.is_number(); };
-    if (!value_.is_array() || value_.size() != N ||
-        !std::all_of(value_.begin(), value_.end(), is_number)) {
-      fail(fmt::format("an array of {} numbers", N));
-    }
-    return value_.get<std::array<double, N>>();
-  }
-
- private:
-  const Json& value_;
-  std::string manifest_;
-  std::string path_;
-};
-
-std::string file_name(const Place& place) {
+std::string file_name(const ManifestValue& place) {
   std::string name = place.text();
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
       name.find('\0') != std::string::npos) {
@@ -98,7 +29,7 @@ std::string file_name(const Place& place) {
   return name;
 }
 
-std::string sha256(const Place& place) {
+std::string sha256(const ManifestValue& place) {
   std::string digest = place.text();
   const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
   if (digest.size() != 64 || !std::all_of(digest.begin(), digest.end(), is_digit)) {
@@ -107,7 +38,7 @@ std::string sha256(const Place& place) {
   return digest;
 }
 
-FrameRecord frame_record(const Place& place) {
+FrameRecord frame_record(const ManifestValue& place) {
   return {.frame = place.key("frame").integer(0, max_frame_count - 1),
           .t = place.key("t").number(),
           .X = place.key("X").numbers<9>(),
@@ -161,7 +92,7 @@ Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& 
 
 /// Throws unless the frames belong to the range and are in ascending order. `place` holds the
 /// remaining entries, which are not objects.
-void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
+void check_frames(const std::vector<FrameRecord>& frames, const ManifestValue& place,
                   const std::string& range_text) {
   if (place.size_of_array() != 0) place.item(0).fail("an object");
   if (frames.empty()) return;  // only a head was read: its range may have a million frames
@@ -178,7 +109,7 @@ void check_frames(const std::vector<FrameRecord>& frames, const Place& place,
 }
 
 /// Returns the range in the manifest, checked.
-std::string frame_range(const Place& place) {
+std::string frame_range(const ManifestValue& place) {
   std::string range = place.text();
   try {
     check_frame_range(range, max_frame_count);
@@ -188,9 +119,9 @@ std::string frame_range(const Place& place) {
   return range;
 }
 
-Shard shard_of(const Place& root) {
+Shard shard_of(const ManifestValue& root) {
   if (!root.value().contains("shard")) return {};
-  const Place place = root.key("shard");
+  const ManifestValue place = root.key("shard");
   try {
     return parse_shard(place.text());
   } catch (const InvalidArgument&) {
@@ -198,7 +129,7 @@ Shard shard_of(const Place& root) {
   }
 }
 
-double positive(const Place& place) {
+double positive(const ManifestValue& place) {
   const double number = place.number();
   if (number <= 0.0) {
     place.fail("positive");
@@ -206,7 +137,7 @@ double positive(const Place& place) {
   return number;
 }
 
-std::vector<std::string> texts(const Place& place) {
+std::vector<std::string> texts(const ManifestValue& place) {
   std::vector<std::string> result;
   const std::size_t size = place.size_of_array();
   for (std::size_t i = 0; i < size; ++i) result.push_back(place.item(i).text());
@@ -218,8 +149,8 @@ template <typename Input>
 Manifest parse(Input& text, const std::string& name) {
   std::vector<FrameRecord> frames;
   const Json json = parse_json(text, name, frames);
-  const Place root(json, name, "");
-  const Place size = root.key("size");
+  const ManifestValue root(json, name, "");
+  const ManifestValue size = root.key("size");
   if (size.size_of_array() != 2) {
     size.fail("[width, height]");
   }

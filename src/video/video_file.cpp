@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "system/error.h"
+#include "system/program.h"
 #include "system/sha256.h"
 #include "video/error.h"
 #include "video/frame_range.h"

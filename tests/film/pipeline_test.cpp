@@ -144,9 +144,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
       if (frame == 7) throw gl::GlError("drawing", "lost");
       return frame_of(frame);
     };
-    EXPECT_THROW(
-        run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, {}, times_),
-        gl::GlError);
+    EXPECT_THROW(run_pipeline(frames_, drawing(draw, ahead), {&sequence, nullptr, 2}, {}, times_),
+                 gl::GlError);
     sequence.finish();
     // The frames in flight are complete and recorded.
     EXPECT_EQ(video::read_manifest(frames_folder / video::manifest_name).frames.size(), 7u);

@@ -60,6 +60,9 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench plot dzh"), "dzhanibekov\n");
   EXPECT_EQ(offered("twrench study --format \"\""), "text csv json\n");
   EXPECT_EQ(offered("twrench simulate --format \"\""), "csv json\n");
+  EXPECT_EQ(offered("twrench inertia --format \"\""), "text json\n");
+  EXPECT_EQ(offered("twrench doctor --format \"\""), "text json\n");
+  EXPECT_EQ(offered("twrench render --backend \"\""), "auto osmesa egl\n");
   EXPECT_EQ(offered("twrench compare n"), "notes.txt\n");
   EXPECT_EQ(offered("twrench render --step 0"), "\n");
   EXPECT_EQ(offered("twrench unknown x"), "\n");

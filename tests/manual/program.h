@@ -5,18 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "app/command_model.h"
 #include "app/commands.h"
-#include "manual/command_model.h"
 #include "system/file.h"
 
 namespace twrench::manual {
+
+using app::Command;
+using app::Option;
 
 /// The commands of the program, without their names' leading "twrench".
 inline std::vector<Command> all_commands() {
   CLI::App app(app::about, "twrench");
   app::ExitCode code = app::ExitCode::done;
   app::add_commands(app, code);
-  return read_commands(app);
+  return app::read_commands(app);
 }
 
 /// The text of a file that the build wrote.

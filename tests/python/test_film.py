@@ -42,6 +42,7 @@ def test_a_film_and_its_frames(small, program, tmp_path):
     assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
     for name in [*frame_names(tmp_path / "b"), "manifest.json"]:
         assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()
+    assert json.loads((tmp_path / "a/manifest.json").read_text())["version"] == twrench.__version__
     html = film._repr_html_()
     assert html is not None and html.startswith("<video controls") and "data:video/mp4" in html
 

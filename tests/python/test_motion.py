@@ -121,6 +121,48 @@ def test_flips(body):
     assert len(steady.flip_times(10)) == 0
 
 
+def test_many_bodies_at_once_move_as_one_by_one():
+    random = np.random.default_rng(1)
+    inertia = random.uniform(1, 10, (40, 3))
+    omega = random.normal(size=(40, 3))
+    inertia[0], omega[1], inertia[2, 1] = 2.0, 0.0, inertia[2, 0]  # a sphere, rest, a symmetric body
+    times = random.uniform(-50, 50, 30)
+    many = twrench.exact_many(inertia, omega, times)
+    assert many.X.shape == (40, 30, 3, 3) and many.omega.shape == (40, 30, 3) and len(many) == 40
+    first = twrench.first_flip_times(inertia, omega)
+    for i in range(40):
+        exact = twrench.exact(twrench.Body(moments=inertia[i]), omega[i])
+        alone = exact.at(times)
+        np.testing.assert_array_equal(many.X[i], alone.X)
+        np.testing.assert_array_equal(many.omega[i], alone.omega)
+        expected = math.inf if math.isnan(exact.first_flip) else exact.first_flip
+        assert first[i] == pytest.approx(expected, rel=1e-13)
+    alike = twrench.exact_many([1, 2, 3], omega, times)
+    np.testing.assert_array_equal(alike.X, twrench.exact_many([[1, 2, 3]] * 40, omega, times).X)
+    assert twrench.exact_many(np.ones((0, 3)), np.ones((0, 3)), times).X.shape == (0, 30, 3, 3)
+    assert twrench.exact_many([1, 2, 3], omega, []).X.shape == (40, 0, 3, 3)
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega", "message"),
+    [
+        ([1, 2], np.ones((2, 3)), "inertia: must be three numbers"),
+        (np.ones((2, 2)), np.ones((2, 3)), r"inertia: must be an array of shape \(n, 3\)"),
+        (np.ones((3, 3)), np.ones((2, 3)), "inertia: must have as many rows as omega, 2, not 3"),
+        (np.ones((2, 3)), np.ones(3), r"omega: must be an array of shape \(n, 3\)"),
+        ([[1, 2, 3], [1, -2, 3]], np.ones((2, 3)), r"inertia\[1, 1\]"),
+        ([1, 2, 3], [[1, 2, math.nan]], "omega: must be finite"),
+        (None, np.ones((2, 3)), "inertia: must be"),
+        ([1, 2, 3], None, "omega: must be"),
+    ],
+)
+def test_wrong_bodies_of_many(inertia, omega, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.exact_many(inertia, omega, [0])
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.first_flip_times(inertia, omega)
+
+
 def test_arrays_outlive_what_they_came_from(body):
     X = twrench.simulate(body, OMEGA, np.linspace(0, 1, 100_000), "rkmk4").X
     copy = X.copy()

@@ -235,10 +235,5 @@ TEST(ChildProcess, ThatIsNotThereIsToldAtOnce) {
   }
 }
 
-TEST(ShellCommand, QuotesWhatAShellWouldTakeApart) {
-  const std::vector<std::string> command{"ffmpeg", "-vf", "a=b:c,d", "it's", "", "x y", "$z"};
-  EXPECT_EQ(shell_command(command), "ffmpeg -vf a=b:c,d 'it'\\''s' '' 'x y' '$z'");
-}
-
 }  // namespace
 }  // namespace twrench::system

@@ -2,12 +2,17 @@
 
 #include <twrench/base/error.h>
 
+#include <span>
+
 namespace twrench {
 
-// Each returns `value`, or throws OutOfRange about `quantity`.
+// Each that takes one number returns `value`, or throws OutOfRange about `quantity`.
 
 /// A finite number.
 double require_finite(const char* quantity, double value);
+
+/// Throws OutOfRange about "QUANTITY[i]" unless all are finite numbers.
+void require_finite(const char* quantity, std::span<const double> values);
 
 /// A finite number above zero.
 double require_positive(const char* quantity, double value);

@@ -7,9 +7,13 @@
 #include <Eigen/Geometry>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace twrench::motion {
+
+/// As a number of threads: as many as there are processors.
+inline constexpr unsigned all_processors = 0;
 
 /// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) with X(0) = Id, at
 /// any t and at a cost independent of t. docs/exact.md derives it and numbers its equations from
@@ -37,8 +41,19 @@ class ExactMotion {
   /// Prepares the constants of the motion.
   explicit ExactMotion(const FreeBody& body);
 
-  /// Returns the sample at time t in s, of either sign.
+  /// Returns the sample at time t in s, of either sign. Throws OutOfRange unless t is finite.
   Sample at(double t) const;
+
+  /// Evaluates the motion at n times in s, of either sign and in any order, in vector registers and
+  /// on up to `threads` threads. Writes the attitudes to `X`, n x 3 x 3 numbers in row-major order,
+  /// and the angular velocities in body axes, rad/s, to `omega`, n x 3 numbers. Each has the bits
+  /// that at(t) gives for its time alone, whatever the other times and the number of threads.
+  /// Throws OutOfRange about "times[i]" unless that is finite, and InvalidArgument about "X" or
+  /// "omega" where the size is wrong, before anything is written.
+  void at(std::span<const double> times, std::span<double> X, std::span<double> omega,
+          unsigned threads = all_processors) const;
+  /// The same as samples, in the order of `times`.
+  std::vector<Sample> at(std::span<const double> times, unsigned threads = all_processors) const;
 
   /// Returns which of these the motion is.
   Kind kind() const { return kind_; }
@@ -73,31 +88,28 @@ class ExactMotion {
   /// The constants of a non-steady motion, in the axes (a, b, c) of docs/exact.md: L circles a, and
   /// b is the intermediate axis.
   struct Orbit {
-    struct State {
-      /// Direction of the body momentum, m/G.
-      Eigen::Vector3d mu;
-      /// Rot(e_a, psi) P, eq. (E5), up to a factor and constant rotations.
-      Eigen::Quaterniond turn;
-    };
-    State at(double t) const;
-
     elliptic::Jacobi jacobi;
     double m, mc;               ///< Parameter k^2, and 1 - k^2.
     double rate;                ///< lambda = du/dt in 1/s.
     double phase;               ///< u at t = 0.
-    double spin;                ///< Mean of dpsi/dt in rad/s.
-    Eigen::Vector3d amplitude;  ///< Amplitudes of mu = (a dn u, b sn u, c cn u).
-    Eigen::Vector3d velocity;   ///< omega = velocity * mu, componentwise, in rad/s.
+    double quarter_turns;       ///< Of psi/2, on average, per second.
+    Eigen::Vector3d amplitude;  ///< Amplitudes of mu = m/G = (a dn u, b sn u, c cn u).
+    /// Maps the quaternion (w, x, y, z) of Rot(e_a, psi) P, eq. (E5), to that of X. Both are
+    /// determined up to a factor.
+    Eigen::Matrix4d attitude_from_turn{};
+    Eigen::Matrix3d omega_from_mu{};  ///< In rad/s.
   };
+  struct Samples;
 
   static Orbit orbit(double G, const Eigen::Vector3d& mu, const Eigen::Vector3d& I, double D2);
+  /// The quaternion of Rot(e_a, psi) P at t = 0, up to a factor.
+  static Eigen::Quaterniond turn_at_start(const Orbit& orbit);
+  template <class Write>
+  void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
 
   Kind kind_ = Kind::steady;
   Eigen::Vector3d omega0_;  ///< Angular velocity at t = 0 in body axes, rad/s.
   std::optional<Orbit> orbit_;
-  Eigen::Matrix3d body_from_motion_;
-  Eigen::Quaterniond motion_from_body_;
-  Eigen::Quaterniond space_from_turned_;  ///< body_from_motion turn(0)^-1.
 };
 
 }  // namespace twrench::motion

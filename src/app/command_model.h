@@ -1,10 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-namespace twrench::manual {
+#include "app/command_line.h"
+
+namespace twrench::app {
 
 /// What a shell can offer as the value of an option or argument.
 struct Candidates {
@@ -24,7 +25,7 @@ struct Candidates {
 struct Option {
   /// "-o" and "--output"; the name of an argument.
   std::vector<std::string> names;
-  /// What stands for the value in help; empty for a flag.
+  /// What stands for the value in help; empty for a flag and for an argument.
   std::string placeholder;
   std::string help;
   /// The default that applies, or empty.
@@ -32,6 +33,7 @@ struct Option {
   Candidates candidates;
 };
 
+/// A command, as --help, the manual pages and the shell completions tell of it.
 struct Command {
   std::string name;
   std::string description;
@@ -43,10 +45,13 @@ struct Command {
   std::string footer;
 };
 
-/// Returns the program's own options, as a command without a name.
-Command read_program(const CLI::App& app);
+/// Returns a command; of the program itself, its own options.
+Command read_command(const CLI::App& app);
 
-/// Returns its commands, in the order of --help.
+/// Returns the commands of the program, in the order of --help.
 std::vector<Command> read_commands(const CLI::App& app);
 
-}  // namespace twrench::manual
+/// Returns what stands for the value of an option in help and messages, such as "FILE".
+std::string placeholder_of(const CLI::Option& option);
+
+}  // namespace twrench::app

@@ -1,13 +1,15 @@
-#include "manual/command_model.h"
+#include "app/command_model.h"
 
 #include <twrench/motion/method.h>
 
+#include <CLI/CLI.hpp>
 #include <map>
 
+#include "app/arguments.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 
-namespace twrench::manual {
+namespace twrench::app {
 namespace {
 
 using Kind = Candidates::Kind;
@@ -21,7 +23,7 @@ std::vector<std::string> method_names() {
 Candidates words(std::vector<std::string> all) { return {Kind::words, std::move(all)}; }
 Candidates list(std::vector<std::string> all) { return {Kind::list, std::move(all)}; }
 
-/// The candidates of the options whose values have names.
+/// The candidates of the options whose values are neither free nor checked by one_of().
 std::map<std::string, Candidates> named_values() {
   return {
       {"--method", words(method_names())},
@@ -34,9 +36,7 @@ std::map<std::string, Candidates> named_values() {
       {"--background", words({"black", "gray", "white", "transparent"})},
       {"--color", words({"black", "gray", "white"})},
       {"--container", words({"mp4", "mov", "mkv", "webm"})},
-      {"--backend", words({"auto", "osmesa", "egl"})},
       {"--egl-device", words({"software"})},
-      {"--progress", words({"auto", "bar", "plain", "json", "openjd", "none"})},
       {"SCENE", {Kind::scene, scene::builtin_scene_names()}},
       {"--font", {Kind::file, {}}},
       {"--output", {Kind::file, {}}},
@@ -49,10 +49,17 @@ std::map<std::string, Candidates> named_values() {
   };
 }
 
-Candidates candidates_of(const CLI::App& command, const std::string& name) {
-  if (name == "--format") {
-    return command.get_name() == "study" ? words({"text", "csv", "json"}) : words({"csv", "json"});
-  }
+/// The words that one_of() allows: CLI11 writes a value FORMAT that is checked "FORMAT:{csv,json}".
+std::string checked_words(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t brace = type.find('{');
+  return brace == std::string::npos ? "" : type.substr(brace + 1, type.size() - brace - 2);
+}
+
+Candidates candidates_of(const CLI::App& command, const CLI::Option& option,
+                         const std::string& name) {
+  const std::string checked = checked_words(option);
+  if (!checked.empty()) return words(parse_words(checked));
   if (name == "COMMAND") {
     std::vector<std::string> names;
     for (const CLI::App* other : command.get_parent()->get_subcommands({})) {
@@ -66,22 +73,22 @@ Candidates candidates_of(const CLI::App& command, const std::string& name) {
 }
 
 /// "--timing{text}" is CLI11's notation for a flag with a default value.
-std::string without_default(std::string name) { return name.substr(0, name.find('{')); }
+std::string without_default(const std::string& name) { return name.substr(0, name.find('{')); }
 
 Option read_option(const CLI::App& command, const CLI::Option& option) {
   Option result;
   if (option.get_positional()) {
     result.names = {option.get_name(true)};
   } else {
+    if (option.get_expected_max() > 0) result.placeholder = placeholder_of(option);
     for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) {
       result.names.push_back(without_default("--" + name));
     }
   }
-  if (option.get_expected_max() > 0) result.placeholder = option.get_type_name();
   result.help = option.get_description();
   result.otherwise = option.get_default_str();
-  result.candidates = candidates_of(command, result.names.back());
+  result.candidates = candidates_of(command, option, result.names.back());
   return result;
 }
 
@@ -89,6 +96,8 @@ std::string usage_of(const CLI::Option& argument) {
   const std::string name = argument.get_name(true) + (argument.get_expected_max() > 1 ? "..." : "");
   return argument.get_required() ? name : "[" + name + "]";
 }
+
+}  // namespace
 
 Command read_command(const CLI::App& app) {
   Command result{app.get_name(), app.get_description(), {}, {}, {}, app.get_footer()};
@@ -103,10 +112,6 @@ Command read_command(const CLI::App& app) {
   return result;
 }
 
-}  // namespace
-
-Command read_program(const CLI::App& app) { return read_command(app); }
-
 std::vector<Command> read_commands(const CLI::App& app) {
   std::vector<Command> commands;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -115,4 +120,9 @@ std::vector<Command> read_commands(const CLI::App& app) {
   return commands;
 }
 
-}  // namespace twrench::manual
+std::string placeholder_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
+
+}  // namespace twrench::app
