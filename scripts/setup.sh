@@ -7,6 +7,7 @@
 #   setup.sh bench    building the benchmarks and the programs they compare with
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
+#   setup.sh docs     building the reference pages
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -75,6 +76,10 @@ bench    | a screen for VTK              | xvfb
 bench    | its access control            | xauth
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind
+docs     | Doxygen                       | doxygen
+docs     | Sphinx                        | python3-sphinx
+docs     | MyST, which reads Markdown    | python3-myst-parser
+docs     | Sphinx's theme Furo           | furo
 distros  | debootstrap                   | debootstrap
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
@@ -111,9 +116,9 @@ END
 case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
   test | bench) uses=(render "$1") ;;
-  check | tidy | coverage) uses=(render test "$1") ;;
+  check | tidy | coverage | docs) uses=(render test "$1") ;;
   *)
-    echo "usage: $0 render|test|check|tidy|bench|coverage|arm64|distros" >&2
+    echo "usage: $0 render|test|check|tidy|bench|coverage|docs|arm64|distros" >&2
     exit 2
     ;;
 esac
