@@ -10,15 +10,18 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+
+import twrench
 
 PROJECT = Path(__file__).parents[2]
 EXAMPLES = PROJECT / "examples/python"
 
 
-def run(name: str, folder: Path) -> str:
+def run(name: str, folder: Path, *arguments: str) -> str:
     """The output of an example."""
-    command = [sys.executable, str(EXAMPLES / name)]
+    command = [sys.executable, str(EXAMPLES / name), *arguments]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -63,13 +66,30 @@ def test_energy_drift(tmp_path):
 
 
 def test_parameter_sweep(tmp_path):
-    *intervals, slope = run("parameter_sweep.py", tmp_path).splitlines()
+    *waits, slope = run("parameter_sweep.py", tmp_path).splitlines()
     # From 1e-12 to 1e-6 rad there are six factors of ten.
-    (_, slow), (_, middle), _ = map(numbers, intervals)
+    (_, longest), (_, middle), _ = map(numbers, waits)
     measured, theory = numbers(slope)
     assert measured == pytest.approx(theory, abs=2e-6)
-    assert slow - middle == pytest.approx(6 * theory, abs=2e-3)
-    assert len((tmp_path / "sweep.csv").read_text().splitlines()) == 1001
+    assert longest - middle == pytest.approx(6 * theory, abs=2e-3)
+    assert len((tmp_path / "sweep.csv").read_text().splitlines()) == 1 + 101
+
+
+def test_map_of_flips(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    starts, _, earliest = numbers(run("flip_map.py", tmp_path, "40"))
+    assert starts == pytest.approx(math.pi * 20**2, rel=0.02)
+    assert image.open(tmp_path / "flip_map.png").size == (40, 40)
+    # The same starts one at a time.
+    across = (np.arange(40) + 0.5) / 20 - 1
+    body = twrench.Body(moments=[1, 2, 3])
+    waits = [
+        twrench.exact(body, [x, math.sqrt(1 - x * x - z * z) / 2, z / 3]).first_flip
+        for x in across
+        for z in across
+        if x * x + z * z < 1
+    ]
+    assert starts == len(waits) and earliest == pytest.approx(min(waits), abs=1e-4)
 
 
 def cells() -> list[dict[str, Any]]:
