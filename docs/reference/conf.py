@@ -22,10 +22,14 @@ autodoc_member_order = "bysource"
 autodoc_default_options = {"members": True, "undoc-members": True}
 autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
-# Other projects' objects, whose pages would have to be fetched, and the sources' names of unions.
+# Unions have the names that the sources give them; written out they fill half a page.
+autodoc_type_aliases = {
+    name: name for name in ("Array", "ArrayLike", "Part", "PathLike", "Progress", "StrPath", "Vector")
+}
+# These, and other projects' objects, whose pages would have to be fetched, lead nowhere.
 nitpick_ignore_regex = [
     ("py:class", r"(numpy|pandas|pathlib|os|collections)\..*"),
-    ("py:class", "Array|ArrayLike|Part|PathLike|Progress|StrPath"),
+    ("py:class", "|".join(autodoc_type_aliases)),
 ]
 
 html_theme = "furo"
