@@ -9,6 +9,7 @@
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
 #   setup.sh package  making Debian's packages
+#   setup.sh docs     building the reference pages
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -82,6 +83,10 @@ coverage | valgrind                      | valgrind
 package  | the tools for packages        | dpkg-dev
 package  | file, which they use          | file
 package  | lintian, to check packages    | lintian
+docs     | Doxygen                       | doxygen
+docs     | Sphinx                        | python3-sphinx
+docs     | MyST, which reads Markdown    | python3-myst-parser
+docs     | Sphinx's theme Furo           | furo
 distros  | debootstrap                   | debootstrap
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
@@ -120,9 +125,9 @@ case "${1-}" in
   python) uses=(render python) ;;
   bench) uses=(render bench) ;;
   test | package) uses=(render python "$1") ;;
-  check | tidy | coverage) uses=(render python test "$1") ;;
+  check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|coverage|arm64|package|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|coverage|docs|arm64|package|distros" >&2
     exit 2
     ;;
 esac

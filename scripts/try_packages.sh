@@ -62,10 +62,10 @@ try root "apt-get update"
 try_package twrench '' "twrench render $*" "test -s out/dzhanibekov.mp4" "twrench doctor" \
   "twrench doctor | awk '/  missing  / { getline; if (!/not needed/) exit 1 }'"
 try_package libtwrench-dev "cmake g++ make pkgconf" \
-  "cmake -S tests/library -B build -DCOMPONENTS=dynamics && cmake --build build && build/uses_twrench" \
-  "c++ -std=c++20 tests/library/main.cpp -o by_pkg_config \$(pkg-config --cflags --libs twrench) && ./by_pkg_config"
+  "cmake -S examples/cpp -B build && cmake --build build && build/flip_time" \
+  "c++ -std=c++20 examples/cpp/flip_time.cpp -o by_pkg_config \$(pkg-config --cflags --libs twrench) && ./by_pkg_config"
 if compgen -G "$folder/python3-twrench_*.deb" >/dev/null; then
   # Root would leave bytecode behind if the package did not bring its own.
-  try_package python3-twrench '' "python3 -c 'import twrench'"
+  try_package python3-twrench '' "python3 examples/python/body_to_film.py"
 fi
 say "$suite: the packages work, and leave nothing behind (log: $log)"

@@ -130,7 +130,11 @@ class Body:
 
     @classmethod
     def from_scene(cls, scene: str | PathLike[str] | Scene) -> Body:
-        """The body of a :class:`Scene`, of a scene file, or of a built-in scene by its name."""
+        """The body of a ``scene``: a :class:`Scene`, a scene file, or the name of a built-in scene.
+
+        :raises SceneError: for a mistake in the file, or a name that no scene has.
+        :raises FileError: where the file cannot be read.
+        """
         from .scene import Scene
 
         return (scene if isinstance(scene, Scene) else Scene(scene)).body

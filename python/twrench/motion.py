@@ -119,7 +119,7 @@ class Motion:
 
     @property
     def momentum_error(self) -> Array:
-        """Relative error |X I omega - L| / |L| of the angular momentum, (n,)."""
+        """Relative error ``|X I omega - L| / |L|`` of the angular momentum, (n,)."""
         return self._diagnostics[3]
 
     @property
@@ -141,7 +141,10 @@ class Motion:
         return np.roll(self.quaternion_xyzw, 1, axis=1)
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """A pandas DataFrame: t, X11 to X33, omega_x to omega_z, energy and the three errors."""
+        """A pandas DataFrame: t, X11 to X33, omega_x to omega_z, energy and the three errors.
+
+        Columns have the units of the attributes. Raises ImportError where there is no pandas.
+        """
         import pandas
 
         columns: dict[str, Any] = {"t": self.t}
@@ -173,6 +176,7 @@ def simulate(
 ) -> Motion:
     """The free motion of a body, sampled at exactly the given times.
 
+    :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
     :param times: times in s, (n,), in any order and of either sign.
     :param method: name of one of :func:`methods`.
@@ -200,14 +204,25 @@ def simulate(
 
 
 class ExactMotion:
-    """The free motion of a body in closed form. See :func:`exact`."""
+    """The free motion of a body in closed form, at a cost that does not depend on t.
+
+    :param body: the body; symmetric ones and spheres as well.
+    :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
+    :raises UsageError: for a wrong argument.
+
+    The error of X grows as 1e-16 ``|omega| t``, and beyond that only as fast as the motion itself
+    amplifies such an error of its start. ``docs/exact.md`` derives it, with its sources.
+    """
 
     def __init__(self, body: Body, omega: ArrayLike) -> None:
         self._free_body = _free_body(body, omega)
         self._native = _native.ExactMotion(self._free_body)
 
     def at(self, times: ArrayLike) -> Motion:
-        """The motion at ``times`` in s, (n,), in any order and of either sign."""
+        """The motion at ``times`` in s, (n,), in any order and of either sign.
+
+        :raises UsageError: for times of another shape, or that are not finite.
+        """
         t = _arguments.times("times", times)
         X, omega = self._native.at(t)
         return Motion(self._free_body, t, X, omega, "exact")
@@ -217,6 +232,7 @@ class ExactMotion:
 
         At a flip the component of omega along the intermediate axis changes its sign.
 
+        :raises UsageError: for a ``t_end`` that is not finite.
         :raises MotionError: where there are more than 10^7.
         """
         return self._native.flip_times(_arguments.number("t_end", t_end))
@@ -262,7 +278,10 @@ class ExactMotion:
 
 
 def exact(body: Body, omega: ArrayLike) -> ExactMotion:
-    """The exact motion of a body whose angular velocity at t = 0 is ``omega`` (body axes, rad/s)."""
+    """The exact motion of ``body``, whose angular velocity at t = 0 is ``omega``.
+
+    The arguments and errors are those of :class:`ExactMotion`.
+    """
     return ExactMotion(body, omega)
 
 
@@ -316,6 +335,6 @@ def exact_many(inertia: ArrayLike, omega: ArrayLike, times: ArrayLike) -> ManyMo
 def first_flip_times(inertia: ArrayLike, omega: ArrayLike) -> Array:
     """The time in s of each body's first flip after t = 0, (n,), infinite where there is none.
 
-    The arguments are those of :func:`exact_many`.
+    The arguments, ``inertia`` and ``omega``, and the errors are those of :func:`exact_many`.
     """
     return _native.first_flip_times(*_many(inertia, omega))

@@ -128,7 +128,13 @@ class Scene:
 
     @classmethod
     def from_toml(cls, text: str, name: str = "scene", **values: Any) -> Scene:
-        """The scene of the text of a scene file; ``name`` stands for the file in messages."""
+        """The scene of the text of a scene file.
+
+        :param text: the text, in TOML.
+        :param name: what stands for the file in messages.
+        :param values: values that replace those of the text, as in :class:`Scene`.
+        :raises SceneError: for a mistake, which it names with line and key.
+        """
         scene = cls.__new__(cls)
         scene._inputs = []
         scene._native = _native.Scene.parse(
@@ -185,7 +191,10 @@ class Scene:
         return values
 
     def simulate(self) -> Motion:
-        """The motion at the times of the frames, by the scene's method."""
+        """The motion at the times of the frames, by the scene's method.
+
+        :raises MotionError: where the method fails.
+        """
         return simulate(
             self.body,
             self.omega,
@@ -215,7 +224,10 @@ class Scene:
         return self._drawing().frame(self._index(index, time))
 
     def png(self, index: int | None = None, *, time: float | None = None) -> bytes:
-        """A frame, as in :meth:`frame`, as the PNG file that ``twrench render`` writes."""
+        """A frame as the PNG file that ``twrench render`` writes.
+
+        ``index`` or ``time``, and errors, are as in :meth:`frame`.
+        """
         return self._drawing().png(self._index(index, time))
 
     def _drawing(self) -> _native.FrameDrawer:

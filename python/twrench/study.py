@@ -80,7 +80,10 @@ class Study:
     methods: dict[str, MethodStudy]
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """A pandas DataFrame with a row for each run."""
+        """A pandas DataFrame with a row for each run, and the fields of :class:`StudyRun`.
+
+        Raises ImportError where there is no pandas.
+        """
         import pandas
 
         return pandas.DataFrame([vars(run) for of in self.methods.values() for run in of.runs])
@@ -116,6 +119,7 @@ def study(
 ) -> Study:
     """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
 
+    :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
     :param methods: names of methods.
     :param duration: duration of the motion in s.

@@ -12,6 +12,7 @@ namespace twrench {
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
 class Error : public std::runtime_error {
  public:
+  /// What failed and why, and the remedy, if there is one.
   Error(const std::string& what, const std::string& why, std::string remedy = {})
       : std::runtime_error(what + ": " + why), remedy_(std::move(remedy)) {}
 
@@ -25,6 +26,7 @@ class Error : public std::runtime_error {
 /// A value that is not allowed, or a name that nothing has.
 class InvalidArgument : public Error {
  public:
+  /// What the value is called, why it is not allowed, and the remedy, if there is one.
   InvalidArgument(const std::string& quantity, const std::string& why, std::string remedy = {})
       : Error(quantity, why, std::move(remedy)), quantity_(quantity) {}
 
@@ -40,16 +42,21 @@ class OutOfRange : public InvalidArgument {
  public:
   /// What a number is, and what it may be, the bounds included unless the message says otherwise.
   struct Range {
-    double value;
-    double least, greatest;  ///< infinite where there is no bound
+    double value;     ///< what it is
+    double least;     ///< the lower bound; minus infinity where there is none
+    double greatest;  ///< the upper bound; infinity where there is none
   };
 
+  /// What the number is called, why it is not allowed, and its range.
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
              std::string remedy = {})
       : InvalidArgument(quantity, why, std::move(remedy)), range_(range) {}
 
+  /// What the number is.
   double value() const noexcept { return range_.value; }
+  /// The lower bound; minus infinity where there is none.
   double least() const noexcept { return range_.least; }
+  /// The upper bound; infinity where there is none.
   double greatest() const noexcept { return range_.greatest; }
 
  private:

@@ -28,15 +28,17 @@ struct MassProperties {
 /// that is not positive, or a position that is not finite.
 MassProperties mass_properties(std::span<const Part> parts);
 
-/// Principal moments, ascending, and axes of a symmetric `inertia`. The axes form a proper
-/// rotation with a deterministic choice of sign: each of the first two has its component of
+/// The principal moments and axes of an inertia matrix.
+struct PrincipalAxes {
+  Eigen::Vector3d moments;  ///< Moments in g cm^2, ascending.
+  Eigen::Matrix3d axes;     ///< Rotation body_from_principal; its columns are the axes.
+};
+
+/// Principal moments, ascending, and axes of a symmetric `inertia` in g cm^2. The axes form a
+/// proper rotation with a deterministic choice of sign: each of the first two has its component of
 /// largest magnitude positive (the first such on a tie). A matrix that is already diagonal gives
 /// a signed permutation, exactly. Throws InvalidArgument about "inertia" unless that is finite and,
 /// to round-off, symmetric.
-struct PrincipalAxes {
-  Eigen::Vector3d moments;
-  Eigen::Matrix3d axes;  ///< Rotation body_from_principal; its columns are the axes.
-};
 PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 
 /// The homogeneous box of density 1 g/cm^3 whose principal moments about x, y, z are `moments`:

@@ -26,6 +26,7 @@ struct Ellipsoid {
   Eigen::Vector3d radii;
 };
 
+/// The geometry of a solid.
 using Shape = std::variant<Cylinder, Box, Ellipsoid>;
 
 /// A homogeneous solid, placed in the frame in which the scene describes the body.

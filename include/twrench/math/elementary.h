@@ -14,8 +14,8 @@ namespace twrench::elementary {
 
 /// An integer, and its bits in two's complement, of which the low 51 are meaningful.
 struct Integer {
-  double value;
-  std::uint64_t bits;
+  double value;        ///< The integer itself.
+  std::uint64_t bits;  ///< Its bits.
 };
 /// The integer nearest to `x`; 0 where |x| >= 2^51.
 [[gnu::always_inline]] inline Integer nearest_integer(double x) {
@@ -29,8 +29,10 @@ struct Integer {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (bits << 63U));
 }
 
+/// The sine and the cosine of one angle.
 struct SineCosine {
-  double sin, cos;
+  double sin;  ///< Its sine.
+  double cos;  ///< Its cosine.
 };
 /// The sine and cosine of the angle of `w` quarter turns, pi w/2. Whole quarter turns are
 /// subtracted exactly, so that the error is that of two roundings at any w. From |w| = 2^51, where

@@ -29,12 +29,14 @@ class Jacobi {
   /// (0, K'].
   Jacobi(double m, double mc, double a_prime);
 
+  /// The values at one u. The number theta = re + i im, with |theta| >= 0.4, and the angle give
+  /// arg Theta(u + i a) = arg(theta) + angle.
   struct Values {
-    /// Jacobi's functions of u.
-    double sn, cn, dn;
-    /// The real and the imaginary part of the number theta with arg Theta(u + i a) = arg(theta) +
-    /// angle; |theta| >= 0.4.
-    double re, im;
+    double sn;  ///< Jacobi's sn u.
+    double cn;  ///< Jacobi's cn u.
+    double dn;  ///< Jacobi's dn u.
+    double re;  ///< Real part of theta.
+    double im;  ///< Imaginary part of theta.
     /// The remaining part of the argument, in rad, between -pi/4 and pi/4.
     double angle;
   };
@@ -44,9 +46,10 @@ class Jacobi {
 
   /// Whether the series are in q' = exp(-pi K/K') rather than q = exp(-pi K'/K).
   bool is_hyperbolic() const { return hyperbolic_; }
-  /// What at() returns where the series are in q, and where they are in q'. Neither has a branch,
-  /// so that a loop over one of them runs in vector registers.
+  /// What at() returns where the series are in q. It has no branch, so that a loop over it runs in
+  /// vector registers.
   Values circular(double u) const;
+  /// The same where the series are in q'.
   Values hyperbolic(double u) const;
 
   /// Returns K; infinite at mc = 0.

@@ -10,16 +10,17 @@
 
 namespace twrench::motion {
 
+/// Coefficients of the stages, from the first.
 using TableauRow = std::array<double, 6>;
 
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
-  int stages;
+  int stages;                   ///< Number of stages in use.
   int order;                    ///< in a linear space, of what is carried on; p in the step control
   std::array<TableauRow, 6> a;  ///< TableauRow k holds a_k1 to a_k(k-1).
   TableauRow weights;           ///< Weights of the solution that is carried on.
   TableauRow embedded{};  ///< Weights of the solution that the error estimate compares with it.
-  bool embedded_pair = false;
+  bool embedded_pair = false;  ///< Whether there are embedded weights, and so an error estimate.
 };
 
 /// How a Runge-Kutta step maps the stage velocities to the group.
@@ -43,7 +44,9 @@ struct RungeKutta {
 /// Stages that are products of exponentials of linear combinations of the stage velocities, without
 /// commutators. TableauRow 0 of each product acts first.
 struct CommutatorFree {
+  /// Exponents of two factors.
   using Product = std::array<TableauRow, 2>;
+  /// Number of stages in use.
   int stages;
   /// Exponents of each stage.
   std::array<Product, 4> stage;
@@ -77,6 +80,7 @@ struct Taylor {
 /// The exact solution, motion/exact.h; a step of it may have any size.
 struct ClosedForm {};
 
+/// How a method gets from one time to another.
 using Scheme = std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, Taylor,
                             ClosedForm>;
 

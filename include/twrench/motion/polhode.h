@@ -43,8 +43,10 @@ std::optional<std::array<Eigen::Vector3d, 2>> separatrix(const Eigen::Vector3d& 
 /// The annulus of the herpolhode: the range of distances from L within which the tip of omega moves
 /// on the invariable plane, in units of the plane's distance omega . L/|L| from the centre.
 struct Annulus {
-  double inner, outer;
+  double inner;  ///< Least distance.
+  double outer;  ///< Greatest distance.
 };
+/// Returns the annulus of the herpolhode for motion along the level.
 Annulus herpolhode_annulus(const EnergyLevel& level);
 
 }  // namespace twrench::motion

@@ -32,10 +32,11 @@ struct StepControl {
 
 /// An accepted step of a method.
 struct AcceptedStep {
-  double t;                       ///< s, where it begins
-  double length;                  ///< s
-  Eigen::Matrix3d before, after;  ///< X at both ends
-  double error;                   ///< Error estimate E of an adaptive method; otherwise 0.
+  double t;                ///< s, where it begins
+  double length;           ///< s
+  Eigen::Matrix3d before;  ///< X where it begins
+  Eigen::Matrix3d after;   ///< X where it ends
+  double error;            ///< Error estimate E of an adaptive method; otherwise 0.
 };
 
 /// Goes along a motion from t = 0, in the way that its method has: by steps, from series to series,
@@ -66,9 +67,11 @@ class Propagator {
   virtual std::int64_t evaluations() const = 0;  ///< of omega, so far
 };
 
+/// Whether time increases or decreases along the steps.
 enum class Direction { forward, backward };
 
-/// Throws OutOfRange for a step, a tolerance or a number of steps that cannot be.
+/// Returns the propagator of a method, which keeps copies of what it needs. Throws OutOfRange for a
+/// step, a tolerance or a number of steps that cannot be.
 std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& method,
                                             const StepControl& control,
                                             Direction direction = Direction::forward);

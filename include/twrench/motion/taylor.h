@@ -28,7 +28,9 @@ class TaylorSeries {
   /// Throws OutOfRange unless the order is even and 2 to max_taylor_order.
   TaylorSeries(const FreeBody& body, const Taylor& method);
 
+  /// Returns the state of an attitude space_from_body with the body momentum in g cm^2/s.
   State state_of(const Eigen::Matrix3d& X, const Eigen::Vector3d& momentum) const;
+  /// Returns the sample at the time t in s that has the state.
   Sample sample(double t, const State& state) const;
 
   /// Moves the expansion point.

@@ -21,9 +21,12 @@ struct EstimateQuality {
 /// Accumulates the quality over the steps of a trajectory.
 class EstimateCheck {
  public:
+  /// Refers to `body`, which must outlive the check.
   explicit EstimateCheck(const motion::FreeBody& body) : body_(body) {}
 
+  /// Takes the next step into account.
   void visit(const motion::AcceptedStep& step);
+  /// Returns the quality over the steps so far.
   EstimateQuality quality() const;
 
  private:

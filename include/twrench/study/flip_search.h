@@ -11,6 +11,7 @@ namespace twrench::study {
 /// the method's own samples within the step. Two sign changes within one step are missed.
 class FlipSearch {
  public:
+  /// Refers to `body` and `method`, which must outlive the search.
   FlipSearch(const motion::FreeBody& body, const motion::Method& method)
       : body_(body), method_(method) {}
 

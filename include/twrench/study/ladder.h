@@ -22,8 +22,10 @@ std::vector<double> tolerance_ladder();
 /// number is even.
 double median(std::vector<double> values);
 
+/// A point of a power law.
 struct PowerLawPoint {
-  double x, y;  ///< Both positive.
+  double x;  ///< Positive.
+  double y;  ///< Positive.
 };
 
 /// Returns the exponent p of y = c x^p through the points: the median of the slopes of all pairs on
