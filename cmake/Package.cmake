@@ -1,20 +1,24 @@
-# Installs the library of the dynamics, for find_package(twrench) and for pkg-config, and the licences.
+# Installs the library of the dynamics, for find_package(twrench) and for pkg-config, the scenes and
+# the licences. What no install() assigns to a component belongs to that of the program.
 
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set_target_properties(twrench_dynamics PROPERTIES
   EXPORT_NAME dynamics OUTPUT_NAME twrench-dynamics
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-install(TARGETS twrench_dynamics EXPORT twrench FILE_SET HEADERS)
+install(TARGETS twrench_dynamics EXPORT twrench
+  ARCHIVE COMPONENT development
+  LIBRARY COMPONENT program NAMELINK_COMPONENT development
+  FILE_SET HEADERS COMPONENT development)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/twrench)
-install(EXPORT twrench NAMESPACE twrench:: FILE twrenchTargets.cmake DESTINATION ${package})
+install(EXPORT twrench NAMESPACE twrench:: FILE twrenchTargets.cmake DESTINATION ${package}
+  COMPONENT development)
 configure_package_config_file(cmake/twrenchConfig.cmake.in twrenchConfig.cmake
   INSTALL_DESTINATION ${package})
 # Until 1.0 a minor version may change the interface.
 write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twrenchConfig.cmake ${PROJECT_BINARY_DIR}/twrenchConfigVersion.cmake
-  DESTINATION ${package})
+  DESTINATION ${package} COMPONENT development)
 
 # A static library leaves fmt to be linked by whoever links it.
 set(twrench_pc_requires "eigen3 >= 3.4")
@@ -23,5 +27,16 @@ if(NOT BUILD_SHARED_LIBS)
 endif()
 file(RELATIVE_PATH twrench_pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/twrench.pc.in twrench.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD-PARTY.md TYPE DOC)
+install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  COMPONENT development)
+
+if(TWRENCH_RENDER)
+  # The program has them built in; these are to read, and to begin one's own with.
+  install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endif()
+install(FILES LICENSE THIRD-PARTY.md TYPE DOC)
+
+# The packages are of the static library.
+if(TWRENCH_RENDER AND NOT BUILD_SHARED_LIBS)
+  include(cmake/DebianPackages.cmake)
+endif()

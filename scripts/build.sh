@@ -21,9 +21,8 @@ cache=$dir/CMakeCache.txt
 # A folder configured elsewhere (the sources were moved or copied) is configured again.
 in_cache() { grep -qsxF "$1" "$cache"; }
 # The Python module belongs to what the tests of the release test.
-python=OFF
-[[ $tests == OFF || $preset != release ]] || python=ON
-options=(--preset "$preset" -DBUILD_TESTING="$tests" -DTWRENCH_PYTHON="$python")
+options=(--preset "$preset" -DBUILD_TESTING="$tests")
+[[ $tests == OFF || $preset != release ]] || options+=(-DTWRENCH_PYTHON=ON)
 if [[ ! -f $dir/build.ninja ]] || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
   configure=(cmake --fresh "${options[@]}")
 elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then

@@ -5,54 +5,19 @@
 # of them.
 #
 # In each suite root runs scripts/render.sh in an installation of Debian's minimal base only; then a
-# user with sudo runs scripts/test.sh, the rendering tests with EGL only, and scripts/render.sh. The
-# committed sources (HEAD) are tested. Takes about half an hour and 3 GB per suite. Needs root.
+# user with sudo runs scripts/test.sh, the rendering tests with EGL only, scripts/render.sh, and
+# scripts/package.sh, whose packages scripts/try_packages.sh then tries. The committed sources (HEAD)
+# are tested. Takes about half an hour and 3 GB per suite. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
+source scripts/chroot.sh
 ((EUID == 0)) || die "distros.sh: only root can make an installation of Debian" "start it with sudo"
 scripts/setup.sh distros
 
 suites=("$@")
 ((${#suites[@]})) || suites=(bookworm trixie testing arm64)
-mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
-place=$PWD/build/distros # of installations, logs and downloaded packages
-mkdir -p "$place/packages"
-
-# make_root ROOT SUITE: creates a bare installation.
-make_root() {
-  rm -rf --one-file-system "$1"
-  debootstrap --variant=minbase --cache-dir="$place/packages" "$2" "$1" "$mirror" \
-    >"$1.log" 2>&1 || die "debootstrap $2 failed: $(tail -n 1 "$1.log")" "all it said is in $1.log"
-  cp /etc/resolv.conf "$1/etc/resolv.conf"
-  # A mirror that is a few days behind still serves its packages.
-  echo 'Acquire::Check-Valid-Until "false";' >"$1/etc/apt/apt.conf.d/90mirror"
-  chroot "$1" useradd --create-home --shell /bin/bash someone
-}
-
-# put_sources ROOT: copies the committed sources to /home/someone/twrench.
-put_sources() {
-  mkdir "$1/home/someone/twrench"
-  git archive HEAD | tar --extract --directory "$1/home/someone/twrench"
-}
-
-# inside ROOT USER COMMAND: runs the command in the source folder. The installation is the root of a
-# mount namespace, not only of a process, so that the tests can create namespaces of their own;
-# processes left running and mounts end with it.
-inside() {
-  ROOT=$1 AS=$2 COMMAND=$3 unshare --mount --pid --fork bash -euc '
-    mount --bind "$ROOT" "$ROOT"
-    mount --rbind /dev "$ROOT/dev"
-    mount -t proc proc "$ROOT/proc"
-    mount -t sysfs -o ro sysfs "$ROOT/sys"
-    mkdir -p "$ROOT/.before"
-    cd "$ROOT"
-    pivot_root . .before
-    umount --lazy /.before
-    exec env -i TERM=dumb LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      su --shell /bin/bash - "$AS" -c "cd /home/someone/twrench && $COMMAND"' </dev/null
-}
 
 # timed LOG ROOT USER COMMAND: runs the command and prints the seconds it took, or "failed".
 timed() {
@@ -83,7 +48,7 @@ counts() {
 
 rows=() failures=0
 try_suite() {
-  local suite=$1 root=$place/$1 film tests egl again draws row
+  local suite=$1 root=$place/$1 film tests egl again draws packages row
   say "$suite: scripts/render.sh as root, in a bare installation"
   make_root "$root" "$suite"
   put_sources "$root"
@@ -98,11 +63,16 @@ try_suite() {
   egl=$(timed "$root.egl.log" "$root" someone "TWRENCH_TEST_BACKEND=egl ctest \\
     --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)")
   again=$(timed "$root.again.log" "$root" someone "scripts/render.sh --frames 0-59 --overwrite")
+
+  say "$suite: the packages, in another bare installation"
+  packages=$(timed "$root.package.log" "$root" someone "scripts/package.sh")
+  [[ $packages == failed ]] || scripts/try_packages.sh "$suite" "$root/home/someone/twrench/out/packages" \
+    --frames 0-59 || packages=failed
   row="| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0)"
   row+=" | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log")"
   row+=" | $(counts "$root.egl.log") | $draws |"
   rows+=("$row")
-  [[ "$film$tests$egl$again" != *failed* ]] || failures=$((failures + 1))
+  [[ "$film$tests$egl$again$packages" != *failed* ]] || failures=$((failures + 1))
   say "$row"
 }
 

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Installs the missing Debian or Ubuntu packages for:
 #   setup.sh render   building the program and making videos
+#   setup.sh python   building the Python module
 #   setup.sh test     running its tests as well
 #   setup.sh check    running the project's checks as well
 #   setup.sh tidy     running clang-tidy and the fuzzers as well
 #   setup.sh bench    building the benchmarks and the programs they compare with
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
+#   setup.sh package  making Debian's packages
 #   setup.sh docs     building the reference pages
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
@@ -49,9 +51,11 @@ render   | the typeface Roboto           | fonts-roboto-unhinted
 render   | the typeface Fira Code        | fonts-firacode
 render   | ffmpeg                        | ffmpeg
 test     | GoogleTest                    | libgtest-dev
-test     | Python's headers              | python3-dev
-test     | pybind11                      | pybind11-dev
-test     | NumPy                         | python3-numpy
+python   | Python's headers              | python3-dev
+python   | pybind11                      | pybind11-dev
+python   | NumPy                         | python3-numpy
+python   | setuptools, for pip           | python3-setuptools
+python   | wheel, for the same           | python3-wheel
 test     | pytest                        | python3-pytest
 test     | SciPy, to compare with        | python3-scipy
 test     | pandas                        | python3-pandas
@@ -76,6 +80,9 @@ bench    | a screen for VTK              | xvfb
 bench    | its access control            | xauth
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind
+package  | the tools for packages        | dpkg-dev
+package  | file, which they use          | file
+package  | lintian, to check packages    | lintian
 docs     | Doxygen                       | doxygen
 docs     | Sphinx                        | python3-sphinx
 docs     | MyST, which reads Markdown    | python3-myst-parser
@@ -115,10 +122,12 @@ END
 
 case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
-  test | bench) uses=(render "$1") ;;
-  check | tidy | coverage | docs) uses=(render test "$1") ;;
+  python) uses=(render python) ;;
+  bench) uses=(render bench) ;;
+  test | package) uses=(render python "$1") ;;
+  check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|test|check|tidy|bench|coverage|docs|arm64|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|coverage|docs|arm64|package|distros" >&2
     exit 2
     ;;
 esac

@@ -1,8 +1,8 @@
 """The time to the first flip, over all starts on one side of the momentum sphere.
 
-A body whose principal moments are 3, 2 and 1 starts with a momentum of one size in a million
-directions; the picture looks at the sphere along the intermediate axis. Starts near the axis wait
-long for their first flip, and those on the two great circles through it, the separatrix, for ever.
+A body whose principal moments are 1, 2 and 3 starts with a momentum of one size in a million
+directions; the picture looks at the sphere along the intermediate axis. The longest waits lie along
+the branch of the separatrix that leads to that axis: there the first flip never comes.
 """
 
 import sys
@@ -24,13 +24,12 @@ y = np.sqrt(1 - x[on_sphere] ** 2 - z[on_sphere] ** 2)
 momentum = np.column_stack([x[on_sphere], y, z[on_sphere]])
 wait = twrench.first_flip_times(MOMENTS, momentum / MOMENTS)
 
-# Dark blue for an early flip, through orange to white for a late one.
-shade = np.clip((wait - wait.min()) / 8, 0, 1)[:, np.newaxis] ** 0.7
+# Dark blue for an early flip, through red and orange to white for one that never comes.
+shade = 1 - np.exp(-wait / 5)
 stops = np.array([[10, 18, 60], [70, 40, 120], [200, 70, 80], [250, 170, 70], [255, 255, 240]])
 picture = np.full((SIZE, SIZE, 3), 255, np.uint8)
 for channel in range(3):
-    color = np.interp(shade[:, 0], np.linspace(0, 1, len(stops)), stops[:, channel])
-    picture[on_sphere, channel] = color
+    picture[on_sphere, channel] = np.interp(shade * (len(stops) - 1), range(5), stops[:, channel])
 seconds = time.perf_counter() - start
 
 Image.fromarray(picture).save("flip_map.png")

@@ -101,7 +101,7 @@ std::string namespace_of(const std::string& folder) {
 // One flat namespace once let the linker take two types of the same name for one.
 TEST(Sources, AreInTheNamespaceOfTheirFolder) {
   // The functions of SO(3) and the elliptic functions have names as short as exp and log.
-  const std::set<std::string> of_math{"twrench::so3", "twrench::elliptic"};
+  const std::set<std::string> of_math{"twrench::so3", "twrench::elliptic", "twrench::elementary"};
   const std::regex opening(R"((^|\n)namespace (twrench[\w:]*) \{)");
   for (const auto& place : {sources(), public_headers()}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place)) {

@@ -4,6 +4,7 @@ and the reference pages tell of everything that is public."""
 from __future__ import annotations
 
 import contextlib
+import doctest
 import inspect
 import io
 import re
@@ -35,6 +36,14 @@ def test_the_tour_runs_and_prints_what_the_page_says(tmp_path, monkeypatch):
         printed.append(output.getvalue())
     assert printed == blocks("python.md", "text")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["wrench.mp4"]
+
+
+def test_the_session_of_the_readme(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (session,) = blocks("../README.md", "pycon")
+    (tmp_path / "session").write_text(session)
+    failed, tried = doctest.testfile(str(tmp_path / "session"), module_relative=False)
+    assert (failed, tried) == (0, 9)
 
 
 def test_the_tour_has_twenty_lines():

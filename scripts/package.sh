@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# package.sh: installs what is missing, makes Debian's packages for the release that runs here, in
+# out/packages, and has lintian check them. scripts/try_packages.sh tries them on a bare system.
+#
+# The same sources, packages of Debian and SOURCE_DATE_EPOCH give the same bytes, in whatever folder,
+# by whomever and whenever. SOURCE_DATE_EPOCH, in seconds since 1970, is by default the time of the
+# last commit or, outside git, that of the release (TWRENCH_RELEASE_DATE in CMakeLists.txt).
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+if (($#)); then
+  sed -n '/^# /s///p; /^set/q' "$0"
+  [[ $1 == --help ]] && exit 0 || exit 2
+fi
+scripts/setup.sh package
+
+export LC_ALL=C.UTF-8 TZ=UTC
+umask 022
+if [[ -z ${SOURCE_DATE_EPOCH-} ]]; then
+  release_date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
+  # Not the commit of a repository somewhere above.
+  SOURCE_DATE_EPOCH=$(git --git-dir=.git log -1 --format=%ct 2>/dev/null ||
+    date --date="$release_date" +%s)
+fi
+export SOURCE_DATE_EPOCH
+
+# Debian's flags, hardened. Without link-time optimisation, which Ubuntu adds and by which the static
+# library would hold intermediate code, and without debug symbols, which are stripped anyway.
+export DEB_BUILD_MAINT_OPTIONS='hardening=+all optimize=-lto' DEB_CXXFLAGS_MAINT_STRIP='-g -O2'
+CXXFLAGS="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
+LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
+export CXXFLAGS LDFLAGS
+# An earlier run's flags do not count.
+rm -f build/package/CMakeCache.txt
+scripts/build.sh package
+
+build=build/package packages=out/packages
+require_writable "$packages"
+say "packing"
+rm -rf "$build/packed"
+cpack --config $build/CPackConfig.cmake -B $build/packed >$build/cpack.log 2>&1 || {
+  grep -A 5 'Error' $build/cpack.log >&2
+  die "cpack could not make the packages for the reason above" "the full log is $build/cpack.log"
+}
+say "checking with lintian"
+lintian --fail-on error,warning $build/packed/*.deb >&2 ||
+  die "lintian objects to the packages in $build/packed" "lintian-explain-tags TAG tells more"
+rm -f $packages/*.deb
+mv $build/packed/*.deb $packages
+ls $packages/*.deb
