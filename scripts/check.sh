@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
-# UndefinedBehaviorSanitizer, the library built alone and used from outside, the tests that look for
-# uninitialised values under valgrind, and three minutes of scripts/torture.sh.
+# UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages, the
+# tests that look for uninitialised values under valgrind, and three minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -39,6 +39,9 @@ run_tests asan
 
 step "The library of the dynamics: alone, installed, and used from outside, static and shared"
 scripts/library.sh
+
+step "The reference pages, in which a warning is an error"
+scripts/docs.sh
 
 step "The core's tests that look for values nothing has set, under valgrind"
 scripts/valgrind.sh --quick
