@@ -11,8 +11,8 @@
 using namespace twrench;
 
 int main() {
-  const Eigen::Vector3d moments(982.271303, 722.671030, 1578.650308);  // about x, y, z, in g cm^2
-  const motion::FreeBody body(moments.asDiagonal(), {1, 0.05, 0});     // omega at t = 0 in rad/s
+  const Eigen::Vector3d moments(982.271303, 722.671030, 1578.650308);  // g cm^2
+  const motion::FreeBody body(moments.asDiagonal(), {1, 0.05, 0});     // rad/s, body axes
   const motion::Method& method = motion::find_method("rkmk45");
   study::FlipSearch search(body, method);
   motion::visit_steps(body, method, {.tolerance = 1e-12}, 96,
