@@ -89,7 +89,7 @@ Matrix4d right_product(const Quaterniond& q) {
 
 }  // namespace
 
-ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
+ExactMotion::ExactMotion(const FreeBody& body) : orbit_(steady_orbit(body.omega())) {
   // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
   // nor underflow. It is a power of two, so that nothing is rounded.
   const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
@@ -108,10 +108,27 @@ ExactMotion::ExactMotion(const FreeBody& body) : omega0_(body.omega()) {
   if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
-  orbit_->omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();
+  orbit_.omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();
   const Quaterniond motion_from_body = Quaterniond(body_from_motion).conjugate();
-  const Quaterniond start = turn_at_start(*orbit_).normalized() * motion_from_body;
-  orbit_->attitude_from_turn = left_product(start.conjugate()) * right_product(motion_from_body);
+  const Quaterniond start = turn_at_start(orbit_).normalized() * motion_from_body;
+  orbit_.attitude_from_turn = left_product(start.conjugate()) * right_product(motion_from_body);
+}
+
+/// The quaternion (cos, sin n) of the rotation about n = omega/|omega| is linear in cos and sin.
+ExactMotion::Orbit ExactMotion::steady_orbit(const Vector3d& omega) {
+  static const elliptic::Jacobi circle(0, 1, std::numeric_limits<double>::infinity());
+  const double speed = omega.stableNorm();
+  Orbit orbit{.jacobi = circle,
+              .m = 0,
+              .mc = 1,
+              .rate = 0,
+              .phase = 0,
+              .quarter_turns = speed / std::numbers::pi,
+              .amplitude = Vector3d::UnitX()};
+  orbit.attitude_from_turn(0, 0) = 1;
+  if (speed > 0) orbit.attitude_from_turn.block<3, 1>(1, 1) = omega / speed;
+  orbit.omega_from_mu.col(0) = omega;
+  return orbit;
 }
 
 ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector3d& I, double D2) {
@@ -147,8 +164,8 @@ ExactMotion::Orbit ExactMotion::orbit(double G, const Vector3d& mu, const Vector
 }
 
 std::optional<ExactMotion::Flips> ExactMotion::flips() const {
-  if (!orbit_ || orbit_->m == 0) return std::nullopt;
-  const Orbit& o = *orbit_;
+  if (orbit_.m == 0) return std::nullopt;
+  const Orbit& o = orbit_;
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;

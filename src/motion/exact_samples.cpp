@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <twrench/base/require.h>
-#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
@@ -128,14 +127,6 @@ struct ExactMotion::Samples {
 #endif
     return fill_baseline;
   }
-
-  static void fill_steady(const ExactMotion& motion, Block& block) {
-    for (std::size_t i = 0; i < block.size; ++i) {
-      const Sample sample = motion.at(block.t[i]);
-      for (int k = 0; k < 9; ++k) block.X[k][i] = sample.X(k / 3, k % 3);
-      for (int k = 0; k < 3; ++k) block.omega[k][i] = sample.omega[k];
-    }
-  }
 };
 
 Eigen::Quaterniond ExactMotion::turn_at_start(const Orbit& orbit) {
@@ -145,8 +136,7 @@ Eigen::Quaterniond ExactMotion::turn_at_start(const Orbit& orbit) {
 
 Sample ExactMotion::at(double t) const {
   require_finite("t", t);
-  if (!orbit_) return {t, so3::exp(t * omega0_), omega0_};
-  const Place p = Samples::place(*orbit_, orbit_->jacobi.at(orbit_->rate * t + orbit_->phase), t);
+  const Place p = Samples::place(orbit_, orbit_.jacobi.at(orbit_.rate * t + orbit_.phase), t);
   Sample sample{t, {}, {p.omega_x, p.omega_y, p.omega_z}};
   sample.X << p.xx, p.xy, p.xz, p.yx, p.yy, p.yz, p.zx, p.zy, p.zz;
   return sample;
@@ -162,11 +152,7 @@ void ExactMotion::for_each_block(std::span<const double> times, unsigned threads
     for (std::size_t i = begin; i < end; i += block.size) {
       block.size = std::min(Samples::Block::capacity, end - i);
       std::ranges::copy(times.subspan(i, block.size), block.t);
-      if (orbit_) {
-        fill(*orbit_, block);
-      } else {
-        Samples::fill_steady(*this, block);
-      }
+      fill(orbit_, block);
       write(i, block);
     }
   });

@@ -22,7 +22,7 @@ FreeBody body_of(const BodyOfAKind& b) { return FreeBody(b.moments.asDiagonal(),
 /// Both signs, in no order, from the start to where no digit of the angle is left.
 std::vector<double> times_of_every_size(const Vector3d& omega) {
   const double unit = omega.norm() > 0 ? 1 / omega.norm() : 1;
-  std::vector<double> times{0, 1e150, -1e150, -0.0};
+  std::vector<double> times{0, 1e300, -1e300, -0.0};
   for (int n = 0; n < 150; ++n) {
     const double size = std::pow(10, n % 20 - 3) * (1 + 0.01 * n);
     times.push_back((n % 3 == 0 ? -size : size) * unit);

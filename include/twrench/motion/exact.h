@@ -85,8 +85,8 @@ class ExactMotion {
   std::vector<double> flip_times(double t_end) const;
 
  private:
-  /// The constants of a non-steady motion, in the axes (a, b, c) of docs/exact.md: L circles a, and
-  /// b is the intermediate axis.
+  /// The constants of a motion, in the axes (a, b, c) of docs/exact.md: L circles a, and b is the
+  /// intermediate axis. A steady spin has an orbit too, with L along a and k = 0.
   struct Orbit {
     elliptic::Jacobi jacobi;
     double m, mc;               ///< Parameter k^2, and 1 - k^2.
@@ -96,11 +96,12 @@ class ExactMotion {
     Eigen::Vector3d amplitude;  ///< Amplitudes of mu = m/G = (a dn u, b sn u, c cn u).
     /// Maps the quaternion (w, x, y, z) of Rot(e_a, psi) P, eq. (E5), to that of X. Both are
     /// determined up to a factor.
-    Eigen::Matrix4d attitude_from_turn{};
-    Eigen::Matrix3d omega_from_mu{};  ///< In rad/s.
+    Eigen::Matrix4d attitude_from_turn = Eigen::Matrix4d::Zero();
+    Eigen::Matrix3d omega_from_mu = Eigen::Matrix3d::Zero();  ///< In rad/s.
   };
   struct Samples;
 
+  static Orbit steady_orbit(const Eigen::Vector3d& omega);
   static Orbit orbit(double G, const Eigen::Vector3d& mu, const Eigen::Vector3d& I, double D2);
   /// The quaternion of Rot(e_a, psi) P at t = 0, up to a factor.
   static Eigen::Quaterniond turn_at_start(const Orbit& orbit);
@@ -108,8 +109,7 @@ class ExactMotion {
   void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
 
   Kind kind_ = Kind::steady;
-  Eigen::Vector3d omega0_;  ///< Angular velocity at t = 0 in body axes, rad/s.
-  std::optional<Orbit> orbit_;
+  Orbit orbit_;
 };
 
 }  // namespace twrench::motion
