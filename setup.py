@@ -50,8 +50,18 @@ def project_version() -> str:
     return match[1]
 
 
+def numpy_requirement() -> str:
+    """The NumPy that the module can read arrays of: pybind11 knows NumPy 2 from its version 2.12."""
+    command = ["pkg-config", "--atleast-version=2.12", "pybind11"]
+    try:
+        return "numpy" if subprocess.run(command).returncode == 0 else "numpy<2"
+    except FileNotFoundError:
+        return "numpy"  # the build itself will say what is missing
+
+
 setup(
     version=project_version(),
+    install_requires=[numpy_requirement()],
     ext_modules=[Extension("twrench._native", sources=[])],
     cmdclass={"build_ext": BuildWithCMake},
 )
