@@ -82,4 +82,8 @@ def whole(name: str, value: Any, least: int, greatest: int) -> int:
 def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise UsageError(f"{name}: must be a string, not {brief(value)}")
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise UsageError(f"{name}: has half of a surrogate pair: {brief(value)}") from error
     return value

@@ -42,7 +42,9 @@ def _as_json(key: str, value: Any) -> str:
         raise TypeError
 
     try:
-        return json.dumps(value, default=convert, allow_nan=False)
+        text = json.dumps(value, default=convert, allow_nan=False, ensure_ascii=False)
+        text.encode("utf-8")  # fails where there is half of a surrogate pair
+        return text
     except (TypeError, ValueError, RecursionError) as error:
         raise SceneError(f"{key}: cannot be {_arguments.brief(value)}") from error
 
@@ -203,6 +205,16 @@ class Scene:
             step=self.step,
             tolerance=self.tolerance,
         )
+
+    def __copy__(self) -> Scene:
+        scene = type(self).__new__(type(self))
+        scene._inputs = list(self._inputs)
+        scene._native = _native.Scene(self._native)
+        scene._drawer = None
+        return scene
+
+    def __deepcopy__(self, _: object) -> Scene:
+        return self.__copy__()
 
     def __repr__(self) -> str:
         width, height = self.size

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import copy
 import json
 import math
 import os
@@ -98,6 +99,7 @@ def test_a_body_can_be_put_into_a_scene(small):
         ("compare", ["rk4"] * 5, "compare"),
         ("title", b"bytes", "title: cannot be"),
         ("title", object(), "title: cannot be"),
+        ("title", "\ud800", "title: cannot be"),
         ("colour", "red", "colour.*did you mean 'color'"),
     ],
 )
@@ -118,6 +120,8 @@ def test_mistakes_of_files(tmp_path):
         Scene(file)
     with pytest.raises(SceneError, match="mine:1"):
         Scene.from_toml("omega =", "mine")
+    with pytest.raises(twrench.UsageError, match="text: has half of a surrogate pair"):
+        Scene.from_toml("\ud800")
     with pytest.raises(twrench.FileError, match="none.toml"):
         Scene(tmp_path / "none.toml")
     with pytest.raises(SceneError, match="dzhanibekof.*did you mean 'dzhanibekov'"):
@@ -167,6 +171,14 @@ def test_wrong_frames(small, wrong):
 def test_a_scene_shows_itself_in_a_notebook(small):
     assert small._repr_png_() == small.png(6)
     assert small._repr_png_().startswith(b"\x89PNG")
+
+
+def test_a_copy_is_a_scene_of_its_own(small):
+    for twin in (copy.copy(small), copy.deepcopy(small)):
+        before = small.frame(3)
+        np.testing.assert_array_equal(twin.frame(3), before)
+        twin.theme = "paper"
+        assert small.theme == "studio" and (twin.frame(3) != before).any()
 
 
 def test_threads_draw_the_same_frames_as_one(small):
