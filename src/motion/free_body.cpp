@@ -48,6 +48,9 @@ FreeBody::FreeBody(const Matrix3d& inertia, const Vector3d& omega)
   if (!momentum_.allFinite()) {
     throw InvalidArgument("omega", "the angular momentum is beyond what double precision holds");
   }
+  if (!std::isfinite(momentum_.dot(omega_))) {
+    throw InvalidArgument("omega", "the energy is beyond what double precision holds");
+  }
 }
 
 }  // namespace twrench::motion

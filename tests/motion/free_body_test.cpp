@@ -101,6 +101,9 @@ TEST(FreeBody, WhoseConstantsOverflowCannotBeMade) {
       refusal<InvalidArgument>(1e200 * Matrix3d::Identity(), 1e200 * Vector3d::Ones());
   ASSERT_TRUE(momentum);
   EXPECT_EQ(momentum->quantity(), "omega");
+  const auto energy = refusal<InvalidArgument>(Matrix3d::Identity(), 1e200 * Vector3d::Ones());
+  ASSERT_TRUE(energy);
+  EXPECT_EQ(energy->quantity(), "omega");
   const auto inverse = refusal<InvalidArgument>(1e-310 * Matrix3d::Identity(), Vector3d::Zero());
   ASSERT_TRUE(inverse);
   EXPECT_EQ(inverse->quantity(), "inertia");

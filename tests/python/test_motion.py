@@ -248,6 +248,14 @@ def test_wrong_studies(body):
         twrench.study(body, OMEGA, ["rk4"], duration=1, steps=[0.0])
 
 
+def test_more_than_doubles_or_memory_hold(body):
+    with pytest.raises(twrench.UsageError, match="omega: the energy is beyond"):
+        twrench.simulate(body, [1e200, 1, 0], [0, 1])
+    assert np.isfinite(twrench.simulate(body, [1e150, 1, 0], [0, 1]).X).all()
+    with pytest.raises(MemoryError):
+        twrench.exact_many([1, 2, 3], np.ones((10**6, 3)), np.zeros(10**6))
+
+
 def test_errors_survive_pickling():
     import pickle
 
