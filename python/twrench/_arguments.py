@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import numpy as np
@@ -87,3 +88,15 @@ def text(name: str, value: Any) -> str:
     except UnicodeEncodeError as error:
         raise UsageError(f"{name}: has half of a surrogate pair: {brief(value)}") from error
     return value
+
+
+def path(name: str, value: Any) -> str:
+    try:
+        result = os.fspath(value)
+    except TypeError as error:
+        raise UsageError(f"{name}: must be a path, not {brief(value)}") from error
+    if not isinstance(result, str):
+        raise UsageError(f"{name}: must be a path of type str, not {brief(result)}")
+    if not result or "\0" in result:
+        raise UsageError(f"{name}: must be a path, not {brief(result)}")
+    return result

@@ -135,9 +135,10 @@ class Body:
         :raises SceneError: for a mistake in the file, or a name that no scene has.
         :raises FileError: where the file cannot be read.
         """
-        from .scene import Scene
-
-        return (scene if isinstance(scene, Scene) else Scene(scene)).body
+        body = getattr(scene, "body", None)
+        if isinstance(body, Body):
+            return body
+        return cls._wrap(_native.Scene.load(_arguments.path("scene", scene)).body)
 
     @classmethod
     def _wrap(cls, native: _native.Body) -> Body:

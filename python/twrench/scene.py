@@ -121,7 +121,7 @@ class Scene:
     font = _Value[str]()
 
     def __init__(self, source: StrPath = "dzhanibekov", **values: Any) -> None:
-        name = _path("source", source)
+        name = _arguments.path("source", source)
         # A built-in scene is no file.
         self._inputs = [Path(name)] if os.path.exists(name) else []
         self._native = _native.Scene.load(name)
@@ -303,8 +303,8 @@ class Scene:
             raise UsageError("render: resume keeps frames and overwrite replaces them; give one")
         if progress is not None and not callable(progress):
             raise UsageError(f"progress: must be callable, not {_arguments.brief(progress)}")
-        video = None if path is None else Path(_path("path", path))
-        folder = None if frames_dir is None else Path(_path("frames_dir", frames_dir))
+        video = None if path is None else Path(_arguments.path("path", path))
+        folder = None if frames_dir is None else Path(_arguments.path("frames_dir", frames_dir))
         existing = "overwrite" if overwrite else "resume" if resume else "none"
         inputs = self._inputs + ([Path(self.font)] if os.path.exists(self.font) else [])
         count = _native.render(
@@ -320,18 +320,6 @@ class Scene:
             progress,
         )
         return Film(video, folder, count)
-
-
-def _path(name: str, value: Any) -> str:
-    try:
-        path = os.fspath(value)
-    except TypeError as error:
-        raise UsageError(f"{name}: must be a path, not {_arguments.brief(value)}") from error
-    if not isinstance(path, str):
-        raise UsageError(f"{name}: must be a path of type str, not {_arguments.brief(path)}")
-    if not path or "\0" in path:
-        raise UsageError(f"{name}: must be a path, not {_arguments.brief(path)}")
-    return path
 
 
 def _range(frames: str | Iterable[int] | None) -> str:
