@@ -32,6 +32,10 @@ class BuildWithCMake(build_ext):
         call(configure)
         call(["cmake", "--build", build, "--target", "twrench_python"])
         call([*install, "--prefix", package.parent])
+        # A wheel has no links: it would hold each library twice.
+        for link in (package / "libraries").iterdir():
+            if link.is_symlink():
+                link.resolve().rename(link)
 
 
 def call(command: list[str | os.PathLike[str]]) -> None:
