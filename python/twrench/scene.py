@@ -7,7 +7,7 @@ import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Generic, Iterable, Optional, TypeVar, Union, overload
+from typing import Any, Callable, Generic, Iterable, Optional, TypeVar, Union, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,8 +67,7 @@ class _Value(Generic[T]):
         if scene is None:
             return self
         value = json.loads(scene._native.get(self.key))
-        result: T = tuple(value) if isinstance(value, list) else value
-        return result
+        return cast(T, tuple(value) if isinstance(value, list) else value)
 
     def __set__(self, scene: Scene, value: T) -> None:
         scene._native.set(self.key, _as_json(self.key, value))
@@ -185,7 +184,7 @@ class Scene:
     @property
     def times(self) -> Array:
         """The time of each frame in the motion, s, (frame_count,)."""
-        return np.arange(self.frame_count) * self.speed / self.fps
+        return np.asarray(np.arange(self.frame_count) * self.speed / self.fps, dtype=np.float64)
 
     def to_dict(self) -> dict[str, Any]:
         """Every value, with the tables, keys and units of a scene file."""
