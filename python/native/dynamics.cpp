@@ -65,6 +65,14 @@ Body body_from_inertia(const Matrix3d& inertia) {
 
 Array new_array(std::vector<py::ssize_t> shape) { return Array(std::move(shape)); }
 
+std::span<const double> numbers_of(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+std::span<double> numbers_of(Array& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
 /// Views of the samples' X and omega as arrays (n, 3, 3) and (n, 3), which own the samples.
 py::tuple views_of(std::vector<motion::Sample> samples) {
   auto owned = std::make_unique<std::vector<motion::Sample>>(std::move(samples));
@@ -83,7 +91,7 @@ py::tuple views_of(std::vector<motion::Sample> samples) {
 
 py::tuple integrate(const motion::FreeBody& body, const std::string& method, double step,
                     double tolerance, std::int64_t max_steps, const Array& times) {
-  const std::span<const double> t(times.data(), static_cast<std::size_t>(times.size()));
+  const std::span<const double> t = numbers_of(times);
   const motion::Method& found = motion::find_method(method);
   motion::Trajectory result = run_interruptibly([&](const std::atomic<bool>& stop) {
     return motion::integrate(body, found, {step, tolerance, max_steps, &stop}, t);
@@ -102,14 +110,6 @@ void for_parts(std::size_t count, const Work& work, std::size_t samples = 1) {
     const py::gil_scoped_release others_run;
     work(begin, std::min(begin + part, count));
   }
-}
-
-std::span<const double> numbers_of(const Array& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-std::span<double> numbers_of(Array& array) {
-  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
 }
 
 py::tuple exact_at(const motion::ExactMotion& motion, const Array& times) {

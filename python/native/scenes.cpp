@@ -69,8 +69,7 @@ void add_scenes(py::module_& module) {
             }
             on_scene([&] { scene::set_body(scene, body.description); });
           })
-      .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); })
-      .def("time_of", [](const Scene& scene, int frame) { return scene.film.time_of(frame); });
+      .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); });
 }
 
 }  // namespace twrench::python

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-from pathlib import Path
 from typing import Any, Callable
 
 import pytest
@@ -27,9 +26,3 @@ def program() -> Callable[..., str]:
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
     return run
-
-
-@pytest.fixture
-def no_program_but_python(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """As on a machine without ffmpeg."""
-    monkeypatch.setenv("PATH", str(tmp_path))
