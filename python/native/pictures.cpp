@@ -31,14 +31,6 @@ py::array to_array(image::Image image) {
       owner);
 }
 
-gl::BackendChoice backend_called(const std::string& name) {
-  const std::map<std::string, gl::Backend> backends{
-      {"auto", gl::Backend::automatic}, {"osmesa", gl::Backend::osmesa}, {"egl", gl::Backend::egl}};
-  const auto found = backends.find(name);
-  if (found != backends.end()) return {found->second, {}};
-  throw InvalidArgument("backend", "'" + name + "' is unknown", "one of: auto, osmesa, egl");
-}
-
 /// Ends a run between two frames.
 struct Stopped {};
 
@@ -70,7 +62,7 @@ std::size_t render(scene::Scene scene, const std::optional<fs::path>& video,
                    : existing == "overwrite" ? film::Reuse::overwrite
                                              : film::Reuse::none;
   if (jobs) settings.jobs = *jobs;
-  settings.backend = backend_called(backend);
+  settings.backend.backend = gl::backend_named(backend);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     scene.motion.control.stop = &stop;
     film::RenderJob job(scene, settings);
@@ -88,7 +80,8 @@ image::Image draw(FrameDrawer& drawer, int frame) {
 void add_pictures(py::module_& module) {
   py::class_<FrameDrawer>(module, "FrameDrawer")
       .def(py::init([](const scene::Scene& scene, const std::string& backend) {
-        return std::make_unique<FrameDrawer>(scene, backend_called(backend));
+        return std::make_unique<FrameDrawer>(scene,
+                                             gl::BackendChoice{gl::backend_named(backend), {}});
       }))
       .def("frame", [](FrameDrawer& drawer, int frame) { return to_array(draw(drawer, frame)); })
       .def("png", [](FrameDrawer& drawer, int frame) {

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 
 #include "app/arguments.h"
 #include "app/progress.h"
@@ -14,15 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
-  using enum gl::Backend;
-  const std::map<std::string, gl::Backend> names{
-      {"auto", automatic}, {"osmesa", osmesa}, {"egl", egl}};
   command
       .add_option_function<std::string>(
           "--backend",
-          [&choice, names](const std::string& name) { choice.backend = names.at(name); },
+          [&choice](const std::string& name) { choice.backend = gl::backend_named(name); },
           "OpenGL backend: auto, osmesa or egl")
-      ->check(one_of("--backend", {"auto", "osmesa", "egl"}))
+      ->check(one_of("--backend", gl::backend_names()))
       ->type_name("NAME")
       ->default_str("auto");
   command.add_option("--egl-device", choice.egl_device, "EGL device: its number, or software")

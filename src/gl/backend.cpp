@@ -1,9 +1,13 @@
 #include "gl/backend.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <utility>
 
 #include "gl/error.h"
 #include "gl/functions.h"
@@ -67,7 +71,24 @@ BackendReport report(std::string name, const Maker& make) {
   }
 }
 
+constexpr std::array<std::pair<const char*, Backend>, 3> named_backends{
+    {{"auto", Backend::automatic}, {"osmesa", Backend::osmesa}, {"egl", Backend::egl}}};
+
 }  // namespace
+
+std::vector<std::string> backend_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, backend] : named_backends) names.emplace_back(name);
+  return names;
+}
+
+Backend backend_named(const std::string& name) {
+  for (const auto& [known, backend] : named_backends) {
+    if (name == known) return backend;
+  }
+  throw InvalidArgument("backend", fmt::format("'{}' is unknown", name),
+                        fmt::format("one of: {}", fmt::join(backend_names(), ", ")));
+}
 
 OpenedContext open_context(const BackendChoice& choice) {
   if (choice.backend == Backend::osmesa) {

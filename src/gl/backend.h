@@ -12,6 +12,12 @@ namespace twrench::gl {
 
 enum class Backend { automatic, osmesa, egl };
 
+/// Returns the names of the backends: auto, osmesa and egl.
+std::vector<std::string> backend_names();
+
+/// Returns the backend of that name. Throws InvalidArgument about "backend" for others.
+Backend backend_named(const std::string& name);
+
 /// The requested OpenGL backend.
 struct BackendChoice {
   /// The backend.
