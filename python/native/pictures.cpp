@@ -45,7 +45,7 @@ film::ProgressCallback progress_for(const py::object& callback, const std::atomi
 }
 
 /// Returns the number of frames.
-std::size_t render(scene::Scene scene, const std::optional<fs::path>& video,
+std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& video,
                    const std::optional<std::string>& container,
                    const std::optional<fs::path>& frames_folder, const std::string& range,
                    const std::string& existing, std::optional<int> jobs, const std::string& backend,
@@ -64,7 +64,7 @@ std::size_t render(scene::Scene scene, const std::optional<fs::path>& video,
   if (jobs) settings.jobs = *jobs;
   settings.backend.backend = gl::backend_named(backend);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
-    scene.motion.control.stop = &stop;
+    settings.stop = &stop;
     film::RenderJob job(scene, settings);
     job.run(progress_for(progress, stop));
     return job.size();

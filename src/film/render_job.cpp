@@ -55,12 +55,22 @@ video::VideoFormat video_format(const scene::Scene& scene, const VideoOutput& vi
           video.container,  scene.look.transparent, video.is_streamed()};
 }
 
+/// The scene, whose integration ends when the run is to stop.
+scene::Scene stoppable(scene::Scene scene, const std::atomic<bool>* stop) {
+  scene.motion.control.stop = stop;
+  return scene;
+}
+
+system::Patience patience_of(const RenderSettings& settings) { return {.stop = settings.stop}; }
+
 /// Tests the encoder in the background, which takes about as long as creating the OpenGL context.
 std::future<void> try_encoder(const RenderSettings& settings, const scene::Scene& scene) {
   if (!settings.video) return {};
   const video::VideoFormat format = video_format(scene, *settings.video);
   video::encoder_arguments(format);  // throws for an invalid size
-  return std::async(std::launch::async, [format] { video::require_encoder(format); });
+  return std::async(std::launch::async, [format, patience = patience_of(settings)] {
+    video::require_encoder(format, patience);
+  });
 }
 
 /// Opens the encoder, tested before; null without a video. It starts while the test finishes; a
@@ -77,8 +87,8 @@ std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings
     trial.get();
     system::make_folder(path.parent_path());
   }
-  auto encoder =
-      std::make_unique<video::VideoEncoder>(path, video_format(scene, *settings.video), identity);
+  auto encoder = std::make_unique<video::VideoEncoder>(path, video_format(scene, *settings.video),
+                                                       identity, patience_of(settings));
   if (trial.valid()) trial.get();
   return encoder;
 }
@@ -141,7 +151,7 @@ timeline::Timeline timed_timeline(const scene::Scene& scene, const std::vector<i
 int default_job_count() { return std::max(1, static_cast<int>(system::processor_count() / 2)); }
 
 RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
-    : scene_(scene),
+    : scene_(stoppable(scene, settings.stop)),
       settings_(std::move(settings)),
       asked_(asked_frames(scene_, settings_.range)),
       numbers_(video::frames_of_shard(asked_, settings_.shard)),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <future>
@@ -49,6 +50,8 @@ struct RenderSettings {
   /// Number of threads that compress frames, at least 1.
   int jobs = default_job_count();
   gl::BackendChoice backend;
+  /// Ends the run with an error when another thread sets it to true; may be null.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// A run that draws the frames of a scene, and writes them and the video. Use it only on the thread

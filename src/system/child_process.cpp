@@ -124,21 +124,25 @@ pid_t spawn(std::vector<std::string> command, const Descriptor& input, int outpu
 /// program is stopped, and cannot see events, thus counts as at most one wait.
 class Idleness {
  public:
-  explicit Idleness(ChildProcess::Time most) : left_(most) {}
+  explicit Idleness(const Patience& patience) : left_(patience.time), stop_(patience.stop) {}
 
   /// Waits for the events and returns whether there were any; idle time accumulates otherwise. A
   /// wait interrupted by a signal counts as an event.
-  bool wait(std::span<pollfd> events, ChildProcess::Time most = std::chrono::seconds(1)) {
+  bool wait(std::span<pollfd> events, ChildProcess::Time most = longest_wait) {
     const ChildProcess::Time span = std::min(left_, most);
     const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
     if (found == 0) left_ -= span;
     if (found < 0 && errno != EINTR) throw_system_error(errno, "poll");
     return found > 0;
   }
-  bool is_over() const { return left_.count() <= 0; }
+  bool is_over() const { return left_.count() <= 0 || (stop_ != nullptr && *stop_); }
+
+  /// After which a request to stop is seen.
+  static constexpr ChildProcess::Time longest_wait = std::chrono::milliseconds(200);
 
  private:
   ChildProcess::Time left_;
+  const std::atomic<bool>* stop_;
 };
 
 ssize_t copy_into(int pipe, std::span<const std::uint8_t> bytes) {
@@ -160,7 +164,7 @@ int exit_status(int status) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, Time patience, int output)
+ChildProcess::ChildProcess(const std::vector<std::string>& command, Patience patience, int output)
     : patience_(patience) {
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
@@ -257,13 +261,13 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
 int ChildProcess::wait(Time work_left) {
   if (pid_ < 0) return exit_status(status_);
   input_.close();
-  Idleness idle(patience_ + work_left);
+  Idleness idle({patience_.time + work_left, patience_.stop});
   std::array<pollfd, 1> ready{};
   while (!has_ended()) {
     // The end of standard error usually means the end of the child. If the child closed it earlier,
     // its exit is polled.
     ready[0] = {errors_.get(), POLLIN, 0};
-    const Time most = errors_ ? Time(1000) : Time(1);
+    const Time most = errors_ ? Idleness::longest_wait : Time(1);
     if (idle.wait(ready, most)) read_errors();
     if (idle.is_over() && !hung_) give_up();
   }

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,15 @@
 
 namespace twrench::system {
 
+/// How long to wait for a child process that accepts no data or does not exit, before it is killed.
+struct Patience {
+  /// The time after which it is considered hung. Time during which this program itself is stopped
+  /// does not count.
+  std::chrono::milliseconds time = std::chrono::seconds(60);
+  /// Ends the patience at once when another thread sets it to true; may be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
 /// A child process that is fed through a pipe, started without a shell.
 ///
 /// It has a process group of its own, so that Ctrl-C at the terminal reaches only this program,
@@ -24,10 +34,6 @@ class ChildProcess {
  public:
   using Time = std::chrono::milliseconds;
 
-  /// The time after which a child that accepts no data, or does not exit, is considered hung. Time
-  /// during which this program itself is stopped does not count.
-  static constexpr Time default_patience = std::chrono::seconds(60);
-
   /// Where a child's standard output goes, if not to one of our descriptors.
   static constexpr int output_dropped = -1;
   /// To error_output().
@@ -35,7 +41,7 @@ class ChildProcess {
 
   /// Starts `command[0]`, searched in PATH, with the rest as its arguments. Throws
   /// std::system_error if it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& command, Time patience = default_patience,
+  explicit ChildProcess(const std::vector<std::string>& command, Patience patience = {},
                         int output = output_dropped);
 
   /// Kills the child if it is still running. So does a signal that ends this process.
@@ -44,8 +50,8 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   /// Writes to the child's standard input and waits until all is accepted. Returns false if the
-  /// child accepts no more, usually because it died; a child that hangs is killed. Raises no
-  /// SIGPIPE.
+  /// child accepts no more, usually because it died; a child that exhausts the patience is killed.
+  /// Raises no SIGPIPE.
   bool write(std::span<const std::uint8_t> bytes);
 
   /// Like write(), but the pipe references the bytes instead of copying them. They must stay
@@ -61,7 +67,7 @@ class ChildProcess {
   /// its patience plus `work_left`, which allows for work that it is known to have left.
   int wait(Time work_left = {});
 
-  /// Returns whether it was killed because it hung.
+  /// Returns whether it was killed because it exhausted the patience.
   bool hung() const { return hung_; }
 
   /// Returns the last of its standard error output, up to 8 KiB.
@@ -76,7 +82,7 @@ class ChildProcess {
   /// Checks without waiting. If it has ended, its process number may be reused by the system.
   bool has_ended();
 
-  Time patience_;
+  Patience patience_;
   bool hung_ = false;
   Descriptor input_;   ///< To its standard input; non-blocking.
   Descriptor errors_;  ///< From its standard error; none after its end.

@@ -22,8 +22,7 @@ std::string remedy_for_start(const std::system_error& error, const std::string& 
 /// the remedy is `installation`.
 template <typename Failure>
 ChildProcess start_program(const std::vector<std::string>& command, const std::string& installation,
-                           ChildProcess::Time patience = ChildProcess::default_patience,
-                           int output = ChildProcess::output_dropped) {
+                           Patience patience = {}, int output = ChildProcess::output_dropped) {
   try {
     return ChildProcess(command, patience, output);
   } catch (const std::system_error& error) {

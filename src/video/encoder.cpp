@@ -50,8 +50,7 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-system::ChildProcess start(const std::vector<std::string>& command,
-                           system::ChildProcess::Time patience,
+system::ChildProcess start(const std::vector<std::string>& command, system::Patience patience,
                            int output = system::ChildProcess::output_dropped) {
   return system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
                                              patience, output);
@@ -132,7 +131,7 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format) {
                   codec_arguments(container, format.has_alpha(), streamed)));
 }
 
-void require_encoder(const VideoFormat& format, system::ChildProcess::Time patience) {
+void require_encoder(const VideoFormat& format, system::Patience patience) {
   system::ChildProcess ffmpeg =
       start(ffmpeg_command(encoder_arguments(format), {"-f", "null", "-"}), patience);
   system::ChildProcess ffprobe = start({"ffprobe", "-version"}, patience);
@@ -152,7 +151,7 @@ void require_encoder(const VideoFormat& format, system::ChildProcess::Time patie
 }
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
-                           const std::string& identity, system::ChildProcess::Time patience)
+                           const std::string& identity, system::Patience patience)
     : format_(format),
       name_(output == "-" ? "standard output" : output.string()),
       file_(output == "-" ? "/dev/fd/1" : output),

@@ -45,12 +45,11 @@ std::vector<std::string> encoder_arguments(const VideoFormat& format);
 /// Encodes a one-frame video with the same arguments; call it before the first frame is drawn.
 /// Throws EncoderError if ffmpeg or ffprobe is missing, fails or hangs, and InvalidArgument as
 /// encoder_arguments() does.
-void require_encoder(const VideoFormat& format,
-                     system::ChildProcess::Time patience = system::ChildProcess::default_patience);
+void require_encoder(const VideoFormat& format, system::Patience patience = {});
 
 /// A video being encoded by an ffmpeg process that is fed frames. The output appears under its name
-/// when the video is complete, and not at all otherwise. If ffmpeg accepts no data within the time
-/// limit, it is killed and encoding fails.
+/// when the video is complete, and not at all otherwise. If ffmpeg exhausts the patience, it is
+/// killed and encoding fails.
 class VideoEncoder {
  public:
   /// `output` is a file, or "-" for standard output; the video is streamed to that, to devices and
@@ -58,8 +57,7 @@ class VideoEncoder {
   /// encoder_arguments() does, FileError if the output is not writable or another process is
   /// writing it, and EncoderError if ffmpeg is missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
-               const std::string& identity = {},
-               system::ChildProcess::Time patience = system::ChildProcess::default_patience);
+               const std::string& identity = {}, system::Patience patience = {});
 
   /// Adds a frame, which must have the video's size, and be RGBA if the video has alpha. Otherwise
   /// RGBA is composited over black. Throws EncoderError if ffmpeg failed.

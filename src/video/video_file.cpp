@@ -39,8 +39,7 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
       "stream=width,height,nb_read_packets:format=duration:format_tags=comment";
   command.insert(command.end(), {"-show_entries", entries, "-of", "json", "file:" + file.string()});
   auto ffprobe = system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                                     system::ChildProcess::default_patience,
-                                                     system::ChildProcess::output_with_errors);
+                                                     {}, system::ChildProcess::output_with_errors);
   if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
   try {
     return read(nlohmann::json::parse(ffprobe.error_output()));

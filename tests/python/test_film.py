@@ -215,6 +215,34 @@ def test_control_c_leaves_whole_frames(tmp_path, delay):
         assert frame_names(tmp_path / "f") == []
 
 
+HANGING_FFMPEG = """#!/bin/sh
+case "$*" in
+  *"-f null"*) cat >/dev/null ;;
+  *) sleep 1000 ;;
+esac
+"""
+
+
+def test_control_c_is_heard_while_ffmpeg_hangs(tmp_path):
+    stub = tmp_path / "bin" / "ffmpeg"
+    stub.parent.mkdir()
+    stub.write_text(HANGING_FFMPEG)
+    stub.chmod(0o755)
+    child = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED],
+        cwd=tmp_path,
+        env=os.environ | {"PATH": f"{stub.parent}:{os.environ['PATH']}"},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(2)  # by when the pipe to ffmpeg is full
+    os.kill(child.pid, signal.SIGINT)
+    out, _ = child.communicate(timeout=40)  # ffmpeg would be given up after 60 s
+    assert out == "begun\ninterrupted\n(180, 320, 3)\n" and child.returncode == 0
+    assert recorded(tmp_path / "f") == frame_names(tmp_path / "f") != []
+    assert {path.name for path in tmp_path.iterdir()} == {"bin", "f"}
+
+
 def test_two_films_at_once_in_two_threads(tmp_path):
     from concurrent.futures import ThreadPoolExecutor
 

@@ -201,7 +201,7 @@ TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
 }
 
 TEST(ChildProcess, ThatTakesNothingIsKilled) {
-  ChildProcess child(shell("echo busy >&2; sleep 1000"), milliseconds(200));
+  ChildProcess child(shell("echo busy >&2; sleep 1000"), {milliseconds(200)});
   EXPECT_FALSE(child.write(bytes(10'000'000)));
   EXPECT_TRUE(child.hung());
   EXPECT_EQ(child.wait(), 128 + SIGKILL);
@@ -210,17 +210,31 @@ TEST(ChildProcess, ThatTakesNothingIsKilled) {
 
 TEST(ChildProcess, ThatDoesNotEndIsKilled) {
   for (const char* script : {"cat >/dev/null; sleep 1000", "exec 2>&-; cat; sleep 1000"}) {
-    ChildProcess child(shell(script), milliseconds(200));
+    ChildProcess child(shell(script), {milliseconds(200)});
     EXPECT_TRUE(child.write(bytes(100'000)));
     EXPECT_EQ(child.wait(), 128 + SIGKILL);
     EXPECT_TRUE(child.hung());
   }
 }
 
+TEST(ChildProcess, IsKilledWhenAskedToStop) {
+  std::atomic<bool> stop = false;
+  const Patience patience{std::chrono::hours(1), &stop};
+  ChildProcess writing(shell("sleep 1000"), patience);
+  ChildProcess waiting(shell("cat >/dev/null; sleep 1000"), patience);
+  const std::jthread other([&] {
+    std::this_thread::sleep_for(milliseconds(50));
+    stop = true;
+  });
+  EXPECT_FALSE(writing.write(bytes(10'000'000)));
+  EXPECT_EQ(writing.wait(), 128 + SIGKILL);
+  EXPECT_EQ(waiting.wait(), 128 + SIGKILL);
+}
+
 TEST(ChildProcess, MayTakeItsTimeWhileItTakesSomething) {
   // A second and a half in total, which exceeds the patience.
   ChildProcess child(shell("for i in 1 2 3 4 5; do head -c 1000000 >/dev/null; sleep 0.3; done"),
-                     milliseconds(1200));
+                     {milliseconds(1200)});
   EXPECT_TRUE(child.write(bytes(5'000'000)));
   EXPECT_EQ(child.wait(milliseconds(10'000)), 0);
   EXPECT_FALSE(child.hung());

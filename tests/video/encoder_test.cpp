@@ -385,7 +385,7 @@ TEST(Encoder, ThatDiesMidwayIsTold) {
 }
 
 TEST(Encoder, ThatHangsIsStoppedAndTold) {
-  constexpr system::ChildProcess::Time patience(200);
+  constexpr system::Patience patience{std::chrono::milliseconds(200)};
   const ScratchFolder scratch;
   for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
     const StubFfmpeg stub(scratch, script);
