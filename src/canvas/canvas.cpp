@@ -1,9 +1,6 @@
 #include "canvas/canvas.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <numbers>
 
 namespace twrench::canvas {
@@ -21,10 +18,7 @@ void Canvas::Destroy::operator()(cairo_surface_t* surface) const noexcept {
 }
 
 Canvas::Canvas(image::Image& image, int x, int y)
-    : image_(image),
-      x_(x),
-      y_(y),
-      surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32,
+    : surface_(cairo_image_surface_create_for_data(image.pixels.data(), CAIRO_FORMAT_ARGB32,
                                                    image.width, image.height,
                                                    static_cast<int>(image.row_bytes()))),
       context_(cairo_create(surface_.get())) {
@@ -88,23 +82,17 @@ void Canvas::rectangle(double x, double y, double width, double height, const In
   cairo_fill(context_.get());
 }
 
-void Canvas::soft_panel(const image::Area& core, double feather, const Ink& ink) {
-  std::uint8_t* out = image_.pixels.data();
-  for (int row = 0; row < image_.height; ++row) {
-    const double y = y_ + row + 0.5;
-    const double dy = std::max({core.y - y, y - core.y - core.height, 0.0});
-    for (int column = 0; column < image_.width; ++column, out += 4) {
-      const double x = x_ + column + 0.5;
-      const double dx = std::max({core.x - x, x - core.x - core.width, 0.0});
-      const double t = std::max(0.0, 1 - std::hypot(dx, dy) / feather);
-      const double alpha = ink.opacity * t * t * (3 - 2 * t);
-      const std::array color{ink.color.red, ink.color.green, ink.color.blue, 255};
-      for (std::size_t c = 0; c < 4; ++c) {
-        out[c] = static_cast<std::uint8_t>(std::lround(color[c] * alpha + out[c] * (1 - alpha)));
-      }
-    }
-  }
-  cairo_surface_mark_dirty(surface_.get());
+void Canvas::panel(const image::Area& area, double radius, const Ink& ink) {
+  constexpr double quarter = std::numbers::pi / 2;
+  const double left = area.x + radius, right = area.x + area.width - radius;
+  const double top = area.y + radius, bottom = area.y + area.height - radius;
+  cairo_arc(context_.get(), right, top, radius, -quarter, 0);
+  cairo_arc(context_.get(), right, bottom, radius, 0, quarter);
+  cairo_arc(context_.get(), left, bottom, radius, quarter, 2 * quarter);
+  cairo_arc(context_.get(), left, top, radius, 2 * quarter, 3 * quarter);
+  cairo_close_path(context_.get());
+  set(ink);
+  cairo_fill(context_.get());
 }
 
 }  // namespace twrench::canvas

@@ -43,8 +43,8 @@ class Canvas {
   void disc(const Point& centre, double radius, const Ink& ink);
   void rectangle(double x, double y, double width, double height, const Ink& ink);
 
-  /// A rectangle with soft edges: full within `core`, and nothing from `feather` px beyond.
-  void soft_panel(const image::Area& core, double feather, const Ink& ink);
+  /// A rectangle whose corners are rounded with that radius, px.
+  void panel(const image::Area& area, double radius, const Ink& ink);
 
  private:
   struct Destroy {
@@ -55,8 +55,6 @@ class Canvas {
   void set(const Ink& ink);
   void add_text(const Line& line, double size, const Point& at, Align align);
 
-  image::Image& image_;
-  int x_, y_;
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
   std::unique_ptr<cairo_t, Destroy> context_;
 };

@@ -89,7 +89,8 @@ Matrix4d right_product(const Quaterniond& q) {
 
 }  // namespace
 
-ExactMotion::ExactMotion(const FreeBody& body) : orbit_(steady_orbit(body.omega())) {
+ExactMotion::ExactMotion(const FreeBody& body)
+    : start_{0, Matrix3d::Identity(), body.omega()}, orbit_(steady_orbit(body.omega())) {
   // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
   // nor underflow. It is a power of two, so that nothing is rounded.
   const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));

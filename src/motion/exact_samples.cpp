@@ -119,6 +119,11 @@ struct ExactMotion::Samples {
   }
 #endif
 
+  static void set(Block& block, std::size_t i, const Sample& sample) {
+    for (int k = 0; k < 9; ++k) block.X[k][i] = sample.X(k / 3, k % 3);
+    for (int k = 0; k < 3; ++k) block.omega[k][i] = sample.omega[k];
+  }
+
   using Fill = void (*)(const Orbit&, Block&);
   static Fill widest_fill() {
 #ifdef __x86_64__
@@ -136,6 +141,7 @@ Eigen::Quaterniond ExactMotion::turn_at_start(const Orbit& orbit) {
 
 Sample ExactMotion::at(double t) const {
   require_finite("t", t);
+  if (t == 0) return {t, start_.X, start_.omega};
   const Place p = Samples::place(orbit_, orbit_.jacobi.at(orbit_.rate * t + orbit_.phase), t);
   Sample sample{t, {}, {p.omega_x, p.omega_y, p.omega_z}};
   sample.X << p.xx, p.xy, p.xz, p.yx, p.yy, p.yz, p.zx, p.zy, p.zz;
@@ -153,6 +159,9 @@ void ExactMotion::for_each_block(std::span<const double> times, unsigned threads
       block.size = std::min(Samples::Block::capacity, end - i);
       std::ranges::copy(times.subspan(i, block.size), block.t);
       fill(orbit_, block);
+      for (std::size_t k = 0; k < block.size; ++k) {
+        if (block.t[k] == 0) Samples::set(block, k, start_);
+      }
       write(i, block);
     }
   });

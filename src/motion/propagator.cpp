@@ -69,6 +69,7 @@ class StepPropagator final : public Propagator {
   Sample sample_at(double t) override {
     require_ahead(t, t_, sign_);
     while (std::abs(t) > std::abs(t_next_)) advance();
+    if (t == 0) return {t, Matrix3d::Identity(), body_.omega()};
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
     const Sample sample{t, X, angular_velocity(body_, method_, X)};
     require_sane(sample);
@@ -170,12 +171,14 @@ class TaylorPropagator final : public Propagator {
       : method_(method),
         control_(control),
         sign_(sign),
+        omega_(body.omega()),
         series_(body, std::get<Taylor>(method.scheme)),
         state_next_(series_.state_of(Matrix3d::Identity(), body.momentum())) {}
 
   Sample sample_at(double t) override {
     require_ahead(t, t_, sign_);
     while (steps_ == 0 || std::abs(t) > std::abs(t_next_)) advance();
+    if (t == 0) return {t, Matrix3d::Identity(), omega_};
     return series_.sample(t, t == t_next_ ? state_next_ : series_.at(t - t_));
   }
 
@@ -206,6 +209,7 @@ class TaylorPropagator final : public Propagator {
   const Method method_;
   const StepControl control_;
   const double sign_;
+  const Eigen::Vector3d omega_;  ///< At t = 0, rad/s.
   TaylorSeries series_;
   std::int64_t steps_ = 0;
   double t_ = 0.0, t_next_ = 0.0;

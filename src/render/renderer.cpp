@@ -13,6 +13,7 @@
 #include "render/compose/label_painter.h"
 #include "render/compose/layout.h"
 #include "render/hud/component_panel.h"
+#include "render/hud/curve_panel.h"
 #include "render/hud/hud.h"
 #include "render/look/background.h"
 #include "render/look/theme.h"
@@ -102,6 +103,10 @@ Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
     elements.push_back(
         std::make_unique<ComponentPanel>(scene, solutions, layout, typeface, colors));
     taken.push_back(*layout.components);
+  }
+  if (layout.curve) {
+    elements.push_back(std::make_unique<CurvePanel>(scene, solutions, layout, typeface, colors));
+    taken.push_back(*layout.curve);
   }
   auto hud = std::make_unique<Hud>(scene, solutions, layout, typeface, colors);
   std::ranges::copy(hud->extents(), std::back_inserter(taken));

@@ -36,9 +36,9 @@ const std::vector<std::string>& view_names() {
 }
 
 const std::vector<std::string>& feature_names() {
-  static const std::vector<std::string> names{"floor",      "axes",   "momentum", "omega",
-                                              "trail",      "plane",  "labels",   "hud",
-                                              "components", "sphere", "poinsot"};
+  static const std::vector<std::string> names{
+      "floor", "axes",       "momentum", "omega",   "trail", "plane",  "labels",
+      "hud",   "components", "sphere",   "poinsot", "curve", "method", "drift"};
   return names;
 }
 

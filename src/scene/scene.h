@@ -95,10 +95,13 @@ enum class Feature {
   trail,       ///< The trail of a point of the body, of the momentum, or of omega.
   plane,       ///< The invariable plane.
   labels,      ///< The names of arrows and axes.
-  hud,         ///< Title, time, method, drift and flips.
+  hud,         ///< Title, time, flips, and a remark on what happens.
   components,  ///< The nine components of X against time.
   sphere,      ///< The momentum sphere as an inset.
   poinsot,     ///< Poinsot's construction as an inset.
+  curve,       ///< One component of X, x11, large: which way the leg points.
+  method,      ///< The method, below the title.
+  drift,       ///< The energy drift, beside the time.
 };
 
 /// What the picture shows: the body, the momentum sphere, Poinsot's construction, or all of them
@@ -110,8 +113,8 @@ struct Overlay {
   /// The view.
   View view = View::wrench;
   /// What is shown besides the body.
-  std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,      Feature::trail,
-                         Feature::labels, Feature::hud,      Feature::components, Feature::sphere};
+  std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,  Feature::trail,
+                         Feature::labels, Feature::hud,      Feature::sphere, Feature::curve};
   /// Names of the methods shown side by side; empty shows only Motion::method.
   std::vector<std::string> compare;
   /// The point of the body that draws the trail, in the axes of the parts, in cm; by default see

@@ -119,16 +119,16 @@ TEST(Canvas, LaysTheHaloAroundTheLetters) {
   EXPECT_EQ(pixel(image, 11, 32)[3], 255) << "below the foot of the I";
 }
 
-TEST(Canvas, FadesThePanelBeyondItsCore) {
+TEST(Canvas, RoundsThePanelsCorners) {
   image::Image image(40, 40, 4);
-  Canvas(image, 0, 0).soft_panel({15, 15, 10, 10}, 10, {ink, 0.8});
-  EXPECT_EQ(pixel(image, 15, 15)[3], 204);
-  EXPECT_EQ(pixel(image, 24, 24)[3], 204);
-  EXPECT_LT(pixel(image, 28, 20)[3], 204);
-  EXPECT_GT(pixel(image, 28, 20)[3], pixel(image, 32, 20)[3]);
-  EXPECT_EQ(pixel(image, 36, 20)[3], 0);
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    ASSERT_LE(image.pixels[i], image.pixels[i + 3]) << "premultiplied";
+  Canvas(image, 0, 0).panel({10, 12, 20, 16}, 5, {ink, 0.8});
+  EXPECT_EQ(pixel(image, 20, 20)[3], 204);
+  EXPECT_EQ(pixel(image, 10, 20)[3], 204) << "whole up to its edges";
+  EXPECT_EQ(pixel(image, 29, 20)[3], 204);
+  EXPECT_EQ(pixel(image, 9, 20)[3], 0);
+  EXPECT_EQ(pixel(image, 30, 20)[3], 0);
+  for (const auto& [x, y] : {std::pair(10, 12), {29, 12}, {10, 27}, {29, 27}}) {
+    EXPECT_EQ(pixel(image, x, y)[3], 0) << "the corner at " << x << ", " << y;
   }
 }
 

@@ -27,7 +27,7 @@ TEST(Lists, ScenesOneALine) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "scenes");
   EXPECT_EQ(run.code, 0);
-  for (const char* name : {"dzhanibekov", "stable-y", "stable-z", "sphere"}) {
+  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere"}) {
     EXPECT_THAT(run.out, HasSubstr(name));
   }
 }

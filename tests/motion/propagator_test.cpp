@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <twrench/motion/diagnostics.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/propagator.h>
 #include <twrench/motion/trajectory.h>
@@ -35,6 +36,24 @@ TEST_P(EveryPropagator, SamplesAreThoseOfTheTrajectoryInEitherDirection) {
     }
     EXPECT_EQ(propagator->steps(), all.steps);
   }
+}
+
+TEST_P(EveryPropagator, StartsAtWhatWasGiven) {
+  // A velocity that I^-1 (I omega) does not give back.
+  const FreeBody body(body_.inertia(), {1.0, 0.05, 1e-3});
+  const double energy_at_start = energy(body.inertia(), body.omega());
+  const std::vector<double> times{-0.3, 0.0, 0.3, 0.0};
+  std::vector<Sample> samples = integrate(body, GetParam(), control_, times).samples;
+  samples.push_back(make_propagator(body, GetParam(), control_)->sample_at(0));
+  for (const std::size_t i : {1U, 3U, 4U}) {
+    EXPECT_EQ(samples[i].X, Matrix3d::Identity());
+    EXPECT_EQ(samples[i].omega, body.omega());
+    const Diagnostics d = diagnose(body, energy_at_start, samples[i]);
+    EXPECT_EQ(d.energy_drift, 0);
+    EXPECT_EQ(d.orthogonality_error, 0);
+    EXPECT_EQ(d.momentum_error, 0);
+  }
+  EXPECT_NE(samples[0].X, Matrix3d::Identity());
 }
 
 TEST_P(EveryPropagator, ItsStepsFollowOneAnother) {

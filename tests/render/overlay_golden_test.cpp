@@ -10,6 +10,7 @@
 #include "render/drawn_layers.h"
 #include "render/golden.h"
 #include "render/hud/component_panel.h"
+#include "render/hud/curve_panel.h"
 #include "render/hud/hud.h"
 #include "render/overlay_scene.h"
 
@@ -29,6 +30,8 @@ std::vector<OverlayGolden> overlay_goldens() {
     scene.motion.method = "exact";
     scene.motion.duration = 48;
     scene.look.theme = theme;
+    using enum scene::Feature;
+    scene.overlay.show.insert({components, method, drift});
     return scene;
   };
   scene::Scene mono = film(640, 360);
@@ -83,6 +86,10 @@ image::Image drawn(
   };
   if (film.layout.components) {
     ComponentPanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
+    lay(drawn_layers(panel, state));
+  }
+  if (film.layout.curve) {
+    CurvePanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
     lay(drawn_layers(panel, state));
   }
   Hud hud(film.scene, solutions, film.layout, film.typeface, film.colors);

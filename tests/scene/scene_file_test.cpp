@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "scene/scene.h"
@@ -30,6 +32,15 @@ TEST(SceneFile, Tasks) {
   EXPECT_EQ(load_scene("stable-z").motion.omega, Vector3d(0.05, 0, 1));
   const Eigen::Matrix3d I = mass_properties(load_scene("sphere").body).inertia;
   EXPECT_LE((I - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+}
+
+TEST(SceneFile, CalmSpinsThreeAndAHalfTurnsBeforeItFlips) {
+  const Scene scene = load_scene("calm");
+  EXPECT_EQ(scene.motion.omega, Vector3d(1, 0.001, 0));
+  const motion::FreeBody body(mass_properties(scene.body).inertia, scene.motion.omega);
+  const auto flips = motion::ExactMotion(body).flips();
+  ASSERT_TRUE(flips && flips->turns_over());
+  EXPECT_NEAR(flips->first * scene.motion.omega.norm() / (2 * std::numbers::pi), 3.57, 0.01);
 }
 
 constexpr const char* full = R"(

@@ -109,6 +109,7 @@ class ExactMotion {
   void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
 
   Kind kind_ = Kind::steady;
+  Sample start_;  ///< At t = 0, where the constants give it up to their rounding only.
   Orbit orbit_;
 };
 

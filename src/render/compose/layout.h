@@ -9,18 +9,22 @@
 namespace twrench::render {
 
 /// The layout of the picture. Text and insets stay 5 % of the picture's sides away from its edges,
-/// and overlap neither each other nor the focus of any pane. In a picture more than three times as
-/// long as it is wide, everything stands in one line, so that each item has the full breadth.
+/// and overlap neither each other nor the focus of any pane. The insets stand in a column beside
+/// the body, with the title above them and the readouts below; in an upright picture in a block
+/// below the body. In a picture more than three times as long as it is wide, everything stands in
+/// one line, so that each item has the full breadth.
 ///
 /// Items that do not fit are dropped in this order, until the rest has its minimum size and each
-/// body a third of its pane: Poinsot's construction, the momentum sphere, the components, the
-/// readouts, the title.
+/// body a third of its pane: Poinsot's construction, the momentum sphere, the components, the large
+/// curve, the readouts, the title.
 struct Layout {
   /// A three-dimensional view.
   struct Pane {
     image::Area area;   ///< The entire pane.
     image::Area focus;  ///< The part in which the body is framed, free of other items.
     bool named = true;  ///< Whether there is room for labels.
+    /// A line that says what an inset shows.
+    std::optional<image::Area> heading = std::nullopt;
   };
 
   /// Text sizes in px per em.
@@ -29,7 +33,7 @@ struct Layout {
     double title;
     /// Values of readouts.
     double readout;
-    /// Captions of readouts.
+    /// Captions of readouts and plots.
     double caption;
   };
 
@@ -38,26 +42,29 @@ struct Layout {
   std::vector<Pane> panes;
   /// The momentum sphere and Poinsot's construction.
   std::optional<Pane> momentum, poinsot;
-  /// The nine components.
-  std::optional<image::Area> components;
+  /// The nine components, and one of them, x11, large.
+  std::optional<image::Area> components, curve;
   /// The title, with the method below it or, in a comparison, the time on the right.
   std::optional<image::Area> title;
-  /// The readouts of a single motion.
+  /// What a view without the body shows, in sentences.
+  std::optional<image::Area> description;
+  /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
-  /// In a comparison, the method and readouts of each pane.
+  /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
 
   /// Text sizes.
   TextSizes text{};
-  /// Whether the picture is too small for captions above the readouts.
+  /// Whether the picture is too small for captions above the readouts, and for remarks.
   bool compact = false;
 };
 
-/// The height of the caption above a readout, in em of the caption; of the readout's value, and of
-/// the gap between two rows of them, in em of the value.
+/// The height of the caption above a readout, in em of the caption; of the readout's value, of the
+/// gap between two rows of them, and of a remark, in em of the value.
 inline constexpr double caption_height = 1.4;
 inline constexpr double readout_height = 1.25;
 inline constexpr double readout_row_gap = 0.35;
+inline constexpr double remark_height = 1.6;
 
 /// Returns the height in px of that many rows of readouts with captions.
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "canvas/error.h"
+#include "render/hud/captions.h"
 #include "render/hud/hud_text.h"
 
 namespace twrench::render {
@@ -58,6 +59,12 @@ class Figures {
   std::size_t flips_ = 0;
 };
 
+/// Text is legible on the theme's own background; the halo is for what may come to lie behind it,
+/// and strong for a background that can be anything.
+double halo_for(const scene::Look& look) {
+  return look.transparent || look.background ? 0.75 : 0.3;
+}
+
 void require_characters(const canvas::Font& font, const std::string& title) {
   if (const auto missing = canvas::missing_character(font, title)) {
     throw canvas::MissingGlyph(
@@ -69,6 +76,108 @@ void require_characters(const canvas::Font& font, const std::string& title) {
   }
 }
 
+/// Sets all text of a video.
+class Typesetter {
+ public:
+  Typesetter(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+             const Layout& layout, const TextStyle& style)
+      : scene_(scene), solutions_(solutions), layout_(layout), style_(style) {}
+
+  std::vector<TextBlock> blocks() &&;
+
+ private:
+  bool shows(scene::Feature feature) const { return scene_.overlay.shows(feature); }
+  bool compares() const { return solutions_.size() > 1; }
+  void add_title();
+  void add_readouts();
+  void add_legend(std::size_t solution);
+  void add_remark(TextBlock& block, std::size_t solution);
+  void add_description();
+  void add_heading(const Layout::Pane& pane, const std::string& text);
+
+  const scene::Scene& scene_;
+  const std::vector<timeline::Solution>& solutions_;
+  const Layout& layout_;
+  TextStyle style_;
+  Figures figures_{scene_, solutions_, layout_.compact};
+  std::vector<TextBlock> blocks_;
+};
+
+std::vector<TextBlock> Typesetter::blocks() && {
+  if (layout_.title) add_title();
+  if (layout_.readouts) add_readouts();
+  for (std::size_t i = 0; i < layout_.legends.size(); ++i) add_legend(i);
+  if (layout_.description) add_description();
+  if (layout_.momentum) add_heading(*layout_.momentum, captions::momentum_heading());
+  if (layout_.poinsot) add_heading(*layout_.poinsot, captions::poinsot_heading());
+  const image::Area picture{0, 0, scene_.film.width, scene_.film.height};
+  for (TextBlock& block : blocks_) block.finish(picture);
+  return std::move(blocks_);
+}
+
+void Typesetter::add_title() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.title);
+  if (shows(scene::Feature::hud)) {
+    const std::string& title = scene_.title.empty() ? scene_.name : scene_.title;
+    require_characters(style_.typeface.strong, title);
+    if (compares()) block.add_corner(figures_.time());
+    block.add_title(title, style_.typeface.strong, layout_.text.title, style_.colors.text);
+  }
+  if (shows(scene::Feature::method) && !compares()) {
+    block.add_line(hud_text::method(solutions_[0]), style_.typeface.regular, layout_.text.caption,
+                   style_.colors.dim);
+  }
+}
+
+void Typesetter::add_readouts() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.readouts);
+  add_remark(block, 0);
+  const bool hud = shows(scene::Feature::hud);
+  std::vector<Readout> row;
+  if (hud) row.push_back(figures_.time());
+  if (shows(scene::Feature::drift)) row.push_back(figures_.energy_drift(0));
+  if (hud && solutions_[0].flips) {
+    row.push_back(figures_.flips(0));
+    row.push_back(figures_.next_flip(0));
+  }
+  block.add_readouts(row);
+}
+
+void Typesetter::add_legend(std::size_t solution) {
+  TextBlock& block = blocks_.emplace_back(style_, layout_.legends[solution]);
+  const scene::Color curve = solution_color(style_.colors, solution);
+  const bool plotted = layout_.components || layout_.curve;
+  block.add_line(std::string(solutions_[solution].method->name), style_.typeface.strong,
+                 0.85 * layout_.text.title, style_.colors.text, plotted ? &curve : nullptr);
+  block.add_readouts({figures_.energy_drift(solution), Figures::orthogonality(solution),
+                      figures_.flips(solution)});
+  add_remark(block, solution);
+}
+
+/// Small pictures have no room for it.
+void Typesetter::add_remark(TextBlock& block, std::size_t solution) {
+  if (layout_.compact || !shows(scene::Feature::hud)) return;
+  block.add_remark(
+      captions::no_rotation,
+      [solution, remarks = captions::Remarks(solutions_[solution])](
+          const timeline::FrameState& state) { return remarks.at(state.solutions[solution]); });
+}
+
+void Typesetter::add_description() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.description);
+  const timeline::Solution& solution = solutions_[0];
+  const std::string text =
+      layout_.momentum ? captions::momentum(solution, PrincipalFrame(solution.body, style_.colors))
+                       : captions::poinsot(solution);
+  block.add_paragraph(text, style_.typeface.regular, layout_.text.readout, style_.colors.dim);
+}
+
+void Typesetter::add_heading(const Layout::Pane& pane, const std::string& text) {
+  if (!pane.heading) return;
+  TextBlock& block = blocks_.emplace_back(style_, *pane.heading);
+  block.add_line(text, style_.typeface.regular, layout_.text.caption, style_.colors.text);
+}
+
 }  // namespace
 
 scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
@@ -77,39 +186,10 @@ scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
 }
 
 Hud::Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
-         const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors) {
-  const auto& [title_size, figure_size, caption_size] = layout.text;
-  const TextStyle style{typeface, colors, layout.text, layout.compact};
-  const Figures figures(scene, solutions, layout.compact);
-  if (layout.title) {
-    const std::string& title = scene.title.empty() ? scene.name : scene.title;
-    require_characters(typeface.strong, title);
-    TextBlock& block = blocks_.emplace_back(style, *layout.title);
-    if (solutions.size() > 1) block.add_corner(figures.time());
-    block.add_line(title, typeface.strong, title_size, colors.text);
-    if (solutions.size() == 1 && !layout.compact) {
-      block.add_line(hud_text::method(solutions[0]), typeface.regular, caption_size, colors.dim);
-    }
-  }
-  if (layout.readouts) {
-    TextBlock& block = blocks_.emplace_back(style, *layout.readouts);
-    std::vector<Readout> row{figures.time(), figures.energy_drift(0)};
-    if (solutions[0].flips) {
-      row.push_back(figures.flips(0));
-      row.push_back(figures.next_flip(0));
-    }
-    block.add_readouts(row);
-  }
-  for (std::size_t i = 0; i < layout.legends.size(); ++i) {
-    TextBlock& block = blocks_.emplace_back(style, layout.legends[i]);
-    const scene::Color curve = solution_color(colors, i);
-    block.add_line(std::string(solutions[i].method->name), typeface.strong, 0.85 * title_size,
-                   colors.text, layout.components ? &curve : nullptr);
-    block.add_readouts({figures.energy_drift(i), Figures::orthogonality(i), figures.flips(i)});
-  }
-  const image::Area picture{0, 0, scene.film.width, scene.film.height};
-  for (TextBlock& block : blocks_) block.finish(picture);
-}
+         const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors)
+    : blocks_(Typesetter(scene, solutions, layout,
+                         {typeface, colors, layout.text, layout.compact, halo_for(scene.look)})
+                  .blocks()) {}
 
 std::vector<PendingLayer> Hud::draw(const timeline::FrameState& state) {
   std::vector<PendingLayer> layers;

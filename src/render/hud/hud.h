@@ -10,10 +10,11 @@ namespace twrench::render {
 /// Returns the colour that identifies a method in a comparison.
 scene::Color solution_color(const OverlayColors& colors, std::size_t solution);
 
-/// The text of the video: title, method, and the readouts of time, drift and flips.
+/// The text of the video: the title, the readouts of time, drift and flips with a remark on what
+/// happens, and what the views show.
 class Hud : public Element {
  public:
-  /// All but `scene` and `takes` outlive it. Throws MissingGlyph where the typeface lacks a
+  /// `typeface` and `colors` outlive it. Throws MissingGlyph where the typeface lacks a
   /// character of the title or, without one, of the scene's name.
   Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
       const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);

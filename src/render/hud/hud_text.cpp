@@ -50,8 +50,13 @@ std::string seconds(double t, double longest, double resolution) {
 }
 
 std::string error(double value) {
-  if (value == 0) return "0";
-  return typographic(fmt::format("{:.1e}", std::abs(value)));
+  const double size = std::abs(value);
+  if (size == 0) return "0";
+  if (size >= 0.00995 && size < 99.5) {  // as rounded to two digits: from 0.010 to 99
+    const int decimals = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
+    return fmt::format("{:.{}f}", size, decimals);
+  }
+  return typographic(fmt::format("{:.1e}", size));
 }
 
 std::string drift(double value) {

@@ -11,10 +11,11 @@ namespace twrench::render::hud_text {
 /// "\u2007". Shows as many decimals as `resolution` (in s) requires, at most three.
 std::string seconds(double t, double longest, double resolution);
 
-/// Formats a relative error with its sign, for example "+1.2×10⁻¹⁵"; "0" for zero.
+/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁵" or "−0.034"; "0"
+/// for zero.
 std::string drift(double value);
 
-/// Formats the magnitude of an error, without a sign.
+/// Formats the magnitude of an error: the same without the sign.
 std::string error(double value);
 
 /// Formats a setting as briefly as possible: "0.01", "10⁻¹⁰", "2.5×10⁻⁷".

@@ -2,16 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace twrench::render {
 namespace {
 
-constexpr double line_height = 1.2;  // em
-constexpr double baseline = 0.95;    // em below the top of a line
-constexpr double block_gap = 1.3;    // em of the readout, between two of them
+constexpr double line_height = 1.2;       // em
+constexpr double baseline = 0.95;         // em below the top of a line
+constexpr double block_gap = 1.3;         // em of the readout, between two of them
+constexpr double paragraph_line = 1.35;   // em
+constexpr double remark_size = 1.15;      // em of the readout
+constexpr double text_halo_width = 0.12;  // em
 
 double width_of(const std::string& text, const canvas::Font& font, double size) {
   return size * canvas::typeset(font, text).width;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words, std::size_t first, std::size_t last) {
+  std::string text;
+  for (std::size_t i = first; i < last; ++i) text += (i > first ? " " : "") + words[i];
+  return text;
+}
+
+/// Breaks the text so that the longer line is as short as possible.
+std::pair<std::string, std::string> in_two_lines(const std::string& text,
+                                                 const canvas::Font& font) {
+  const std::vector<std::string> words = words_of(text);
+  std::pair<std::string, std::string> best{text, ""};
+  double least = width_of(text, font, 1);
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::pair lines{joined(words, 0, i), joined(words, i, words.size())};
+    const double width = std::max(width_of(lines.first, font, 1), width_of(lines.second, font, 1));
+    if (width >= least) continue;
+    least = width;
+    best = std::move(lines);
+  }
+  return best;
 }
 
 }  // namespace
@@ -27,7 +60,7 @@ void TextBlock::extend(double right, double bottom) {
 void TextBlock::add_line(const std::string& text, const canvas::Font& font, double size,
                          const scene::Color& ink, const scene::Color* curve) {
   const double height = line_height * size;
-  if (y_ + height > area_.y + area_.height + 1) return;
+  if (!has_room_below(height)) return;
   double x = area_.x;
   if (curve != nullptr) {
     const double length = 0.8 * size;
@@ -37,14 +70,58 @@ void TextBlock::add_line(const std::string& text, const canvas::Font& font, doub
         {{area_.x, middle - thickness / 2, static_cast<int>(length), thickness}, *curve});
     x += length + 0.35 * size;
   }
-  const double room = area_.x + area_.width - corner_width_ - x;
   const double least = std::min(size, style_.sizes.readout);
-  const double width =
-      canvas::typeset(font, text).width;  // zero, for combining marks without a letter
-  const double fitting = width > 0 ? std::clamp(room / width, least, size) : size;
-  canvas::Line line = canvas::typeset_within(font, text, room / fitting);
+  const double width = width_of(text, font, 1);  // zero, for combining marks without a letter
+  const double fitting = width > 0 ? std::clamp(room(x) / width, least, size) : size;
+  canvas::Line line = canvas::typeset_within(font, text, room(x) / fitting);
   extend(x + fitting * line.width, y_ + height);
   texts_.push_back({std::move(line), fitting, {x, y_ + baseline * size}, ink});
+  y_ += height;
+}
+
+void TextBlock::add_title(const std::string& text, const canvas::Font& font, double size,
+                          const scene::Color& ink) {
+  const bool fits = width_of(text, font, size) <= room(area_.x);
+  const auto [first, second] = fits || !has_room_below(2 * line_height * size)
+                                   ? std::pair(text, std::string())
+                                   : in_two_lines(text, font);
+  if (second.empty()) return add_line(text, font, size, ink);
+  const double width = std::max(width_of(first, font, 1), width_of(second, font, 1));
+  const double fitting =
+      std::clamp(room(area_.x) / width, std::min(size, style_.sizes.readout), size);
+  add_line(first, font, fitting, ink);
+  add_line(second, font, fitting, ink);
+}
+
+void TextBlock::add_paragraph(const std::string& text, const canvas::Font& font, double size,
+                              const scene::Color& ink) {
+  const std::vector<std::string> words = words_of(text);
+  const double height = paragraph_line * size, width = room(area_.x);
+  for (std::size_t i = 0; i < words.size() && has_room_below(height);) {
+    std::size_t end = i + 1;
+    while (end < words.size() && width_of(joined(words, i, end + 1), font, size) <= width) ++end;
+    // The last line that has room ends with an ellipsis where words are left.
+    const bool last = y_ + 2 * height > area_.y + area_.height + 1;
+    canvas::Line line =
+        canvas::typeset_within(font, joined(words, i, last ? words.size() : end), width / size);
+    extend(area_.x + size * line.width, y_ + height);
+    texts_.push_back(
+        {std::move(line), size, {static_cast<double>(area_.x), y_ + baseline * size}, ink});
+    y_ += height;
+    i = end;
+  }
+}
+
+void TextBlock::add_remark(const std::string& widest,
+                           std::function<Remark(const timeline::FrameState&)> remark) {
+  const double height = remark_height * style_.sizes.readout;
+  if (!has_room_below(height)) return;
+  const double width = width_of(widest, style_.typeface.strong, 1);
+  const double size = std::min(remark_size * style_.sizes.readout, room(area_.x) / width);
+  if (size < style_.sizes.caption) return;
+  const canvas::Canvas::Point at{static_cast<double>(area_.x), y_ + baseline * size};
+  remarks_.push_back({std::move(remark), size, at});
+  extend(area_.x + size * width, y_ + height);
   y_ += height;
 }
 
@@ -93,22 +170,35 @@ void TextBlock::add_corner(Readout readout) {
 }
 
 void TextBlock::finish(const image::Area& picture) {
-  const double feather = 2.2 * style_.sizes.caption;
-  ground_ = layer_around(extent_, static_cast<int>(std::ceil(feather)), picture);
+  const double reach = 0.3 * style_.sizes.title;  // of the halo, and of marks beyond their line
+  ground_ = layer_around(extent_, static_cast<int>(std::ceil(reach)), picture);
   canvas::Canvas canvas(ground_.image, ground_.x, ground_.y);
-  canvas.soft_panel(extent_, feather, {style_.colors.panel, style_.colors.panel_opacity});
-  for (const auto& [line, size, at, ink] : texts_) canvas.text(line, size, at, {ink});
+  for (const auto& [line, size, at, ink] : texts_) draw_text(canvas, line, size, at, {ink});
   for (const auto& [area, color] : samples_) {
     canvas.rectangle(area.x, area.y, area.width, area.height, {color});
   }
+}
+
+void TextBlock::draw_text(canvas::Canvas& canvas, const canvas::Line& line, double size,
+                          const canvas::Canvas::Point& at, const canvas::Canvas::Ink& ink,
+                          canvas::Canvas::Align align) const {
+  canvas.text_halo(line, size, at, text_halo_width * size,
+                   {style_.colors.panel, style_.halo * ink.opacity}, align);
+  canvas.text(line, size, at, ink, align);
 }
 
 Layer TextBlock::draw(const timeline::FrameState& state) const {
   Layer layer = ground_;
   canvas::Canvas canvas(layer.image, layer.x, layer.y);
   for (const auto& [text, size, at, align] : values_) {
-    canvas.text(canvas::typeset(style_.typeface.regular, text(state)), size, at,
-                {style_.colors.text}, align);
+    draw_text(canvas, canvas::typeset(style_.typeface.regular, text(state)), size, at,
+              {style_.colors.text}, align);
+  }
+  for (const auto& [remark, size, at] : remarks_) {
+    const auto [text, opacity] = remark(state);
+    if (text.empty() || opacity <= 0) continue;
+    draw_text(canvas, canvas::typeset(style_.typeface.strong, text), size, at,
+              {style_.colors.text, opacity});
   }
   return layer;
 }

@@ -22,6 +22,8 @@ struct TextStyle {
   Layout::TextSizes sizes;
   /// Captions stand beside their readouts instead of above.
   bool compact;
+  /// Opacity of the halo around the letters.
+  double halo;
 };
 
 /// A readout: a changing value with its caption.
@@ -33,8 +35,16 @@ struct Readout {
   std::function<std::string(const timeline::FrameState&)> value;
 };
 
-/// A text block on a soft panel, which keeps it legible on any background. Everything except the
-/// values of the readouts is drawn once.
+/// A remark that comes and goes.
+struct Remark {
+  /// UTF-8; empty for none.
+  std::string text;
+  /// 0 to 1.
+  double opacity = 1;
+};
+
+/// A text block; a halo around the letters keeps it legible on any background. Everything except
+/// remarks and the values of the readouts is drawn once.
 class TextBlock {
  public:
   /// Uses the part of `area` that the text needs, starting at its top left.
@@ -45,6 +55,18 @@ class TextBlock {
   void add_line(const std::string& text, const canvas::Font& font, double size,
                 const scene::Color& ink, const scene::Color* curve = nullptr);
 
+  /// Adds a line that is broken in two where it would otherwise be set smaller.
+  void add_title(const std::string& text, const canvas::Font& font, double size,
+                 const scene::Color& ink);
+
+  /// Adds a text in as many lines as it needs, truncated where there is not enough room.
+  void add_paragraph(const std::string& text, const canvas::Font& font, double size,
+                     const scene::Color& ink);
+
+  /// Adds a line for a remark, at most as long as `widest`.
+  void add_remark(const std::string& widest,
+                  std::function<Remark(const timeline::FrameState&)> remark);
+
   /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
   /// there is not enough room.
   void add_readouts(const std::vector<Readout>& readouts);
@@ -52,7 +74,7 @@ class TextBlock {
   /// Adds a readout without a caption in the top right corner; later lines leave room for it.
   void add_corner(Readout readout);
 
-  /// Completes the block. The panel's soft edges may extend within `picture`.
+  /// Completes the block. The halo may extend within `picture`.
   void finish(const image::Area& picture);
 
   Layer draw(const timeline::FrameState& state) const;
@@ -76,8 +98,18 @@ class TextBlock {
     canvas::Canvas::Point at;
     canvas::Canvas::Align align;
   };
+  struct PlacedRemark {
+    std::function<Remark(const timeline::FrameState&)> remark;
+    double size;
+    canvas::Canvas::Point at;
+  };
 
+  double room(double x) const { return area_.x + area_.width - corner_width_ - x; }
+  bool has_room_below(double height) const { return y_ + height <= area_.y + area_.height + 1; }
   void extend(double right, double bottom);
+  void draw_text(canvas::Canvas& canvas, const canvas::Line& line, double size,
+                 const canvas::Canvas::Point& at, const canvas::Canvas::Ink& ink,
+                 canvas::Canvas::Align align = canvas::Canvas::Align::left) const;
   void place(const Readout& readout, double x, double y, double caption_width);
 
   TextStyle style_;
@@ -87,6 +119,7 @@ class TextBlock {
   double corner_width_ = 0;
   std::vector<Text> texts_;
   std::vector<Value> values_;
+  std::vector<PlacedRemark> remarks_;
   std::vector<std::pair<image::Area, scene::Color>> samples_;  ///< Samples of curves.
   Layer ground_;
 };

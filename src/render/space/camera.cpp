@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace twrench::render {
 namespace {
@@ -38,32 +39,68 @@ Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
   return projection;
 }
 
+/// Half the picture's sides in units of half the shorter one.
+Eigen::Array2d half_sides(double aspect) {
+  return {std::max(aspect, 1.0), std::max(1 / aspect, 1.0)};
+}
+
+/// What a picture should hold, in units of half its shorter side, y up.
+using Extent = Eigen::AlignedBox2d;
+
+/// Returns the extent of the sphere and the points, with a margin.
+Extent extent_of(const Framing& framing, std::span<const Vector3d> directions,
+                 std::span<const Vector3d> points) {
+  const double tan_half = std::tan(framing.field_of_view / 2);
+  Framing straight = framing;
+  straight.centre.setZero();
+  Extent extent;
+  for (const Vector3d& direction : directions) {
+    straight.direction = direction;
+    const Camera camera = frame_sphere(straight);
+    const double sine = framing.radius / camera.distance;
+    const double silhouette = framing_margin * sine / std::sqrt(1 - sine * sine) / tan_half;
+    extent.extend(Eigen::Vector2d::Constant(silhouette));
+    extent.extend(Eigen::Vector2d::Constant(-silhouette));
+    for (const Vector3d& point : points) {
+      const Vector3d p = camera.camera_from_space() * point;
+      const double depth = std::max(camera.distance - p.z(), 1e-3 * camera.distance);
+      extent.extend(framing_margin / (depth * tan_half) * p.head<2>());
+    }
+  }
+  return extent;
+}
+
 }  // namespace
 
 Camera frame_sphere(const Framing& framing) {
   const double half = framing.field_of_view / 2;
   // The cone that touches a sphere of radius r at distance d has the half angle asin(r / d).
   const double distance = framing.distance * framing_margin * framing.radius / std::sin(half);
-  const double tan_x = std::tan(half) * std::max(framing.aspect, 1.0);
-  const double tan_y = std::tan(half) * std::max(1 / framing.aspect, 1.0);
+  const Eigen::Array2d sides = half_sides(framing.aspect);
+  const Eigen::Array2d tangents = std::tan(half) * sides;
   // Distant clip planes: a method that leaves SO(3) makes the body grow, and that should be
   // visible.
-  return {look_at_origin(framing.direction, distance),
-          perspective(tan_x, tan_y, 0.05 * distance, 20 * distance), distance};
+  Camera camera{look_at_origin(framing.direction, distance),
+                perspective(tangents.x(), tangents.y(), 0.05 * distance, 20 * distance), distance};
+  camera.projection.col(2).head<2>() = (framing.centre.array() / sides).matrix();  // w = -z
+  return camera;
 }
 
-double distance_to_see(const Framing& framing, std::span<const Vector3d> points) {
-  Framing nearest = framing;
-  nearest.distance = 1;
-  const Camera camera = frame_sphere(nearest);
-  double distance = camera.distance;
-  for (const Vector3d& point : points) {
-    const Eigen::Array3d p = camera.camera_from_space() * point;
-    const double across = std::abs(p.x()) * camera.projection(0, 0);
-    const double upward = std::abs(p.y()) * camera.projection(1, 1);
-    distance = std::max(distance, p.z() + framing_margin * std::max(across, upward));
+Framing fitted(const Framing& framing, std::span<const Vector3d> directions,
+               std::span<const Vector3d> points) {
+  constexpr int most_attempts = 60;  // a factor of distance shrinks the extent by nearly as much
+  const Eigen::Array2d sides = half_sides(framing.aspect);
+  Framing result = framing;
+  result.distance = 1;
+  Extent extent = extent_of(result, directions, points);
+  for (int i = 0; i < most_attempts; ++i) {
+    const double excess = (extent.sizes().array() / (2 * sides)).maxCoeff();
+    if (excess <= 1 + 1e-9) break;
+    result.distance *= excess;
+    extent = extent_of(result, directions, points);
   }
-  return distance / camera.distance;
+  result.centre = extent.center();
+  return result;
 }
 
 Eigen::Vector2d pixel_of(const Camera& camera, const image::Area& pane, const Vector3d& place) {
@@ -87,6 +124,17 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
 Vector3d direction_of(double azimuth, double elevation) {
   return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
           std::cos(azimuth) * std::cos(elevation)};
+}
+
+std::vector<Vector3d> directions_along(double azimuth, double elevation, double angle) {
+  constexpr int places = 32;
+  constexpr double turn = 2 * std::numbers::pi;
+  const double seen = std::clamp(angle, -turn, turn);
+  std::vector<Vector3d> directions;
+  for (int i = 0; i <= (seen == 0 ? 0 : places); ++i) {
+    directions.push_back(direction_of(azimuth + seen * i / places, elevation));
+  }
+  return directions;
 }
 
 }  // namespace twrench::render

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "image/area.h"
 
@@ -29,16 +30,21 @@ struct Framing {
   double radius;
   /// Distance in units of the one at which the sphere just fits.
   double distance = 1;
+  /// The point that lies in the middle of the picture, as seen from the origin, in units of half
+  /// the shorter side, y up.
+  Eigen::Vector2d centre{0, 0};
 };
 
 /// Returns the camera whose picture holds the sphere with a small margin at the nearer pair of
-/// edges, so that it is fully in view at any aspect ratio. Space y points up in the picture; for a
-/// camera on the y axis, -z does.
+/// edges, so that it is fully in view at any aspect ratio if it lies in the middle. Space y points
+/// up in the picture; for a camera on the y axis, -z does.
 Camera frame_sphere(const Framing& framing);
 
-/// Returns the smallest Framing::distance, at least 1, from which all `points` are in view with a
-/// margin.
-double distance_to_see(const Framing& framing, std::span<const Eigen::Vector3d> points);
+/// Returns the framing from as near as possible, at least the distance 1, at which the sphere and
+/// all `points` are in view with a margin from each of the `directions`, and together in the
+/// middle.
+Framing fitted(const Framing& framing, std::span<const Eigen::Vector3d> directions,
+               std::span<const Eigen::Vector3d> points);
 
 /// Returns the position of a point in space in pixels from the top left, if the camera's picture
 /// fills `pane`. The point must not be behind the eye.
@@ -50,5 +56,9 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
 
 /// Returns the unit vector from the origin to the eye; angles in rad.
 Eigen::Vector3d direction_of(double azimuth, double elevation);
+
+/// Returns such directions, close to each other, from `azimuth` through `angle`, at most one turn
+/// of which counts; only the first if the angle is 0.
+std::vector<Eigen::Vector3d> directions_along(double azimuth, double elevation, double angle);
 
 }  // namespace twrench::render

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numbers>
 
 #include "render/body/bounding_radius.h"
 #include "render/body/gap_closing.h"
@@ -16,27 +15,18 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 
-Framing framing_at(const scene::CameraPath& path, const Layout::Pane& pane, double radius,
-                   double video_time) {
-  return {direction_of(path.azimuth + path.orbit * video_time, path.elevation), path.field_of_view,
-          static_cast<double>(pane.focus.width) / pane.focus.height, radius, path.distance};
-}
-
-/// Returns the path, moved away as far as needed to keep the overlay in view at all times.
-scene::CameraPath path_of(const scene::Scene& scene, const Layout::Pane& pane,
-                          const BodyOverlay& overlay) {
-  scene::CameraPath path = scene.camera;
-  constexpr int places = 32;  // along the path of a moving camera
-  const double film = scene.motion.duration / scene.film.speed;
-  double distance = 1;
-  for (int i = 0; i < (path.orbit == 0 ? 1 : places); ++i) {
-    const double time = std::min(film, 2 * std::numbers::pi / std::abs(path.orbit)) * i / places;
-    const Framing framing =
-        framing_at(path, pane, overlay.bounding_radius(), path.orbit == 0 ? 0 : time);
-    distance = std::max(distance, distance_to_see(framing, overlay.extent()));
-  }
-  path.distance *= distance;
-  return path;
+/// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
+Framing framing_of(const scene::Scene& scene, const Layout::Pane& pane,
+                   const BodyOverlay& overlay) {
+  const double aspect = static_cast<double>(pane.focus.width) / pane.focus.height;
+  const Framing body{{0, 0, 1}, scene.camera.field_of_view, aspect, overlay.bounding_radius()};
+  const double orbit = scene.camera.orbit * scene.motion.duration / scene.film.speed;
+  const std::vector<Eigen::Vector3d> directions =
+      directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
+  Framing framing = fitted(body, directions, overlay.extent());
+  framing.distance *= scene.camera.distance;
+  framing.centre /= scene.camera.distance;
+  return framing;
 }
 
 /// An exposure of pictures some of which are in transfer.
@@ -95,7 +85,8 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
       pane_(pane),
       radius_(bounding_radius(scene::visible_parts(scene.body))),
       overlay_(scene, solutions[solution], radius_),
-      path_(path_of(scene, pane, overlay_)),
+      path_(scene.camera),
+      framing_(framing_of(scene, pane, overlay_)),
       body_(gl, close_gaps(scene::visible_parts(scene.body)),
             tolerance(camera(0), pane.area.height), radius_, material(scene.look),
             style_of(scene.look.theme).studio),
@@ -112,8 +103,9 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
 }
 
 Camera BodyView::camera(double video_time) const {
-  return widened(frame_sphere(framing_at(path_, pane_, overlay_.bounding_radius(), video_time)),
-                 pane_.focus, pane_.area);
+  Framing framing = framing_;
+  framing.direction = direction_of(path_.azimuth + path_.orbit * video_time, path_.elevation);
+  return widened(frame_sphere(framing), pane_.focus, pane_.area);
 }
 
 std::vector<Layer> BodyView::static_layers() {

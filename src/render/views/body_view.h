@@ -42,7 +42,8 @@ class BodyView final : public SpaceView {
   Layout::Pane pane_;
   double radius_;  ///< Bounding radius of the body in every pose, in cm.
   BodyOverlay overlay_;
-  scene::CameraPath path_;  ///< Chosen so that the overlay is in view too.
+  scene::CameraPath path_;
+  Framing framing_;  ///< Chosen so that the overlay is in view too; its direction moves.
   BodyPass body_;
   bool multisampled_;  ///< Otherwise edges are antialiased analytically.
   DrawListPass draw_list_pass_;

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr int levels = 4;             // around each end of an axis
 constexpr int points_of_curve = 240;  // points of a curve
 constexpr double lifted = 1.002;      // lifts curves off the facets of the sphere
-constexpr double axis_end = 1.28;
+constexpr double axis_end = 1.24;
 constexpr double named = 1.12;  // times that, the position of an axis' name
 
 /// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
@@ -40,25 +40,12 @@ MomentumView::MomentumView(const gl::Functions& gl, const gl::Framebuffer& frame
                            const std::vector<timeline::Solution>& solutions, std::size_t solution,
                            const Layout::Pane& pane)
     : SolutionView(gl, framebuffer, scene, solutions, solution, pane),
-      view_from_own_(view_from_body(frame_.axes) * frame_.axes) {}
-
-Camera MomentumView::camera(double video_time) const {
+      view_from_own_(view_from_body(frame_.axes) * frame_.axes) {
   const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
-  const double azimuth = std::atan2(from.x(), from.z()) + path_.orbit * video_time;
-  const double elevation = std::atan2(from.y(), std::hypot(from.x(), from.z()));
-  constexpr double field_of_view = 0.5;
-  Framing framing{direction_of(azimuth, elevation), field_of_view, aspect(), 1};
-  std::vector<Vector3d> points{Vector3d(0, named * axis_end, 0)};
-  // In an upright pane the other axes may extend further: for a moving camera, all the way around.
-  const Vector3d right = direction_of(azimuth + std::numbers::pi / 2, 0);
-  for (int i = 0; aspect() < 1 && i < 3; ++i) {
-    const Vector3d tip = view_from_own_.col(i);
-    const double across =
-        path_.orbit == 0 ? std::abs(right.dot(tip)) : std::hypot(tip.x(), tip.z());
-    points.emplace_back(named * axis_end * across * right);
-  }
-  framing.distance = distance_to_see(framing, points);
-  return widened(frame_sphere(framing), pane_.focus, pane_.area);
+  std::vector<Vector3d> tips;
+  for (int i = 0; i < 3; ++i) tips.emplace_back(named * axis_end * view_from_own_.col(i));
+  frame(std::atan2(from.x(), from.z()), std::atan2(from.y(), std::hypot(from.x(), from.z())), 1,
+        tips);
 }
 
 Vector3d MomentumView::place_of(const motion::Sample& sample) const {

@@ -22,8 +22,6 @@ class MomentumView : public SolutionView {
 
   std::vector<Label> labels(const timeline::FrameState& state) const override;
 
-  Camera camera(double video_time) const override;
-
   /// Returns the position of a sample's momentum, on the unit sphere unless the method has left it.
   Eigen::Vector3d place_of(const motion::Sample& sample) const;
 

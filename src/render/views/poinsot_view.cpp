@@ -50,25 +50,22 @@ PoinsotView::PoinsotView(const gl::Functions& gl, const gl::Framebuffer& framebu
       radii_(radii_of(body_)) {
   if (frame_.level) annulus_ = motion::herpolhode_annulus(*frame_.level);
   plane_radius_ = std::max(1.25 * annulus_.outer, min_plane_radius);
+  frame(path_.azimuth, elevation, radii_.maxCoeff(), extent());
   const std::vector<motion::Sample>& whole = solutions[solution].whole;
   const double apart = scene.motion.duration / static_cast<double>(whole.size() - 1);
   if (at_rest() || apart * body_.omega().norm() > widest_turn) return;
   for (const motion::Sample& sample : whole) herpolhode_.push_back(contact(sample));
 }
 
-Camera PoinsotView::camera(double video_time) const {
-  Framing framing{direction_of(path_.azimuth + path_.orbit * video_time, elevation), 0.5, aspect(),
-                  radii_.maxCoeff()};
-  std::vector<Vector3d> points;
-  if (!at_rest()) {
-    points.emplace_back(0, 1.1 * momentum_end, 0);  // including its name
-    for (int i = 0; i < 24; ++i) {
-      const double angle = 2 * std::numbers::pi * i / 24;
-      points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
-    }
+/// Returns what a camera should have in view besides the ellipsoid.
+std::vector<Vector3d> PoinsotView::extent() const {
+  if (at_rest()) return {};
+  std::vector<Vector3d> points{{0, 1.1 * momentum_end, 0}};  // including its name
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 24;
+    points.emplace_back(plane_radius_ * std::sin(angle), 1, plane_radius_ * std::cos(angle));
   }
-  framing.distance = distance_to_see(framing, points);
-  return widened(frame_sphere(framing), pane_.focus, pane_.area);
+  return points;
 }
 
 Matrix3d PoinsotView::ellipsoid(const Matrix3d& X) const {

@@ -21,8 +21,6 @@ class PoinsotView : public SolutionView {
   std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
   std::vector<Label> labels(const timeline::FrameState& state) const override;
 
-  Camera camera(double video_time) const override;
-
   /// Returns the ellipsoid in the pose X, as the matrix that maps the unit sphere to it.
   Eigen::Matrix3d ellipsoid(const Eigen::Matrix3d& X) const;
 
@@ -30,6 +28,7 @@ class PoinsotView : public SolutionView {
   Eigen::Vector3d contact(const motion::Sample& sample) const;
 
  private:
+  std::vector<Eigen::Vector3d> extent() const;
   void add_grid(const Eigen::Matrix3d& view_from_unit);
   void add_polhode(const Eigen::Matrix3d& X);
   void add_plane(const timeline::SolutionState& instant);

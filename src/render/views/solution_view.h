@@ -10,6 +10,9 @@ namespace twrench::render {
 
 /// What the views that show one motion in its body's principal axes have in common.
 class SolutionView : public SpaceView {
+ public:
+  Camera camera(double video_time) const override;
+
  protected:
   /// Shows solutions[solution] in `pane`, drawn through `framebuffer`, which must outlive the view.
   SolutionView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
@@ -19,8 +22,10 @@ class SolutionView : public SpaceView {
   /// Returns whether the body does not rotate.
   bool at_rest() const { return frame_.direction.isZero(0.0); }
 
-  /// Returns the ratio of width to height of the part of the pane in which the view is framed.
-  double aspect() const { return static_cast<double>(pane_.focus.width) / pane_.focus.height; }
+  /// Frames the sphere of that radius about the centre and the points. The camera starts at
+  /// `azimuth` and goes around as the scene's does; angles in rad.
+  void frame(double azimuth, double elevation, double radius,
+             std::span<const Eigen::Vector3d> points);
 
   const timeline::SolutionState& state_in(const timeline::FrameState& frame) const {
     return frame.solutions[solution_];
@@ -44,6 +49,9 @@ class SolutionView : public SpaceView {
 
  private:
   std::size_t solution_;
+  double orbit_;  ///< rad, of the camera in the whole video.
+  double azimuth_ = 0, elevation_ = 0;
+  Framing framing_{};
 };
 
 }  // namespace twrench::render

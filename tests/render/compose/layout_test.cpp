@@ -40,8 +40,12 @@ std::string text(const image::Area& a) {
 
 std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = layout.legends;
-  for (const auto& area : {layout.title, layout.readouts, layout.components}) {
+  for (const auto& area :
+       {layout.title, layout.readouts, layout.description, layout.components, layout.curve}) {
     if (area) areas.push_back(*area);
+  }
+  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    if (pane && pane->heading) areas.push_back(*pane->heading);
   }
   if (view == scene::View::wrench) {
     for (const auto& inset : {layout.momentum, layout.poinsot}) {
@@ -67,13 +71,14 @@ std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
 void for_each_layout(scene::View view, int compared,
                      const std::function<void(const scene::Scene&, const Layout&)>& check) {
   constexpr scene::Feature features[]{scene::Feature::poinsot, scene::Feature::sphere,
-                                      scene::Feature::components, scene::Feature::hud};
+                                      scene::Feature::components, scene::Feature::curve,
+                                      scene::Feature::hud};
   scene::Scene scene = t_wrench();
   scene.overlay.view = view;
   scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
-  for (unsigned choice = 0; choice < 16; ++choice) {
+  for (unsigned choice = 0; choice < 32; ++choice) {
     scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
-    for (unsigned i = 0; i < 4; ++i) {
+    for (unsigned i = 0; i < 5; ++i) {
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
     for (const int width : sides) {
@@ -129,7 +134,7 @@ TEST_P(LayoutOf, CoversNothing) {
 TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
   check_each([](const scene::Scene& scene, const Layout& layout) {
     long long pixels = 0;
-    for (const auto& [area, focus, named] : all_panes(layout)) {
+    for (const auto& [area, focus, named, heading] : all_panes(layout)) {
       EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
       EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
           << text(focus) << " of " << text(scene);
@@ -165,15 +170,15 @@ TEST(Layout, GivesTheBareBodyTheWholePicture) {
 }
 
 TEST(Layout, DropsInTheStatedOrder) {
-  std::size_t before = 5;
+  std::size_t before = 6;
   std::set<std::size_t> counts;
   for (int height = 1080; height >= 20; height -= 4) {
     scene::Scene scene = t_wrench(height * 16 / 9, height);
-    scene.overlay.show.insert(scene::Feature::poinsot);
+    scene.overlay.show.insert({scene::Feature::poinsot, scene::Feature::components});
     const Layout layout = compute_layout(scene);
-    const std::vector<bool> kept{layout.title.has_value(), layout.readouts.has_value(),
-                                 layout.components.has_value(), layout.momentum.has_value(),
-                                 layout.poinsot.has_value()};
+    const std::vector<bool> kept{layout.title.has_value(),    layout.readouts.has_value(),
+                                 layout.curve.has_value(),    layout.components.has_value(),
+                                 layout.momentum.has_value(), layout.poinsot.has_value()};
     EXPECT_TRUE(std::ranges::is_sorted(kept, std::greater())) << height;
     const auto count = static_cast<std::size_t>(std::ranges::count(kept, true));
     EXPECT_LE(count, before) << "what has found no room finds none in a smaller picture: "
@@ -181,17 +186,64 @@ TEST(Layout, DropsInTheStatedOrder) {
     before = count;
     counts.insert(count);
   }
-  EXPECT_THAT(counts, testing::IsSupersetOf({5U, 4U, 2U, 0U}));
+  EXPECT_THAT(counts, testing::IsSupersetOf({6U, 4U, 3U, 2U, 0U}));
 }
 
 TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
   for (const auto& [width, height] :
        {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}, {1440, 1080}, {2560, 1080}}) {
     const Layout layout = compute_layout(t_wrench(width, height));
-    EXPECT_TRUE(layout.title && layout.readouts && layout.components && layout.momentum) << width;
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
     EXPECT_FALSE(layout.compact);
     const image::Area& focus = layout.panes[0].focus;
-    EXPECT_GE(std::min(focus.width, focus.height), 0.55 * std::min(width, height)) << width;
+    EXPECT_GE(std::min(focus.width, focus.height), 0.5 * std::min(width, height)) << width;
+  }
+}
+
+TEST(Layout, LeavesTheBodyOfAWideFilmItsFullHeight) {
+  const image::Area focus = compute_layout(t_wrench(1920, 1080)).panes[0].focus;
+  EXPECT_EQ(focus.height, 972) << "what is 5 % away from the edges";
+  EXPECT_GE(focus.width, 1080);
+}
+
+TEST(Layout, GivesAViewOfItsOwnMostOfThePictureAndADescription) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}}) {
+    for (const scene::View view : {scene::View::momentum, scene::View::poinsot}) {
+      scene::Scene scene = t_wrench(width, height);
+      scene.overlay.view = view;
+      const Layout layout = compute_layout(scene);
+      EXPECT_TRUE(layout.description) << width;
+      const image::Area focus = (layout.momentum ? layout.momentum : layout.poinsot)->focus;
+      EXPECT_GE(std::min(focus.width, focus.height), 0.55 * std::min(width, height)) << width;
+    }
+  }
+  EXPECT_FALSE(compute_layout(t_wrench(1920, 1080)).description);
+}
+
+TEST(Layout, ReservesTwoLinesForATitleThatIsTooLongForOne) {
+  scene::Scene scene = t_wrench(1920, 1080);
+  scene.title = "Short";
+  const int one = compute_layout(scene).title->height;
+  scene.title = "A title that does not fit into the column";
+  EXPECT_EQ(compute_layout(scene).title->height, 2 * one);
+}
+
+TEST(Layout, ReservesALineForTheMethodOnlyIfItIsShown) {
+  scene::Scene scene = t_wrench(1920, 1080);
+  const int without = compute_layout(scene).title->height;
+  scene.overlay.show.insert(scene::Feature::method);
+  EXPECT_GT(compute_layout(scene).title->height, without);
+}
+
+TEST(Layout, KeepsTheComponentsOfAComparisonInThreeRows) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1280, 720}, {1080, 1920}}) {
+    scene::Scene scene = t_wrench(width, height);
+    scene.overlay.show.erase(scene::Feature::curve);
+    scene.overlay.show.insert(scene::Feature::components);
+    scene.overlay.compare = {"rk4", "exact"};
+    const Layout layout = compute_layout(scene);
+    ASSERT_TRUE(layout.components) << width;
+    EXPECT_FALSE(is_strip(*layout.components)) << width;
   }
 }
 
@@ -199,7 +251,7 @@ TEST(Layout, GivesTheViewsOfALongPictureItsWholeBreadth) {
   for (const auto& [width, height] :
        {std::pair(1600, 300), {3840, 600}, {16384, 164}, {300, 1600}, {200, 1600}}) {
     const Layout layout = compute_layout(t_wrench(width, height));
-    EXPECT_TRUE(layout.title && layout.readouts && layout.components && layout.momentum) << width;
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
     const int breadth = std::min(width, height);
     for (const Layout::Pane& pane : {layout.panes[0], *layout.momentum}) {
       EXPECT_GE(std::min(pane.focus.width, pane.focus.height), 0.85 * breadth) << width;

@@ -119,9 +119,70 @@ TEST(Hud, HoldsWhateverTheNumbers) {
 TEST(Hud, SaysNothingOfFlipsWhereThereAreNone) {
   scene::Scene steady = film_of(1920, 1080);
   steady.motion.omega = {0, 0, 1};
-  const OverlayScene with(film_of(1920, 1080)), without(steady);
-  const int wide = hud_of(with).extents()[1].width;
-  EXPECT_LT(hud_of(without).extents()[1].width, 0.7 * wide);
+  for (const bool flips : {true, false}) {
+    const OverlayScene film(flips ? film_of(1920, 1080) : steady);
+    Hud hud = hud_of(film);
+    timeline::FrameState state = film.timeline.frame_state(0);
+    const auto before = drawn_layers(hud, state);
+    state.solutions[0].flips = 7;
+    state.solutions[0].next_flip = 77;
+    EXPECT_NE(same(drawn_layers(hud, state), before), flips);
+  }
+}
+
+TEST(Hud, ShowsMethodAndDriftOnlyIfAsked) {
+  scene::Scene scene = film_of(1920, 1080);
+  const OverlayScene plain(scene);
+  scene.overlay.show.insert(scene::Feature::drift);
+  const OverlayScene with_drift(scene);
+  scene.overlay.show.insert(scene::Feature::method);
+  const OverlayScene with_both(scene);
+  EXPECT_GT(hud_of(with_both).extents()[0].height, hud_of(with_drift).extents()[0].height);
+  for (const OverlayScene* film : {&plain, &with_drift}) {
+    Hud hud = hud_of(*film);
+    timeline::FrameState state = film->timeline.frame_state(0);
+    const auto before = drawn_layers(hud, state);
+    state.solutions[0].diagnostics.energy_drift = 0.5;
+    EXPECT_EQ(same(drawn_layers(hud, state), before), film == &plain);
+  }
+}
+
+TEST(Hud, RemarksWhatHappensInEachPane) {
+  scene::Scene scene = film_of(1920, 1080);
+  for (const std::size_t count : {0U, 2U, 3U, 4U}) {
+    scene.overlay.compare.assign(count, "exact");
+    const OverlayScene film(scene);
+    Hud hud = hud_of(film);
+    for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i) {
+      timeline::FrameState state = film.timeline.frame_state(0);
+      // Shown by the readouts of a comparison too, where it changes no digit.
+      state.solutions[i].diagnostics.orthogonality_error = 0.00996;
+      const auto before = drawn_layers(hud, state);
+      state.solutions[i].diagnostics.orthogonality_error = 0.01001;
+      EXPECT_FALSE(same(drawn_layers(hud, state), before)) << count << " " << i;
+    }
+  }
+}
+
+TEST(Hud, BreaksALongTitleInsteadOfShrinkingIt) {
+  const OverlayScene one(film_of(1920, 1080, "The Dzhanibekov"));
+  const OverlayScene two(film_of(1920, 1080, "The Dzhanibekov effect of a wrench"));
+  const image::Area short_title = hud_of(one).extents()[0], long_title = hud_of(two).extents()[0];
+  EXPECT_NEAR(long_title.height, 2 * short_title.height, 2);
+  EXPECT_LE(long_title.width, two.layout.title->width);
+}
+
+TEST(Hud, DescribesAViewOfItsOwn) {
+  scene::Scene scene = film_of(1920, 1080);
+  for (const scene::View view : {scene::View::momentum, scene::View::poinsot}) {
+    scene.overlay.view = view;
+    const OverlayScene film(scene);
+    const std::vector<image::Area> extents = hud_of(film).extents();
+    ASSERT_EQ(extents.size(), 3U);
+    EXPECT_GE(extents[2].height, 4 * film.layout.text.readout) << "several lines";
+    EXPECT_LE(extents[2].height, film.layout.description->height);
+    EXPECT_LE(extents[2].width, film.layout.description->width + 1);
+  }
 }
 
 TEST(Hud, CanBeReadOnWhateverLiesBelow) {
@@ -137,23 +198,30 @@ TEST(Hud, CanBeReadOnWhateverLiesBelow) {
   }
 }
 
-TEST(Hud, LaysThePanelUnderAllItsWords) {
-  const OverlayScene film(film_of(1920, 1080));
+TEST(Hud, LaysAHaloUnderItsLettersThatKeepsThemLegibleOnAnyBackground) {
+  scene::Scene scene = film_of(1920, 1080);
+  scene.look.background = scene::Color{255, 255, 255};
+  const OverlayScene film(scene);
   Hud hud = hud_of(film);
-  const auto layers = drawn_layers(hud, film.timeline.frame_state(0));
-  const auto extents = hud.extents();
-  ASSERT_EQ(layers.size(), extents.size());
-  const int least = static_cast<int>(255 * film.colors.panel_opacity);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const Layer& layer = layers[i];
-    for (int y = extents[i].y; y < extents[i].y + extents[i].height; ++y) {
-      for (int x = extents[i].x; x < extents[i].x + extents[i].width; ++x) {
-        const auto at = static_cast<std::size_t>(y - layer.y) * layer.image.row_bytes() +
-                        4 * static_cast<std::size_t>(x - layer.x);
-        ASSERT_GE(layer.image.pixels[at + 3], least);
-      }
-    }
+  image::Image picture(1920, 1080, 3);
+  picture.pixels.assign(picture.pixels.size(), 255);
+  for (const Layer& layer : drawn_layers(hud, film.timeline.frame_state(0))) {
+    composite_over(picture, layer);
   }
+  const auto luminance_at = [&](int x, int y) {
+    const std::uint8_t* p = &picture.pixels[static_cast<std::size_t>(y) * picture.row_bytes() +
+                                            3 * static_cast<std::size_t>(x)];
+    return luminance({p[0] / 255.0, p[1] / 255.0, p[2] / 255.0});
+  };
+  // From the left edge of the title's T: background, halo, letter.
+  const image::Area title = hud.extents()[0];
+  const int y = title.y + static_cast<int>(0.3 * film.layout.text.title);
+  double darkest = 1, letter = 0;
+  for (int x = title.x - 8; x < title.x + 12; ++x) {
+    darkest = std::min(darkest, luminance_at(x, y));
+    if (darkest < 0.2) letter = std::max(letter, luminance_at(x, y));
+  }
+  EXPECT_GE((letter + 0.05) / (darkest + 0.05), 4.5);
 }
 
 /// For a picture of another size with the same motions.
@@ -169,6 +237,9 @@ std::vector<image::Area> places_of_words(const Layout& layout) {
   if (layout.title) places.push_back(*layout.title);
   if (layout.readouts) places.push_back(*layout.readouts);
   places.insert(places.end(), layout.legends.begin(), layout.legends.end());
+  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    if (pane && pane->heading) places.push_back(*pane->heading);
+  }
   return places;
 }
 

@@ -39,9 +39,18 @@ TEST(Seconds, IsAsWideWhateverTheNumber) {
 TEST(Drift, IsWrittenAsInPrint) {
   EXPECT_EQ(drift(-1.2e-15), "−1.2×10⁻¹⁵");
   EXPECT_EQ(drift(3.24e2), "+3.2×10²");
-  EXPECT_EQ(drift(0.5), "+5.0×10⁻¹");
+  EXPECT_EQ(drift(0.5), "+0.50");
+  EXPECT_EQ(drift(-0.0349), "−0.035");
+  EXPECT_EQ(drift(0.00994), "+9.9×10⁻³");
+  EXPECT_EQ(drift(0.00996), "+0.010") << "rounding carries";
+  EXPECT_EQ(drift(0.0996), "+0.10");
+  EXPECT_EQ(drift(0.996), "+1.0");
+  EXPECT_EQ(drift(3.5), "+3.5");
+  EXPECT_EQ(drift(9.96), "+10");
+  EXPECT_EQ(drift(99.4), "+99");
+  EXPECT_EQ(drift(99.6), "+1.0×10²");
   EXPECT_EQ(drift(9.96e-5), "+1.0×10⁻⁴") << "rounding carries";
-  EXPECT_EQ(drift(1), "+1.0×10⁰");
+  EXPECT_EQ(drift(1), "+1.0");
   EXPECT_EQ(drift(0), "0");
   EXPECT_EQ(drift(-0.0), "0");
   EXPECT_EQ(drift(1e300), "+1.0×10³⁰⁰");

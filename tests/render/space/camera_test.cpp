@@ -51,6 +51,61 @@ TEST_P(FramedSphere, FillsTheNarrowerSideAndStaysInside) {
 INSTANTIATE_TEST_SUITE_P(Aspects, FramedSphere,
                          testing::Values(16.0 / 9, 9.0 / 16, 1.0, 4.0 / 3, 21.0 / 9));
 
+/// Of what should be in view, the extent in device coordinates: left, right, bottom, top.
+Eigen::Vector4d extent(const Camera& camera, const std::vector<Vector3d>& points) {
+  Eigen::Vector4d e(1e9, -1e9, 1e9, -1e9);
+  for (const Vector3d& point : points) {
+    const Vector3d p = project(camera, point);
+    e = Vector4d(std::min(e[0], p.x()), std::max(e[1], p.x()), std::min(e[2], p.y()),
+                 std::max(e[3], p.y()));
+  }
+  return e;
+}
+
+TEST(Fitted, PutsThePointsAndTheSphereInTheMiddle) {
+  const std::vector<Vector3d> points{{6, 0, 0}, {0, 0, 2}};
+  for (const double aspect : {0.6, 1.0, 1.2, 3.0}) {
+    const Framing framing = fitted({{0, 1, 4}, 0.55, aspect, 4}, {{Vector3d(0, 1, 4)}}, points);
+    const Camera camera = frame_sphere(framing);
+    std::vector<Vector3d> all = points;
+    for (int i = 0; i < 360; ++i) {  // the sphere's outline lies close to this circle
+      const double angle = i * std::numbers::pi / 180;
+      all.emplace_back(4 * std::cos(angle), 4 * std::sin(angle) * 0.97, -1);
+    }
+    const Vector4d e = extent(camera, all);
+    EXPECT_LT(e.cwiseAbs().maxCoeff(), 1) << aspect;
+    EXPECT_NEAR(e[0] + e[1], 0, 0.1) << aspect;
+    EXPECT_GT(e[1], aspect < 1.2 ? 0.85 : 0.2) << "as large as possible: " << aspect;
+  }
+}
+
+TEST(Fitted, LeavesASphereAloneInTheMiddleAndAtItsDistance) {
+  const Framing sphere{{3, 2, 7}, 0.55, 1.5, 4.4};
+  const Framing framing = fitted(sphere, {{Vector3d(3, 2, 7)}}, {{Vector3d(1, 1, 1)}});
+  EXPECT_EQ(framing.distance, 1);
+  EXPECT_EQ(framing.centre, Vector2d(0, 0));
+}
+
+TEST(Fitted, HoldsWhatIsSeenFromAllDirections) {
+  const std::vector<Vector3d> points{{6, 1, 0}};
+  Framing framing{{0, 0, 1}, 0.55, 1.5, 4};
+  const std::vector<Vector3d> directions = directions_along(0.3, 0.2, 20);
+  framing = fitted(framing, directions, points);
+  for (const Vector3d& direction : directions) {
+    framing.direction = direction;
+    EXPECT_LT(project(frame_sphere(framing), points[0]).head<2>().cwiseAbs().maxCoeff(), 0.98);
+  }
+}
+
+TEST(DirectionsAlong, GoAroundOnceAtMost) {
+  EXPECT_EQ(directions_along(0.5, 0.1, 0).size(), 1U);
+  const auto part = directions_along(0.5, 0.1, -0.7);
+  EXPECT_LT((part.front() - direction_of(0.5, 0.1)).norm(), 1e-15);
+  EXPECT_LT((part.back() - direction_of(-0.2, 0.1)).norm(), 1e-15);
+  const auto whole = directions_along(0.5, 0.1, 100);
+  EXPECT_LT((whole.front() - whole.back()).norm(), 1e-14);
+}
+
 TEST(Camera, LooksAtTheOriginFromItsDirection) {
   const Camera camera = frame_sphere({{0, 5, 20}, 0.55, 1.5, 4});
   EXPECT_LT(project(camera, Vector3d::Zero()).head<2>().norm(), 1e-14);

@@ -1,0 +1,234 @@
+// Where the title, the readouts and the insets stand.
+#include <algorithm>
+#include <cmath>
+
+#include "render/compose/layout_draft.h"
+
+namespace twrench::render {
+namespace {
+
+constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
+constexpr double strip_aspect = 4.75;      // of nine in a row
+constexpr double curve_aspect = 2.1;
+constexpr double most_stretch = 1.5;      // of a plot, where there is more room
+constexpr double most_insets = 0.65;      // of a long picture
+constexpr double column_width = 0.27;     // of the picture's width
+constexpr double block_height = 0.27;     // of the picture's height
+constexpr double most_strip = 0.28;       // of the height of the panes of a comparison
+constexpr int least_column = 150;         // px
+constexpr double words_width = 28;        // em of the readouts, of the text in a long picture
+constexpr double readouts_width = 12;     // em, of time and flips in a row
+constexpr double drift_width = 7;         // em
+constexpr double least_description = 12;  // em of the readouts
+constexpr double letter_width = 0.52;     // em of the title, on average
+
+int whole(double length) { return static_cast<int>(std::lround(length)); }
+
+/// Returns how many characters the UTF-8 text has.
+std::ptrdiff_t characters(const std::string& text) {
+  return std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });
+}
+
+bool is_square(Part part) { return part == momentum_part || part == poinsot_part; }
+
+}  // namespace
+
+bool LayoutDraft::shows_no_body() const {
+  return overlay_.view == scene::View::momentum || overlay_.view == scene::View::poinsot;
+}
+
+/// Returns those of the insets that are shown.
+std::vector<LayoutDraft::Inset> LayoutDraft::shown(std::span<const Inset> insets) const {
+  std::vector<Inset> result;
+  for (const Inset& inset : insets) {
+    if (parts_[inset.part]) result.push_back(inset);
+  }
+  return result;
+}
+
+void LayoutDraft::place_words_and_insets() {
+  const bool insets = parts_[poinsot_part] || parts_[momentum_part] || parts_[components_part] ||
+                      parts_[curve_part];
+  if (!single()) {
+    place_title(rest_);
+    place_strips();
+  } else if (is_long()) {
+    place_in_line();
+  } else if (!insets && !(shows_no_body() && explains())) {
+    place_words(rest_);
+  } else if (upright()) {
+    place_block();
+  } else {
+    place_column();
+  }
+}
+
+/// Two lines for a title that would otherwise be set smaller; its width is estimated.
+double LayoutDraft::title_height(int width) const {
+  const auto& [title, readout, caption] = layout_.text;
+  const std::string& text = scene_.title.empty() ? scene_.name : scene_.title;
+  const double corner = single() ? 0 : 6 * readout;
+  const double length = letter_width * title * static_cast<double>(characters(text));
+  const int lines = !overlay_.shows(scene::Feature::hud)          ? 0
+                    : length > width - corner && !layout_.compact ? 2
+                                                                  : 1;
+  const bool method = single() && overlay_.shows(scene::Feature::method);
+  return 1.2 * lines * title + (method ? 1.8 * caption : 0.0);
+}
+
+void LayoutDraft::place_title(image::Area& column) {
+  if (parts_[title_part]) layout_.title = cut_top(column, whole(title_height(column.width)), gap_);
+}
+
+/// One row or as many as the readouts need and as fit.
+int LayoutDraft::rows_of_readouts(const image::Area& column) const {
+  const double needed = readouts_width + (overlay_.shows(scene::Feature::drift) ? drift_width : 0);
+  const double wanted = std::ceil(needed * layout_.text.readout / column.width);
+  int rows = 1;
+  while (rows < wanted &&
+         readouts_height(layout_.text, layout_.compact, rows + 1) <= column.height) {
+    ++rows;
+  }
+  return rows;
+}
+
+void LayoutDraft::place_readouts(image::Area& column) {
+  if (!parts_[readouts_part]) return;
+  const double rows = readouts_height(layout_.text, layout_.compact, rows_of_readouts(column));
+  const double remark = explains() ? remark_height * layout_.text.readout : 0;
+  layout_.readouts = cut_bottom(column, whole(rows + remark), gap_);
+}
+
+void LayoutDraft::place_words(image::Area& column) {
+  place_title(column);
+  place_readouts(column);
+}
+
+/// Beside the body: the title, the insets or the description, the readouts.
+void LayoutDraft::place_column() {
+  const double width = std::min(column_width * picture_.width, 0.5 * picture_.height);
+  image::Area column = cut_right(
+      rest_, std::max(whole(width), std::min(least_column, picture_.width / 3)), 2 * gap_);
+  place_words(layout_.compact ? rest_ : column);
+  if (shows_no_body()) return place_description(column);
+  const Inset insets[]{{momentum_part, 1},
+                       {poinsot_part, 1},
+                       {components_part, 1 / components_aspect},
+                       {curve_part, 1 / curve_aspect}};
+  place_insets(column, true, shown(insets));
+}
+
+/// In an upright picture the title stands above the body, and below it the squares beside the plots
+/// and the readouts.
+void LayoutDraft::place_block() {
+  place_title(rest_);
+  if (shows_no_body()) {
+    place_readouts(rest_);
+    return place_description(rest_);
+  }
+  if (layout_.compact) place_readouts(rest_);
+  const Inset views[]{{momentum_part, 1}, {poinsot_part, 1}};
+  const Inset plots[]{{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}};
+  const std::vector<Inset> squares = shown(views), curves = shown(plots);
+  const auto count = static_cast<int>(squares.size());
+  const double share = count == 0                          ? 0
+                       : curves.empty() && layout_.compact ? 1
+                       : count == 1                        ? 0.44
+                                                           : 0.6;
+  const int width = whole(share * rest_.width);
+  int height = whole(block_height * picture_.height);
+  if (count > 0) height = std::min(height, (width + gap_) / count - gap_ + heading_height());
+  image::Area block = cut_bottom(rest_, height, 2 * gap_);
+  if (count > 0) {
+    const int needed = std::min(width, count * (height - heading_height() + gap_) - gap_);
+    place_insets(cut_left(block, needed, 2 * gap_), false, squares);
+  }
+  if (!layout_.compact) place_readouts(block);
+  place_insets(block, true, curves);
+}
+
+/// In a long picture: title and readouts at its left end, or at both of an upright one, and the
+/// insets at the other.
+void LayoutDraft::place_in_line() {
+  const int breadth = upright() ? rest_.width : rest_.height;
+  const bool strip = !upright() && breadth < least_square;
+  const double curve = upright() ? 1 / components_aspect : curve_aspect;
+  const double components = strip       ? strip_aspect
+                            : upright() ? 1 / components_aspect
+                                        : components_aspect;
+  const Inset all[]{
+      {momentum_part, 1}, {poinsot_part, 1}, {components_part, components}, {curve_part, curve}};
+  const std::vector<Inset> insets = shown(all);
+  if (upright()) {
+    place_words(rest_);
+  } else if (parts_[title_part] || parts_[readouts_part]) {
+    const double width = std::min(words_width * layout_.text.readout, rest_.width / 3.0);
+    image::Area column = cut_left(rest_, whole(width), 2 * gap_);
+    place_words(column);
+  }
+  if (insets.empty()) return;
+  double line = gap_ * (static_cast<double>(insets.size()) - 1);
+  for (const Inset& inset : insets) line += inset.length * breadth;
+  line = std::min(line, most_insets * (upright() ? rest_.height : rest_.width));
+  place_insets(upright() ? cut_bottom(rest_, whole(line), 2 * gap_)
+                         : cut_right(rest_, whole(line), 2 * gap_),
+               upright(), insets);
+}
+
+/// Places the plots below the panes of a comparison, in the picture's full width.
+void LayoutDraft::place_strips() {
+  const bool portrait = picture_.height > picture_.width;
+  const double most = most_strip * rest_.height;
+  const auto strip = [&](double aspect) {
+    return cut_bottom(rest_, whole(std::min(rest_.width / aspect, most)), gap_);
+  };
+  if (parts_[curve_part]) layout_.curve = strip(portrait ? 2.6 : 7.5);
+  if (parts_[components_part]) layout_.components = strip(portrait ? 1.6 : 5);
+}
+
+void LayoutDraft::place_description(image::Area& column) {
+  const double size = layout_.text.readout;
+  const double wanted = 8 * 1.35 * size * (upright() ? 0.6 : 1);
+  const int height = std::min(whole(wanted), column.height);
+  if (!explains() || column.width < least_description * size || height < 3 * size) return;
+  layout_.description = cut_top(column, height, gap_);
+}
+
+/// Places the insets in a line, smaller where it is too short; plots take more where it is longer,
+/// and the gaps the rest.
+void LayoutDraft::place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets) {
+  if (insets.empty()) return;
+  const int breadth = vertical ? area.width : area.height;
+  const int length = vertical ? area.height : area.width;
+  const int between = static_cast<int>(insets.size()) - 1;
+  double wanted = 0;
+  for (const Inset& inset : insets) wanted += inset.length * breadth;
+  const double scale = wanted > 0 ? (length - between * gap_) / wanted : 0;
+  std::vector<int> lengths;
+  int rest = length;
+  for (const auto& [part, share] : insets) {
+    const double stretch = std::min(scale, is_square(part) ? 1 : most_stretch);
+    lengths.push_back(static_cast<int>(stretch * share * breadth));
+    rest -= lengths.back();
+  }
+  const int gap = between > 0 ? rest / between : 0;
+  for (std::size_t i = 0; i < insets.size(); ++i) {
+    place_inset(insets[i].part,
+                vertical ? cut_top(area, lengths[i], gap) : cut_left(area, lengths[i], gap));
+  }
+}
+
+void LayoutDraft::place_inset(Part part, image::Area cell) {
+  if (part == components_part) {
+    layout_.components = cell;
+  } else if (part == curve_part) {
+    layout_.curve = cell;
+  } else {
+    const auto heading = cut_heading(cell);
+    const image::Area square = centred_square(cell);
+    (part == momentum_part ? layout_.momentum : layout_.poinsot) =
+        Layout::Pane{square, square, true, heading};
+  }
+}
+
+}  // namespace twrench::render
