@@ -84,8 +84,9 @@ Values texts() {
 }
 
 Values scenes() {
-  return {values({"dzhanibekov", "stable-y", "stable-z", "sphere", "sound.toml", "moments.toml",
-                  "with a space.toml", "caf\xc3\xa9.toml", "link.toml", "./sound.toml"}),
+  return {values({"dzhanibekov", "stable-y", "stable-z", "sphere", "tao-disk", "sound.toml",
+                  "moments.toml", "with a space.toml", "caf\xc3\xa9.toml", "link.toml",
+                  "./sound.toml"}),
           joined({values({"empty.toml",
                           "syntax.toml",
                           "wrong_type.toml",
@@ -274,6 +275,7 @@ const std::map<std::string, Values>& known() {
       {"distance", numbers({"1", "2"}, {"0.2", "20", "21"})},
       {"orbit", numbers({"0", "0.1"}, {"1e3", "-1e3"})},
       {"field-of-view", numbers({"0.5", "1"}, {"0.05", "2.5", "2.6"})},
+      {"frame", words({"space", "body", "rotating"})},
       {"render/output", outputs({".mp4", ".mkv", ".webm", ".mov", ".MP4", ".gif"})},
       {"encode/output", outputs({".mp4", ".webm"})},
       {"simulate/output", outputs({".csv", ".json"})},

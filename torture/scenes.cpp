@@ -172,13 +172,15 @@ scene::CameraPath random_camera(Dice& dice) {
   if (dice.chance(0.3)) camera.distance = dice.spread(0.2, 20);
   if (dice.chance(0.3)) camera.orbit = dice.uniform(-3, 3);
   if (dice.chance(0.3)) camera.field_of_view = dice.uniform(0.05, 2.5);
+  camera.frame =
+      dice.pick(std::array{scene::Frame::space, scene::Frame::body, scene::Frame::rotating});
   return camera;
 }
 
 scene::Overlay random_overlay(Dice& dice, const scene::Motion& motion) {
   using enum scene::Feature;
-  constexpr std::array all{floor,  axes, momentum,   omega,  trail,  plane,
-                           labels, hud,  components, sphere, poinsot};
+  constexpr std::array all{floor, axes,       momentum, omega,   trail,  plane, labels,
+                           hud,   components, sphere,   poinsot, forces, tilt,  moments};
   scene::Overlay overlay;
   overlay.view =
       dice.pick(std::array{scene::View::wrench, scene::View::wrench, scene::View::momentum,

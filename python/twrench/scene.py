@@ -50,12 +50,16 @@ def _as_json(key: str, value: Any) -> str:
 
 
 class _Value(Generic[T]):
-    """A value of a scene, an attribute of :class:`Scene` with the name of its key."""
+    """A value of a scene, an attribute of :class:`Scene` with the name of its key or, where that is
+    the name of a method, another."""
+
+    def __init__(self, key: str = "") -> None:
+        self.key = key
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.key = name
-        field = next(field for field in _native.fields() if field.key == name)
-        self.__doc__ = f"{field.help}. ``{name}`` in ``[{field.table}]`` of a scene file."
+        self.key = self.key or name
+        field = next(field for field in _native.fields() if field.key == self.key)
+        self.__doc__ = f"{field.help}. ``{self.key}`` in ``[{field.table}]`` of a scene file."
 
     @overload
     def __get__(self, scene: None, owner: type) -> _Value[T]: ...
@@ -83,8 +87,8 @@ class Scene:
     :raises SceneError: for a mistake, which it names with file, line and key.
     :raises FileError: where the file cannot be read.
 
-    Every key of a scene file is an attribute that can be set. A value that is not allowed is refused
-    and changes nothing.
+    Every key of a scene file is an attribute that can be set; ``frame`` of the camera is
+    ``camera_frame``. A value that is not allowed is refused and changes nothing.
 
     >>> scene = Scene("dzhanibekov", size=(640, 360), method="exact")
     >>> scene.frame(100).shape
@@ -112,6 +116,7 @@ class Scene:
     distance = _Value[float]()
     orbit = _Value[float]()
     field_of_view = _Value[float]()
+    camera_frame = _Value[str]("frame")
     view = _Value[str]()
     show = _Value[tuple[str, ...]]()
     compare = _Value[tuple[str, ...]]()

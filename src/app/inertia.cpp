@@ -10,6 +10,7 @@
 #include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
+#include "scene/prediction.h"
 
 namespace twrench::app {
 namespace {
@@ -30,6 +31,15 @@ std::string matrix(const Eigen::Matrix3d& m) {
   return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
 }
 
+/// A line for each principal axis, that of the least moment first.
+std::string predictions(const body::MassProperties& body) {
+  std::string lines;
+  for (int axis = 0; axis < 3; ++axis) {
+    lines += "  " + scene::prediction({body.moments, body.axes}, axis, 1) + "\n";
+  }
+  return lines;
+}
+
 std::string text(const scene::Scene& scene, const body::MassProperties& body) {
   const std::string mass =
       std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
@@ -39,15 +49,34 @@ std::string text(const scene::Scene& scene, const body::MassProperties& body) {
       "centre of mass, cm\n  {}"
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
-      "principal axes as columns, in body axes\n{}",
+      "principal axes as columns, in body axes\n{}"
+      "a small tilt of its steady rotation\n{}",
       escape(scene.name), mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
-      matrix(body.axes));
+      matrix(body.axes), predictions(body));
 }
 
 nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
   return {numbers(m.row(0)), numbers(m.row(1)), numbers(m.row(2))};
+}
+
+/// Of a steady rotation at 1 rad/s about each principal axis, that of the least moment first.
+nlohmann::ordered_json stability_json(const body::MassProperties& body) {
+  auto list = nlohmann::ordered_json::array();
+  for (int axis = 0; axis < 3; ++axis) {
+    const motion::Stability stability = motion::stability(body.moments, axis, 1);
+    nlohmann::ordered_json entry{{"axis", scene::axis_name(body.axes, axis)},
+                                 {"kind", scene::name_of(stability.kind)},
+                                 {"rate", stability.rate}};
+    if (stability.kind == motion::Stability::Kind::unstable) {
+      entry["doubling_time"] = stability.doubling_time();
+    } else if (stability.kind == motion::Stability::Kind::stable) {
+      entry["period"] = stability.period();
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
 }
 
 std::string json(const scene::Scene& scene, const body::MassProperties& body) {
@@ -57,6 +86,7 @@ std::string json(const scene::Scene& scene, const body::MassProperties& body) {
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
   document["principal_axes"] = rows(body.axes);
+  document["stability"] = stability_json(body);
   return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

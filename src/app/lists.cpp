@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "scene/prediction.h"
 #include "scene/scene.h"
 
 namespace twrench::app {
@@ -23,13 +24,25 @@ void add_methods(CLI::App& app) {
   });
 }
 
+namespace {
+
+/// The title of a scene and what a small tilt of its body does.
+std::string summary(const scene::Scene& scene) {
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const motion::Tilt tilt(body);
+  return fmt::format("{}; {}", scene.title,
+                     scene::prediction(body.principal(), tilt.axis(), tilt.steady_rate()));
+}
+
+}  // namespace
+
 void add_scenes(CLI::App& app) {
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
   command->footer("Example: twrench scenes");
   command->callback([] {
     std::string text;
     for (const std::string& name : scene::builtin_scene_names()) {
-      text += fmt::format("{:<12} {}\n", name, scene::load_scene(name).title);
+      text += fmt::format("{:<12} {}\n", name, summary(scene::load_scene(name)));
     }
     write_output("-", text);
   });

@@ -124,4 +124,18 @@ Part equimomental_box(const Vector3d& moments) {
   return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};
 }
 
+std::array<PointMass, 6> equimomental_points(const Part& part) {
+  const double mass = part.density * volume(part.shape);
+  const Vector3d J = central_moments(part.shape, mass);
+  std::array<PointMass, 6> points{};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    // The mean square of coordinate i, to which the pair contributes a third of its own.
+    const double mean_square = (J.sum() - 2 * J[i]) / (2 * mass);
+    const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * part.body_from_part.col(i);
+    points[static_cast<std::size_t>(2 * i)] = {mass / 6, part.position + arm};
+    points[static_cast<std::size_t>(2 * i + 1)] = {mass / 6, part.position - arm};
+  }
+  return points;
+}
+
 }  // namespace twrench::body

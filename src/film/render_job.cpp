@@ -34,7 +34,7 @@ std::vector<video::FrameRecord> frame_records(const timeline::Timeline& timeline
   std::vector<video::FrameRecord> frames(timeline.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const timeline::FrameState state = timeline.frame_state(i);
-    const render::Camera camera = renderer.camera(state.video_time);
+    const render::Camera camera = renderer.camera(state);
     frames[i].frame = state.frame;
     frames[i].t = state.solutions.front().sample.t;
     frames[i].X = row_major<9>(state.solutions.front().sample.X);

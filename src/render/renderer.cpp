@@ -14,7 +14,10 @@
 #include "render/compose/layout.h"
 #include "render/hud/component_panel.h"
 #include "render/hud/curve_panel.h"
+#include "render/hud/force_legend.h"
 #include "render/hud/hud.h"
+#include "render/hud/moments_panel.h"
+#include "render/hud/tilt_panel.h"
 #include "render/look/background.h"
 #include "render/look/theme.h"
 #include "render/views/body_view.h"
@@ -108,6 +111,20 @@ Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
     elements.push_back(std::make_unique<CurvePanel>(scene, solutions, layout, typeface, colors));
     taken.push_back(*layout.curve);
   }
+  if (layout.tilt) {
+    elements.push_back(std::make_unique<TiltPanel>(scene, solutions, layout, typeface, colors));
+    taken.push_back(*layout.tilt);
+  }
+  if (layout.moments) {
+    elements.push_back(std::make_unique<MomentsPanel>(scene, solutions, layout, typeface, colors));
+    taken.push_back(*layout.moments);
+  }
+  if (layout.forces) {
+    elements.push_back(std::make_unique<ForceLegend>(
+        scene, layout,
+        TextStyle{typeface, colors, layout.text, layout.compact, halo_for(scene.look)}));
+    taken.push_back(*layout.forces);
+  }
   auto hud = std::make_unique<Hud>(scene, solutions, layout, typeface, colors);
   std::ranges::copy(hud->extents(), std::back_inserter(taken));
   elements.push_back(std::move(hud));
@@ -154,6 +171,8 @@ const image::Image& Renderer::static_background() const {
 }
 std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
 std::string Renderer::typeface_digest() const { return canvas::typeface_digest(parts_->typeface); }
-Camera Renderer::camera(double video_time) const { return parts_->first->camera(video_time); }
+Camera Renderer::camera(const timeline::FrameState& state) const {
+  return parts_->first->camera_in_space(state);
+}
 
 }  // namespace twrench::render

@@ -56,9 +56,9 @@ class Renderer {
   /// Returns a digest of the font files' bytes; frames depend on it too.
   std::string typeface_digest() const;
 
-  /// Returns the camera of the first view, which shows the body if any does, `video_time` seconds
-  /// into the video.
-  Camera camera(double video_time) const;
+  /// Returns the camera of the first view, which shows the body if any does, for coordinates in
+  /// space.
+  Camera camera(const timeline::FrameState& state) const;
 
  private:
   struct Parts;

@@ -200,6 +200,9 @@ const std::vector<Field>& fields() {
       complete<number>(
           {"camera", "field_of_view", "A", "field of view along the shorter side, rad"},
           within(limits::angle_of_view), [](auto& s) -> auto& { return s.camera.field_of_view; }),
+      choice(
+          {"camera", "frame", "NAME", "frame in which the camera stands and forces are shown"},
+          frame_names(), frame_of, [](auto& s) -> auto& { return s.camera.frame; }),
 
       choice(
           {"overlay", "view", "NAME", "view"}, view_names(), view_of,

@@ -37,8 +37,14 @@ const std::vector<std::string>& view_names() {
 
 const std::vector<std::string>& feature_names() {
   static const std::vector<std::string> names{
-      "floor", "axes",       "momentum", "omega",   "trail", "plane",  "labels",
-      "hud",   "components", "sphere",   "poinsot", "curve", "method", "drift"};
+      "floor",  "axes",  "momentum",   "omega",  "trail",   "plane",
+      "labels", "hud",   "components", "sphere", "poinsot", "curve",
+      "method", "drift", "forces",     "tilt",   "moments"};
+  return names;
+}
+
+const std::vector<std::string>& frame_names() {
+  static const std::vector<std::string> names{"space", "body", "rotating"};
   return names;
 }
 
@@ -54,9 +60,14 @@ Feature feature_of(const std::string& name, const std::string& what) {
   return find<Feature>(feature_names(), name, what);
 }
 
+Frame frame_of(const std::string& name, const std::string& what) {
+  return find<Frame>(frame_names(), name, what);
+}
+
 std::string name_of(Theme theme) { return name_in(theme_names(), theme); }
 std::string name_of(View view) { return name_in(view_names(), view); }
 std::string name_of(Feature feature) { return name_in(feature_names(), feature); }
+std::string name_of(Frame frame) { return name_in(frame_names(), frame); }
 
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what) {
   for (const std::string& name : names) motion::find_method(name, what);

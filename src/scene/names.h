@@ -13,16 +13,19 @@ namespace twrench::scene {
 Theme theme_of(const std::string& name, const std::string& what);
 View view_of(const std::string& name, const std::string& what);
 Feature feature_of(const std::string& name, const std::string& what);
+Frame frame_of(const std::string& name, const std::string& what);
 
 // The names, in the order of the enumerations.
 
 const std::vector<std::string>& theme_names();
 const std::vector<std::string>& view_names();
 const std::vector<std::string>& feature_names();
+const std::vector<std::string>& frame_names();
 
 std::string name_of(Theme theme);
 std::string name_of(View view);
 std::string name_of(Feature feature);
+std::string name_of(Frame frame);
 
 /// Returns the names if all are methods and not too many to be shown side by side.
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what);

@@ -72,6 +72,13 @@ struct Look {
   std::optional<double> roughness;
 };
 
+/// The frame of reference in which the camera stands, which coincides with space at t = 0.
+enum class Frame {
+  space,     ///< An inertial frame.
+  body,      ///< Fixed in the body, which is at rest in it.
+  rotating,  ///< Turns about L as the body would in a steady rotation: see motion::steady_frame.
+};
+
 /// A camera that looks at the centre of mass.
 struct CameraPath {
   /// Azimuth from the space z axis towards x, in rad.
@@ -84,6 +91,8 @@ struct CameraPath {
   double orbit = 0.0;
   /// Field of view along the shorter side of the picture, in rad.
   double field_of_view = 0.55;
+  /// The frame in which the camera stands and forces are shown.
+  Frame frame = Frame::space;
 };
 
 /// What can be shown besides the body.
@@ -102,6 +111,9 @@ enum class Feature {
   curve,       ///< One component of X, x11, large: which way the leg points.
   method,      ///< The method, below the title.
   drift,       ///< The energy drift, beside the time.
+  forces,      ///< The forces on the parts in the camera's frame, as arrows.
+  tilt,        ///< The tilt against L on a log scale, in place of the components.
+  moments,     ///< The principal moments as bars.
 };
 
 /// What the picture shows: the body, the momentum sphere, Poinsot's construction, or all of them

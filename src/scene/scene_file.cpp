@@ -117,7 +117,7 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 std::vector<std::string> builtin_scene_names() {
-  return {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere"};
+  return {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk"};
 }
 
 Scene load_scene(const std::string& name_or_path) {

@@ -144,7 +144,7 @@ FrameState Timeline::frame_state(std::size_t index) const {
     if (scene_.overlay.shows(scene::Feature::trail)) instant.trail = trail(record, index);
     const auto count = static_cast<std::size_t>(scene_.look.motion_blur);
     for (std::size_t k = 0; count > 1 && k < count; ++k) {
-      instant.blur.push_back(record.blur[index * count + k].X);
+      instant.blur.push_back(record.blur[index * count + k]);
     }
     state.solutions.push_back(std::move(instant));
   }

@@ -42,8 +42,8 @@ struct SolutionState {
   std::optional<double> next_flip;
   /// Samples of the last trail_length seconds, oldest first, ending with `sample`.
   std::vector<motion::Sample> trail;
-  /// Poses while the shutter is open, which is half the frame interval.
-  std::vector<Eigen::Matrix3d> blur;
+  /// Samples while the shutter is open, which is half the frame interval.
+  std::vector<motion::Sample> blur;
 
   /// Returns how long before this state a sample of the trail lies, in units of the trail's length
   /// in s: from 0 to 1.

@@ -157,5 +157,31 @@ TEST(EquimomentalBox, OfAnImpossibleBodyIsAThinPlate) {
   EXPECT_LT(size.z(), 0.01 * size.x());
 }
 
+TEST(EquimomentalPoints, HaveThePartsMassCentreAndInertia) {
+  for (const Part& part : three_parts()) {
+    const MassProperties expected = mass_properties({&part, 1});
+    double mass = 0;
+    Vector3d centre = Vector3d::Zero();
+    Matrix3d inertia = Matrix3d::Zero();
+    for (const auto& [m, r] : equimomental_points(part)) {
+      const Vector3d d = r - expected.centre_of_mass;
+      mass += m;
+      centre += m / expected.mass * r;
+      inertia += m * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    }
+    EXPECT_NEAR(mass, expected.mass, 1e-14 * expected.mass);
+    EXPECT_LE((centre - expected.centre_of_mass).norm(), 1e-14);
+    EXPECT_LE((inertia - expected.inertia).norm(), 1e-14 * expected.inertia.norm());
+  }
+}
+
+TEST(EquimomentalPoints, OfACylinderHoldTheCentresOfItsEnds) {
+  const Part part = three_parts()[0];
+  const auto points = equimomental_points(part);
+  const Vector3d half = 2.5 * part.body_from_part.col(2);
+  EXPECT_LE((points[4].position - (part.position + half)).norm(), 1e-14);
+  EXPECT_LE((points[5].position - (part.position - half)).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace twrench::body

@@ -27,9 +27,17 @@ TEST(Lists, ScenesOneALine) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "scenes");
   EXPECT_EQ(run.code, 0);
-  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere"}) {
+  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk"}) {
     EXPECT_THAT(run.out, HasSubstr(name));
   }
+}
+
+TEST(Lists, ScenesSayWhatATiltDoes) {
+  const ScratchFolder folder;
+  const std::string scenes = run_twrench(folder, "scenes").out;
+  EXPECT_THAT(scenes, HasSubstr("The Dzhanibekov effect; unstable about x, doubles every 1.88 s"));
+  EXPECT_THAT(scenes, ContainsRegex("stable-z [^\n]*; stable about z, wobbles every 7.4. s"));
+  EXPECT_THAT(scenes, ContainsRegex("sphere [^\n]*; neutral about x\n"));
 }
 
 TEST(Lists, VersionAndHelp) {
@@ -76,6 +84,21 @@ TEST(Inertia, OfTheWrenchAsJson) {
   EXPECT_NEAR(body["inertia"][1][1], 722.6710300807721, 1e-9);
   EXPECT_NEAR(body["inertia"][2][2], 1578.650308428871, 1e-9);
   EXPECT_EQ(body["inertia"][0][1], 0.0);
+}
+
+TEST(Inertia, PredictsWhatATiltDoes) {
+  const ScratchFolder folder;
+  EXPECT_THAT(run_twrench(folder, "inertia").out,
+              HasSubstr("\n  unstable about x, doubles every 1.88 s at 1 rad/s\n"));
+  const json stability = json::parse(run_twrench(folder, "inertia --format json").out)["stability"];
+  ASSERT_EQ(stability.size(), 3U);
+  EXPECT_EQ(stability[1]["axis"], "x");
+  EXPECT_EQ(stability[1]["kind"], "unstable");
+  EXPECT_NEAR(stability[1]["rate"], 0.36838374, 1e-8);
+  EXPECT_NEAR(stability[1]["doubling_time"], 1.88159, 1e-5);
+  EXPECT_EQ(stability[0]["kind"], "stable");
+  EXPECT_NEAR(stability[0]["period"], 16.6, 0.05);
+  EXPECT_FALSE(stability[0].contains("doubling_time"));
 }
 
 TEST(Inertia, OfMomentsAlone) {

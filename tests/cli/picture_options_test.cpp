@@ -22,12 +22,14 @@ json scene_drawn_with(const std::string& options) {
 
 TEST(PictureOptions, OfTheCamera) {
   const json scene = scene_drawn_with(
-      "--azimuth 0.5 --elevation 0.25 --distance 1.5 --orbit 0.125 --field-of-view 0.75");
+      "--azimuth 0.5 --elevation 0.25 --distance 1.5 --orbit 0.125 --field-of-view 0.75 "
+      "--frame rotating");
   EXPECT_EQ(scene["camera"], json({{"azimuth", 0.5},
                                    {"elevation", 0.25},
                                    {"distance", 1.5},
                                    {"orbit", 0.125},
-                                   {"field_of_view", 0.75}}));
+                                   {"field_of_view", 0.75},
+                                   {"frame", "rotating"}}));
 }
 
 TEST(PictureOptions, OfTheLook) {

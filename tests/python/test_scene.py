@@ -27,6 +27,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
     from twrench import _native
 
     keys = {field.key for field in _native.fields()}
+    keys = keys - {"frame"} | {"camera_frame"}
     assert keys == {key for key, value in vars(Scene).items() if type(value).__name__ == "_Value"}
     other = {
         "title": "Another", "omega": (2.0, 0.1, 0.0), "method": "rkmk4", "step": 0.02,
@@ -34,6 +35,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "theme": "paper", "samples": 4, "motion_blur": 2, "background": "#102030",
         "color": "#ff8800", "metallic": 0.25, "roughness": 0.5, "azimuth": 0.5, "elevation": 0.1,
         "distance": 1.5, "orbit": 0.1, "field_of_view": 0.7, "view": "quad",
+        "camera_frame": "body",
         "show": ("floor", "axes"), "compare": ("rk4", "exact"), "trail_point": (1.0, 2.0, 3.0),
         "trail_length": 5.0, "font": "mono",
     }  # fmt: skip

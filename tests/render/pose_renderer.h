@@ -23,14 +23,14 @@ class PoseRenderer {
   /// With motion blur, as if it moved on from X as it does from its first pose.
   image::Image draw(const Eigen::Matrix3d& X) {
     timeline::FrameState state = timeline_.frame_state(0);
-    for (Eigen::Matrix3d& pose : state.solutions[0].blur) {
-      pose = pose * state.solutions[0].sample.X.transpose() * X;
+    for (motion::Sample& sample : state.solutions[0].blur) {
+      sample.X = sample.X * state.solutions[0].sample.X.transpose() * X;
     }
     state.solutions[0].sample.X = X;
     return renderer_.draw(state).image;
   }
 
-  Camera camera() const { return renderer_.camera(0); }
+  Camera camera() const { return renderer_.camera(timeline_.frame_state(0)); }
 
  private:
   timeline::Timeline timeline_;

@@ -252,5 +252,55 @@ TEST_F(SpaceViews, ShowEachTakeItsOwn) {
   EXPECT_GT((one.labels(state).at(0).anchor - other.labels(state).at(0).anchor).norm(), 2);
 }
 
+TEST_F(SpaceViews, HaveTheBodyAtRestInItsOwnFrame) {
+  scene::Scene scene = with({scene::Feature::trail});
+  scene.camera.frame = scene::Frame::body;
+  scene.look.motion_blur = 3;
+  const timeline::Timeline timeline(scene, {0, 100, 333});
+  BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  const Vector3d point(1, -2, 0.5);
+  const image::Image first = drawn_picture(view, timeline.frame_state(0));
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    const timeline::FrameState state = timeline.frame_state(i);
+    const Camera camera = view.camera_in_space(state);
+    const Vector3d place = state.solutions[0].sample.X * point;
+    EXPECT_LT(
+        (pixel_of(camera, pane.area, place) - pixel_of(view.camera(0), pane.area, point)).norm(),
+        1e-9);
+    const image::Image picture = drawn_picture(view, state);
+    int apart = 0;
+    for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+      apart = std::max(apart, std::abs(int{picture.pixels[k]} - int{first.pixels[k]}));
+    }
+    EXPECT_LE(apart, 12) << i;  // of edges, by round-off
+  }
+}
+
+TEST_F(SpaceViews, HaveASteadyRotationAtRestInTheRotatingFrame) {
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels});
+  scene.motion.omega = {1, 0, 0};
+  scene.camera.frame = scene::Frame::rotating;
+  const timeline::Timeline timeline(scene, {0, 77});
+  const BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  const timeline::FrameState state = timeline.frame_state(1);
+  const Vector3d point(1, -2, 0.5);
+  const Vector2d pixel =
+      pixel_of(view.camera_in_space(state), pane.area, state.solutions[0].sample.X * point);
+  EXPECT_LT((pixel - pixel_of(view.camera(0), pane.area, point)).norm(), 1e-6);
+  const auto start = view.labels(timeline.frame_state(0)), later = view.labels(state);
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_LT((start[0].anchor - later[0].anchor).norm(), 1e-6) << "L is the frame's axis";
+}
+
+TEST_F(SpaceViews, KeepTheArrowsInViewInATurningFrame) {
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels});
+  scene.camera.frame = scene::Frame::body;
+  const timeline::Timeline timeline(scene, {0, 60, 118, 180, 236, 300, 700});
+  const BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    EXPECT_EQ(view.labels(timeline.frame_state(i)).size(), 1U) << i;
+  }
+}
+
 }  // namespace
 }  // namespace twrench::render

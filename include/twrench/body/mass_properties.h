@@ -3,6 +3,7 @@
 #include <twrench/body/shape.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 
 namespace twrench::body {
@@ -46,5 +47,17 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 /// (the triangle inequality fails) give a box with that edge nearly zero. Throws OutOfRange about a
 /// moment that is not positive.
 Part equimomental_box(const Eigen::Vector3d& moments);
+
+/// A mass at a point.
+struct PointMass {
+  double mass;               ///< Mass in g.
+  Eigen::Vector3d position;  ///< Position in cm.
+};
+
+/// Returns six point masses with the mass, the centre of mass and the inertia of a part, so that
+/// forces that are linear in the position have the same sum and the same torque on them as on the
+/// part. They lie in pairs on the part's own x, y and z axes, each with a sixth of the mass: for a
+/// cylinder's z axis at the centres of its ends, for a box at the centres of its faces.
+std::array<PointMass, 6> equimomental_points(const Part& part);
 
 }  // namespace twrench::body

@@ -28,8 +28,14 @@ class Element {
 /// An element that shows objects in space.
 class SpaceView : public Element {
  public:
-  /// Returns the camera at `video_time` seconds of video, since it may move.
+  /// Returns the camera at `video_time` seconds of video, since it may move, for coordinates in its
+  /// own frame.
   virtual Camera camera(double video_time) const = 0;
+
+  /// Returns the camera for coordinates in space.
+  virtual Camera camera_in_space(const timeline::FrameState& state) const {
+    return camera(state.video_time);
+  }
 };
 
 }  // namespace twrench::render

@@ -42,6 +42,14 @@ Layer layer_around(const image::Area& area, int margin, const image::Area& pictu
   return {image::Image(all.width, all.height, 4), all.x, all.y};
 }
 
+void copy_area(const Layer& from, Layer& to, const image::Area& area) {
+  const image::Area held = image::common(area, from.area());
+  for (int y = held.y; y < held.y + held.height; ++y) {
+    const auto start = static_cast<std::ptrdiff_t>(offset(from.image, held.x - from.x, y - from.y));
+    std::copy_n(from.image.pixels.begin() + start, 4 * held.width, to.image.pixels.begin() + start);
+  }
+}
+
 image::Area composite_over(image::Image& image, const Layer& layer) {
   const image::Area area = image::common(layer.area(), {0, 0, image.width, image.height});
   assert(area == layer.area() && "a layer leaves the picture");

@@ -18,6 +18,9 @@ struct Layer {
 /// Returns a transparent layer for the part of `picture` within `reach` px of `area`.
 Layer layer_around(const image::Area& area, int margin, const image::Area& picture);
 
+/// Copies the pixels in `area`, as far as it lies in both, between two layers at the same position.
+void copy_area(const Layer& from, Layer& to, const image::Area& area);
+
 /// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
 /// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
 image::Area composite_over(image::Image& image, const Layer& layer);

@@ -3,6 +3,7 @@
 #include <twrench/base/error.h>
 
 #include "render/compose/layout_draft.h"
+#include "render/compose/layout_forces.h"
 #include "scene/names.h"
 
 namespace twrench::render {
@@ -43,10 +44,10 @@ Layout compute_layout(const scene::Scene& scene) {
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {
-    if (auto layout = LayoutDraft(scene, parts).finish()) return *layout;
+    if (auto layout = LayoutDraft(scene, parts).finish()) return with_forces(*layout, scene);
     part = false;
   }
-  return *LayoutDraft(scene, parts).finish();
+  return with_forces(*LayoutDraft(scene, parts).finish(), scene);
 }
 
 }  // namespace twrench::render

@@ -50,6 +50,9 @@ struct Layout {
   std::optional<image::Area> description;
   /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
+  /// The legend of the forces, one row, and what takes the place of the components or, where none
+  /// are shown, a part of the body's pane: the tilt against time, and the principal moments.
+  std::optional<image::Area> forces, tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
 

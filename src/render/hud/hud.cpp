@@ -59,12 +59,6 @@ class Figures {
   std::size_t flips_ = 0;
 };
 
-/// Text is legible on the theme's own background; the halo is for what may come to lie behind it,
-/// and strong for a background that can be anything.
-double halo_for(const scene::Look& look) {
-  return look.transparent || look.background ? 0.75 : 0.3;
-}
-
 void require_characters(const canvas::Font& font, const std::string& title) {
   if (const auto missing = canvas::missing_character(font, title)) {
     throw canvas::MissingGlyph(
@@ -179,6 +173,10 @@ void Typesetter::add_heading(const Layout::Pane& pane, const std::string& text) 
 }
 
 }  // namespace
+
+double halo_for(const scene::Look& look) {
+  return look.transparent || look.background ? 0.75 : 0.3;
+}
 
 scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
   const std::array inks{colors.axis[0], colors.axis[2], colors.axis[1], colors.omega};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/hud/hud.h"
+#include "render/hud/panel.h"
 
 namespace twrench::render {
 namespace {
@@ -40,8 +41,8 @@ PlotPanel::PlotPanel(const scene::Scene& scene, const std::vector<timeline::Solu
       solutions_(solutions.size()),
       thickness_(thickness),
       future_(layer_around(area, 0, {0, 0, scene.film.width, scene.film.height})) {
-  const double radius = std::min(8 * thickness, 0.1 * std::min(area.width, area.height));
-  ground().panel(area, radius, {colors.panel, colors.panel_opacity});
+  canvas::Canvas canvas = ground();
+  draw_panel(canvas, area, 8 * thickness, colors);
 }
 
 void PlotPanel::mark_zeros() {

@@ -121,6 +121,12 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
   return wide;
 }
 
+Camera carried(const Camera& camera, const Eigen::Matrix3d& space_from_frame) {
+  Camera seen = camera;
+  seen.view.topLeftCorner<3, 3>() = camera.camera_from_space() * space_from_frame.transpose();
+  return seen;
+}
+
 Vector3d direction_of(double azimuth, double elevation) {
   return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
           std::cos(azimuth) * std::cos(elevation)};

@@ -8,26 +8,13 @@
 #include "render/body/gap_closing.h"
 #include "render/look/theme.h"
 #include "render/views/exposure.h"
+#include "timeline/reference_frame.h"
 
 namespace twrench::render {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
-
-/// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
-Framing framing_of(const scene::Scene& scene, const Layout::Pane& pane,
-                   const BodyOverlay& overlay) {
-  const double aspect = static_cast<double>(pane.focus.width) / pane.focus.height;
-  const Framing body{{0, 0, 1}, scene.camera.field_of_view, aspect, overlay.bounding_radius()};
-  const double orbit = scene.camera.orbit * scene.motion.duration / scene.film.speed;
-  const std::vector<Eigen::Vector3d> directions =
-      directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
-  Framing framing = fitted(body, directions, overlay.extent());
-  framing.distance *= scene.camera.distance;
-  framing.centre /= scene.camera.distance;
-  return framing;
-}
 
 /// An exposure of pictures some of which are in transfer.
 class PendingExposure {
@@ -62,6 +49,12 @@ class PendingExposure {
   std::deque<gl::Readback> on_their_way_;
 };
 
+std::optional<ForceArrows> forces_of(const scene::Scene& scene, const timeline::Solution& solution,
+                                     double radius) {
+  if (!scene.overlay.shows(scene::Feature::forces)) return std::nullopt;
+  return ForceArrows(scene, solution, radius);
+}
+
 /// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
 /// the middle of the picture.
 double tolerance(const Camera& camera, int height) {
@@ -82,30 +75,82 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
     : framebuffer_(framebuffer),
       band_height_(band_height(framebuffer)),
       solution_(solution),
+      motion_(solutions[solution].body),
+      frame_(scene.camera.frame),
       pane_(pane),
       radius_(bounding_radius(scene::visible_parts(scene.body))),
       overlay_(scene, solutions[solution], radius_),
+      forces_(forces_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
-      framing_(framing_of(scene, pane, overlay_)),
+      framing_(framing_of(scene, solutions[solution])),
       body_(gl, close_gaps(scene::visible_parts(scene.body)),
             tolerance(camera(0), pane.area.height), radius_, material(scene.look),
             style_of(scene.look.theme).studio),
       multisampled_(scene.look.samples > 1),
       draw_list_pass_(gl) {
-  const auto& floor = style_of(scene.look.theme).floor;
-  if (floor && scene.overlay.shows(scene::Feature::floor) && !scene.look.transparent &&
-      scene.camera.elevation >= 0) {
-    const image::Area picture{0, 0, framebuffer.width(), framebuffer.height()};
-    floor_.emplace(gl, framebuffer.read_mode(), *floor, pane.area, picture,
+  if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(gl, scene);
+}
+
+/// Adds the floor or, for a camera that goes along with a turning frame, the stars.
+void BodyView::add_surroundings(const gl::Functions& gl, const scene::Scene& scene) {
+  const ThemeStyle& style = style_of(scene.look.theme);
+  if (frame_ != scene::Frame::space) {
+    if (!scene.look.transparent) stars_.emplace(scene);
+  } else if (style.floor && !scene.look.transparent && scene.camera.elevation >= 0) {
+    const image::Area picture{0, 0, framebuffer_.width(), framebuffer_.height()};
+    floor_.emplace(gl, framebuffer_.read_mode(), *style.floor, pane_.area, picture,
                    scene::visible_parts(scene.body), radius_);
     floor_lit_ = !scene.look.background;
   }
+}
+
+/// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
+Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution& solution) const {
+  std::vector<Eigen::Vector3d> points;
+  constexpr std::size_t stride = 12;  // of the samples, which are finer than needed here
+  for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
+    const Matrix3d frame_from_space = frame_at(solution.whole[i]).attitude.transpose();
+    for (const Eigen::Vector3d& p : overlay_.extent()) points.emplace_back(frame_from_space * p);
+    if (frame_ == scene::Frame::space) break;  // there they are at rest
+  }
+  const double radius =
+      std::max(overlay_.bounding_radius(), forces_ ? forces_->bounding_radius() : 0);
+  const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
+  const double orbit = scene.camera.orbit * scene.motion.duration / scene.film.speed;
+  const std::vector<Eigen::Vector3d> directions =
+      directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
+  Framing framing =
+      fitted({{0, 0, 1}, scene.camera.field_of_view, aspect, radius}, directions, points);
+  framing.distance *= scene.camera.distance;
+  framing.centre /= scene.camera.distance;
+  return framing;
 }
 
 Camera BodyView::camera(double video_time) const {
   Framing framing = framing_;
   framing.direction = direction_of(path_.azimuth + path_.orbit * video_time, path_.elevation);
   return widened(frame_sphere(framing), pane_.focus, pane_.area);
+}
+
+motion::RotatingFrame BodyView::frame_at(const motion::Sample& sample) const {
+  return timeline::reference_frame(frame_, motion_, sample);
+}
+
+Camera BodyView::camera_in_space(const timeline::FrameState& state) const {
+  return carried(camera(state.video_time), frame_at(state.solutions[solution_].sample).attitude);
+}
+
+/// Returns the state with its earlier and blurred poses as they were in the frame, which has turned
+/// on since.
+timeline::SolutionState BodyView::relative(timeline::SolutionState instant) const {
+  if (frame_ == scene::Frame::space) return instant;
+  const Matrix3d now = frame_at(instant.sample).attitude;
+  const auto carry = [&](motion::Sample& sample) {
+    sample.X = now * frame_at(sample).attitude.transpose() * sample.X;
+  };
+  std::ranges::for_each(instant.trail, carry);
+  std::ranges::for_each(instant.blur, carry);
+  return instant;
 }
 
 std::vector<Layer> BodyView::static_layers() {
@@ -188,25 +233,29 @@ void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> pose
 }
 
 std::vector<PendingLayer> BodyView::draw(const timeline::FrameState& state) {
-  const timeline::SolutionState& instant = state.solutions[solution_];
+  const timeline::SolutionState instant = relative(state.solutions[solution_]);
   const Matrix3d& X = instant.sample.X;
-  const Camera now = camera(state.video_time);
+  const Camera now = camera_in_space(state);
   opaque_.begin(now, pane_.area);
   translucent_.begin(now, pane_.area);
+  if (stars_) stars_->draw(frame_at(instant.sample), now, pane_.area.height, translucent_);
   overlay_.draw(instant, opaque_, translucent_);
+  if (forces_) forces_->draw(instant, opaque_);
   std::vector<PendingLayer> layers;
   if (floor_) layers.push_back(floor_->draw(now, X, body_));
   if (instant.blur.empty()) {
     draw_sharp(now, X, layers);
   } else {
-    draw_blurred(now, instant.blur, layers);
+    std::vector<Matrix3d> poses;
+    for (const motion::Sample& sample : instant.blur) poses.push_back(sample.X);
+    draw_blurred(now, poses, layers);
   }
   return layers;
 }
 
 std::vector<Label> BodyView::labels(const timeline::FrameState& state) const {
   if (!pane_.named) return {};
-  return overlay_.labels(state.solutions[solution_], camera(state.video_time), pane_.area);
+  return overlay_.labels(state.solutions[solution_], camera_in_space(state), pane_.area);
 }
 
 }  // namespace twrench::render

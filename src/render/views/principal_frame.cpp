@@ -1,24 +1,22 @@
 #include "render/views/principal_frame.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "scene/prediction.h"
 
 namespace twrench::render {
 
 PrincipalFrame::PrincipalFrame(const motion::FreeBody& body, const OverlayColors& palette)
     : axes(body.principal().axes) {
   constexpr double along = 1 - 1e-9;
-  static constexpr std::array letters{"x", "y", "z"};
   const bool own = axes.cwiseAbs().colwise().maxCoeff().minCoeff() > along;
   for (std::size_t i = 0; i < 3; ++i) {
     auto axis = axes.col(static_cast<Eigen::Index>(i));
     Eigen::Index nearest = 0;
-    const double most = axis.cwiseAbs().maxCoeff(&nearest);
+    axis.cwiseAbs().maxCoeff(&nearest);
     if (axis[nearest] < 0) axis = -axis;
-    const auto letter = static_cast<std::size_t>(nearest);
-    colors[i] = palette.axis[own ? letter : i];
-    names[i] = most > along ? letters[letter] : fmt::format("I{}", i + 1);
+    colors[i] = palette.axis[own ? static_cast<std::size_t>(nearest) : i];
+    names[i] = scene::axis_name(axes, static_cast<int>(i));
   }
   direction = axes.transpose() * body.momentum().stableNormalized();
   if (!direction.isZero(0.0)) level = motion::level_through(body.principal().moments, direction);

@@ -40,8 +40,8 @@ std::string text(const image::Area& a) {
 
 std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = layout.legends;
-  for (const auto& area :
-       {layout.title, layout.readouts, layout.description, layout.components, layout.curve}) {
+  for (const auto& area : {layout.title, layout.readouts, layout.description, layout.components,
+                           layout.curve, layout.forces, layout.tilt, layout.moments}) {
     if (area) areas.push_back(*area);
   }
   for (const auto& pane : {layout.momentum, layout.poinsot}) {
@@ -70,9 +70,9 @@ std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
 /// For each size, with all optional items and with each selection of them.
 void for_each_layout(scene::View view, int compared,
                      const std::function<void(const scene::Scene&, const Layout&)>& check) {
-  constexpr scene::Feature features[]{scene::Feature::poinsot, scene::Feature::sphere,
+  constexpr scene::Feature features[]{scene::Feature::poinsot,    scene::Feature::sphere,
                                       scene::Feature::components, scene::Feature::curve,
-                                      scene::Feature::hud};
+                                      scene::Feature::hud,        scene::Feature::forces};
   scene::Scene scene = t_wrench();
   scene.overlay.view = view;
   scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
@@ -80,6 +80,9 @@ void for_each_layout(scene::View view, int compared,
     scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
     for (unsigned i = 0; i < 5; ++i) {
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
+    }
+    if (scene.overlay.shows(scene::Feature::forces)) {
+      scene.overlay.show.insert({scene::Feature::tilt, scene::Feature::moments});
     }
     for (const int width : sides) {
       for (const int height : sides) {
@@ -279,6 +282,35 @@ TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
     scene.overlay.view = view;
     EXPECT_THROW(compute_layout(scene), InvalidArgument);
   }
+}
+
+TEST(Layout, GivesTiltAndMomentsThePlaceOfTheComponents) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {640, 360}}) {
+    scene::Scene scene = t_wrench(width, height);
+    const Layout before = compute_layout(scene);
+    scene.overlay.show.insert(scene::Feature::tilt);
+    Layout layout = compute_layout(scene);
+    EXPECT_EQ(layout.tilt, before.components);
+    EXPECT_FALSE(layout.components || layout.moments);
+    EXPECT_EQ(layout.panes[0].focus, before.panes[0].focus);
+    scene.overlay.show.insert(scene::Feature::moments);
+    layout = compute_layout(scene);
+    EXPECT_TRUE(layout.tilt && layout.moments) << width;
+    EXPECT_TRUE(inside(*layout.tilt, *before.components) &&
+                inside(*layout.moments, *before.components));
+  }
+}
+
+TEST(Layout, GivesTheLegendOfTheForcesARowBelowTheBody) {
+  scene::Scene scene = t_wrench(1280, 720);
+  const Layout before = compute_layout(scene);
+  scene.overlay.show.insert(scene::Feature::forces);
+  const Layout layout = compute_layout(scene);
+  ASSERT_TRUE(layout.forces);
+  EXPECT_TRUE(inside(*layout.forces, before.panes[0].focus));
+  EXPECT_LT(layout.panes[0].focus.y + layout.panes[0].focus.height, layout.forces->y);
+  scene.overlay.compare = {"rk4", "exact"};
+  EXPECT_FALSE(compute_layout(scene).forces);
 }
 
 }  // namespace

@@ -139,5 +139,13 @@ TEST(Camera, IsDefinedStraightFromAboveAndBelow) {
   }
 }
 
+TEST(Camera, CarriedByAFrameSeesThePointsThatAreAtRestThere) {
+  const Camera fixed = frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 1.5});
+  const Eigen::Matrix3d F = Eigen::AngleAxisd(2, Vector3d(1, 2, -3).normalized()).matrix();
+  const Vector3d point(0.3, -0.5, 0.8);
+  EXPECT_LT((project(carried(fixed, F), F * point) - project(fixed, point)).norm(), 1e-14);
+  EXPECT_EQ(carried(fixed, F).distance, fixed.distance);
+}
+
 }  // namespace
 }  // namespace twrench::render

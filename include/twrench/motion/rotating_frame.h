@@ -1,0 +1,63 @@
+#pragma once
+
+#include <twrench/motion/free_body.h>
+
+#include <Eigen/Core>
+
+namespace twrench::motion {
+
+/// A frame of reference with its origin at the centre of mass, at one time. Vectors are along the
+/// frame's own axes.
+struct RotatingFrame {
+  /// Rotation space_from_frame: its columns are the frame's axes in space.
+  Eigen::Matrix3d attitude = Eigen::Matrix3d::Identity();
+  /// Angular velocity Omega of the frame in rad/s; 0 for an inertial frame.
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();
+  /// dOmega/dt in rad/s^2.
+  Eigen::Vector3d alpha = Eigen::Vector3d::Zero();
+};
+
+/// Returns the derivative of omega in rad/s^2 for an angular velocity in body axes, rad/s: Euler's
+/// equations, I omega' = I omega x omega.
+Eigen::Vector3d angular_acceleration(const FreeBody& body, const Eigen::Vector3d& omega);
+
+/// Returns the frame that is fixed in the body. Its axes are those of a rotation even if the
+/// sample, of a method that leaves SO(3), is none.
+RotatingFrame body_frame(const FreeBody& body, const Sample& sample);
+
+/// Returns the frame that turns steadily about L as the body would if it rotated about axis k, the
+/// principal axis nearest to L at t = 0: with Omega = L / I_k, and at t = 0 along the axes of
+/// space. A steady rotation is at rest in it, and a slow deviation from one is a slow motion. It is
+/// inertial for a body at rest. `t` is in s.
+RotatingFrame steady_frame(const FreeBody& body, double t);
+
+/// A point mass of the body as it moves in a frame, and the forces on it. Vectors are along the
+/// frame's axes; position and its derivatives in cm, cm/s and cm/s^2, forces in dyn = g cm/s^2.
+/// Newton's law holds in the frame: centrifugal + coriolis + euler + constraint = mass *
+/// acceleration.
+struct PointForces {
+  Eigen::Vector3d position;
+  Eigen::Vector3d velocity;
+  Eigen::Vector3d acceleration;
+  Eigen::Vector3d centrifugal;  ///< -m Omega x (Omega x r)
+  Eigen::Vector3d coriolis;     ///< -2 m Omega x v
+  Eigen::Vector3d euler;        ///< -m Omega' x r
+  Eigen::Vector3d constraint;   ///< What holds it: the force of the rest of the body.
+};
+
+/// The forces in a frame on the points of a body at one time.
+class FrameForces {
+ public:
+  FrameForces(const RotatingFrame& frame, const FreeBody& body, const Sample& sample);
+
+  /// Returns the forces on a mass in g at a position in body axes, cm. All are linear in both.
+  PointForces on(double mass, const Eigen::Vector3d& position) const;
+
+ private:
+  Eigen::Matrix3d frame_from_body_;
+  RotatingFrame frame_;
+  Eigen::Vector3d omega_;  ///< Of the body, along the frame's axes, in rad/s.
+  Eigen::Vector3d alpha_;  ///< Its derivative in space, along the frame's axes, in rad/s^2.
+};
+
+}  // namespace twrench::motion

@@ -1,0 +1,55 @@
+#include <twrench/math/so3.h>
+#include <twrench/motion/rotating_frame.h>
+#include <twrench/motion/stability.h>
+
+#include <Eigen/Geometry>
+
+namespace twrench::motion {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d angular_acceleration(const FreeBody& body, const Vector3d& omega) {
+  // In principal axes, where the difference of two moments is exact: where another is much smaller,
+  // that of I omega x omega would not be.
+  const auto& [I, axes] = body.principal();
+  const Vector3d w = axes.transpose() * omega;
+  return axes * Vector3d((I[1] - I[2]) / I[0] * w[1] * w[2], (I[2] - I[0]) / I[1] * w[2] * w[0],
+                         (I[0] - I[1]) / I[2] * w[0] * w[1]);
+}
+
+RotatingFrame body_frame(const FreeBody& body, const Sample& sample) {
+  return {Eigen::Quaterniond(sample.X).normalized().toRotationMatrix(), sample.omega,
+          angular_acceleration(body, sample.omega)};
+}
+
+RotatingFrame steady_frame(const FreeBody& body, double t) {
+  // The axis of the rotation is L both in space and in the frame.
+  const Vector3d omega = Tilt(body).steady_rate() * body.momentum().stableNormalized();
+  return {so3::exp(t * omega), omega, Vector3d::Zero()};
+}
+
+FrameForces::FrameForces(const RotatingFrame& frame, const FreeBody& body, const Sample& sample)
+    : frame_from_body_(frame.attitude.transpose() * sample.X),
+      frame_(frame),
+      omega_(frame_from_body_ * sample.omega),
+      alpha_(frame_from_body_ * angular_acceleration(body, sample.omega)) {}
+
+PointForces FrameForces::on(double mass, const Vector3d& position) const {
+  const auto& [attitude, Omega, Omega_dot] = frame_;
+  const Vector3d r = frame_from_body_ * position;
+  // The body turns in the frame with u, whose derivative there is u'.
+  const Vector3d u = omega_ - Omega;
+  const Vector3d u_dot = alpha_ - Omega.cross(omega_) - Omega_dot;
+  const Vector3d v = u.cross(r);
+  const Vector3d inertial_acceleration = alpha_.cross(r) + omega_.cross(omega_.cross(r));
+  return {r,
+          v,
+          u_dot.cross(r) + u.cross(v),
+          -mass * Omega.cross(Omega.cross(r)),
+          -2 * mass * Omega.cross(v),
+          -mass * Omega_dot.cross(r),
+          mass * inertial_acceleration};
+}
+
+}  // namespace twrench::motion

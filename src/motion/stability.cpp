@@ -1,0 +1,51 @@
+#include <twrench/motion/stability.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace twrench::motion {
+
+using Eigen::Vector3d;
+
+double Stability::doubling_time() const { return std::numbers::ln2 / rate; }
+double Stability::period() const { return 2 * std::numbers::pi / rate; }
+
+Stability stability(const Vector3d& moments, int axis, double omega) {
+  const double I = moments[axis], J = moments[(axis + 1) % 3], K = moments[(axis + 2) % 3];
+  const double square = (I - J) / J * ((I - K) / K);  // of a wobble's frequency over omega
+  const double rate = std::abs(omega) * std::sqrt(std::abs(square));
+  // Moments of parts are known to round-off: a difference of that size is none.
+  constexpr double same = 1e-12;
+  const bool single = std::abs(I - J) > same * (I + J) && std::abs(I - K) > same * (I + K);
+  if (!single || !(rate > 0)) return {};
+  return {square < 0 ? Stability::Kind::unstable : Stability::Kind::stable, rate};
+}
+
+Tilt::Tilt(const FreeBody& body)
+    : moments_(body.principal().moments),
+      momentum_from_omega_(body.principal().axes.transpose() * body.inertia()),
+      start_(momentum_from_omega_ * body.omega()) {
+  start_.cwiseAbs().maxCoeff(&axis_);
+  steady_rate_ = start_.stableNorm() / moments_[axis_];
+}
+
+double Tilt::of(const Sample& sample) const {
+  const Vector3d m = momentum_from_omega_ * sample.omega;
+  const double across = std::hypot(m[(axis_ + 1) % 3], m[(axis_ + 2) % 3]);
+  return std::atan2(across, std::abs(m[axis_]));
+}
+
+std::optional<Tilt::Growth> Tilt::growth() const {
+  const auto [kind, rate] = stability(moments_, axis_, steady_rate_);
+  if (kind != Stability::Kind::unstable) return std::nullopt;
+  const int i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
+  // m_i' = a m_j and m_j' = b m_i, with a b = rate^2: the part of (m_i, m_j) that grows is along
+  // (a, rate).
+  const double spin = std::copysign(start_.stableNorm(), start_[axis_]);
+  const double a = spin * (1 / moments_[axis_] - 1 / moments_[j]);
+  const double grown_i = (start_[i] + a / rate * start_[j]) / 2;
+  const double grown_j = rate / a * grown_i;
+  return Growth{std::hypot(grown_i, grown_j) / start_.stableNorm(), rate};
+}
+
+}  // namespace twrench::motion

@@ -1,0 +1,108 @@
+#include "render/compose/layout_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/compose/cut.h"
+
+namespace twrench::render {
+namespace {
+
+constexpr double legend_height = 1.25, least_legend = 20;   // em of a readout
+constexpr double least_panel_width = 12, least_height = 6;  // em of a caption
+constexpr int least_share = 3;                              // of the pane is the focus: a third
+constexpr double panel_share = 0.3;                         // of the focus
+constexpr double moments_share = 0.48;                      // of an area that holds both
+
+int shorter_side(const image::Area& area) { return std::min(area.width, area.height); }
+
+bool holds_panel(const image::Area& area, double size) {
+  return area.width >= least_panel_width * size && area.height >= least_height * size;
+}
+
+/// The placing of what is added to a layout of one body.
+class Addition {
+ public:
+  Addition(Layout& layout, const scene::Scene& scene)
+      : layout_(layout),
+        overlay_(scene.overlay),
+        pane_(layout.panes[0].area),
+        gap_(std::max(4, std::min(scene.film.width, scene.film.height) / 40)) {
+    const int x = static_cast<int>(std::ceil(0.05 * scene.film.width));
+    const int y = static_cast<int>(std::ceil(0.05 * scene.film.height));
+    focus_ = image::common(layout.panes[0].focus,
+                           {x, y, scene.film.width - 2 * x, scene.film.height - 2 * y});
+  }
+
+  void place_panels();
+  void place_legend();
+
+ private:
+  /// Takes the rest of a focus from which something was cut, if the body keeps a third of its pane.
+  bool take(const image::Area& rest) {
+    if (least_share * shorter_side(rest) < shorter_side(pane_)) return false;
+    layout_.panes[0].focus = focus_ = rest;
+    return true;
+  }
+  image::Area cut_panels(image::Area& rest) const;
+
+  Layout& layout_;
+  const scene::Overlay& overlay_;
+  image::Area pane_;
+  int gap_;
+  image::Area focus_;  ///< Within the title-safe area.
+};
+
+/// Cuts a part of the focus: from its right or, of an upright one, from its bottom.
+image::Area Addition::cut_panels(image::Area& rest) const {
+  if (rest.height > rest.width) {
+    return cut_bottom(rest, static_cast<int>(panel_share * rest.height), gap_);
+  }
+  return cut_right(rest, static_cast<int>(panel_share * rest.width), gap_);
+}
+
+/// Divides the area of the curve or the components, or a part of the focus, among tilt and moments.
+void Addition::place_panels() {
+  const bool tilt = overlay_.shows(scene::Feature::tilt);
+  const bool moments = overlay_.shows(scene::Feature::moments);
+  if (!tilt && !moments) return;
+  image::Area rest = focus_;
+  std::optional<image::Area>& plot = layout_.curve ? layout_.curve : layout_.components;
+  image::Area area = plot ? *plot : cut_panels(rest);
+  const double size = layout_.text.caption;
+  if (!holds_panel(area, size) || (!plot && !take(rest))) return;
+  plot.reset();
+  if (tilt && moments) {
+    image::Area left = area;
+    const bool beside = area.width > 1.6 * area.height;
+    const image::Area first =
+        beside ? cut_left(left, static_cast<int>(moments_share * area.width), gap_)
+               : cut_top(left, static_cast<int>(moments_share * area.height), gap_);
+    if (holds_panel(first, size) && holds_panel(left, size)) {
+      layout_.moments = first;
+      area = left;
+    }
+  }
+  (tilt ? layout_.tilt : layout_.moments) = area;
+}
+
+void Addition::place_legend() {
+  const double size = layout_.text.readout;
+  if (!overlay_.shows(scene::Feature::forces) || focus_.width < least_legend * size) return;
+  image::Area rest = focus_;
+  const image::Area row =
+      cut_bottom(rest, static_cast<int>(std::lround(legend_height * size)), gap_);
+  if (rest.height > 0 && take(rest)) layout_.forces = row;
+}
+
+}  // namespace
+
+Layout with_forces(Layout layout, const scene::Scene& scene) {
+  if (scene.overlay.view != scene::View::wrench || layout.panes.size() != 1) return layout;
+  Addition addition(layout, scene);
+  addition.place_panels();
+  addition.place_legend();
+  return layout;
+}
+
+}  // namespace twrench::render

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/compose/element.h"
+#include "render/compose/layout.h"
+#include "render/hud/text_block.h"
+
+namespace twrench::render {
+
+/// The names of the forces in the colours of their arrows, in one row, with the frame in which they
+/// act. What does not fit the row is omitted: first the frame, then everything.
+class ForceLegend : public Element {
+ public:
+  /// Uses layout.forces.
+  ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style);
+
+  std::vector<Layer> static_layers() override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& /*state*/) override { return {}; }
+
+ private:
+  Layer layer_;
+};
+
+}  // namespace twrench::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "canvas/canvas.h"
+#include "render/compose/element.h"
+#include "render/compose/layout.h"
+#include "render/look/theme.h"
+
+namespace twrench::render {
+
+/// The principal moments as bars, from the least to the greatest, in the colours of the body's
+/// axes. The axis about which the body rotates is marked with a turning arrow, and its bar is in
+/// full strength.
+class MomentsPanel : public Element {
+ public:
+  /// Uses layout.moments. Shows the first solution's body.
+  MomentsPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+               const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
+
+  std::vector<Layer> static_layers() override;
+  std::vector<PendingLayer> draw(const timeline::FrameState& /*state*/) override { return {}; }
+
+ private:
+  Layer layer_;
+};
+
+}  // namespace twrench::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "render/look/force_style.h"
+#include "render/overlay/draw_list.h"
+#include "timeline/timeline.h"
+
+namespace twrench::render {
+
+/// The forces on the parts of the body in the scene's frame of reference, as arrows that start at
+/// its equimomental points. All arrows of a film have one scale.
+///
+/// Of each part, the points on its long axes are shown: the middles of a rod's ends, four on a
+/// disc, six in a ball. A part that is small is one point.
+class ForceArrows {
+ public:
+  /// `radius` is the bounding radius of the body in every pose, in cm.
+  ForceArrows(const scene::Scene& scene, const timeline::Solution& solution, double radius);
+
+  /// Returns the radius in cm of the sphere about the centre of mass that holds all arrows of the
+  /// film.
+  double bounding_radius() const { return bounding_radius_; }
+
+  /// Returns the length in cm of the arrow for 1 dyn; 0 if no force ever acts.
+  double scale() const { return scale_; }
+
+  /// Returns the masses whose forces are shown, in body axes.
+  const std::vector<body::PointMass>& points() const { return points_; }
+
+  /// Adds the arrows at that instant, except those too short to be seen.
+  void draw(const timeline::SolutionState& instant, DrawList& opaque) const;
+
+ private:
+  template <typename Visit>
+  void visit(const motion::Sample& sample, Visit visit) const;
+
+  OverlayColors colors_;
+  scene::Frame frame_;
+  motion::FreeBody body_;
+  double radius_;
+  std::vector<body::PointMass> points_;
+  double scale_ = 0;
+  double bounding_radius_;
+};
+
+}  // namespace twrench::render

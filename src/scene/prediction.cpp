@@ -1,0 +1,33 @@
+#include "scene/prediction.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace twrench::scene {
+
+std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
+  constexpr double along = 1 - 1e-9;
+  Eigen::Index nearest = 0;
+  const double most = axes.col(axis).cwiseAbs().maxCoeff(&nearest);
+  if (most > along) return std::string(1, "xyz"[nearest]);
+  return fmt::format("I{}", axis + 1);
+}
+
+std::string name_of(motion::Stability::Kind kind) {
+  static constexpr std::array names{"unstable", "stable", "neutral"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string prediction(const body::PrincipalAxes& principal, int axis, double omega) {
+  using Kind = motion::Stability::Kind;
+  const motion::Stability stability = motion::stability(principal.moments, axis, omega);
+  const std::string about =
+      fmt::format("{} about {}", name_of(stability.kind), axis_name(principal.axes, axis));
+  if (stability.kind == Kind::neutral) return about;
+  const bool grows = stability.kind == Kind::unstable;
+  return fmt::format("{}, {} every {:.3g} s at {:.3g} rad/s", about, grows ? "doubles" : "wobbles",
+                     grows ? stability.doubling_time() : stability.period(), omega);
+}
+
+}  // namespace twrench::scene

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <twrench/body/mass_properties.h>
+#include <twrench/motion/stability.h>
+
+#include <string>
+
+namespace twrench::scene {
+
+/// Returns the name of the principal axis with that index: that of the body axis with which it
+/// coincides, or else I1, I2 or I3.
+std::string axis_name(const Eigen::Matrix3d& axes, int axis);
+
+/// Returns the name of a kind of stability: unstable, stable or neutral.
+std::string name_of(motion::Stability::Kind kind);
+
+/// Returns what a small tilt does of a body that rotates about a principal axis at `omega` rad/s,
+/// as in "unstable about x, doubles every 1.88 s at 1 rad/s".
+std::string prediction(const body::PrincipalAxes& principal, int axis, double omega);
+
+}  // namespace twrench::scene

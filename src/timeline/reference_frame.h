@@ -1,0 +1,13 @@
+#pragma once
+
+#include <twrench/motion/rotating_frame.h>
+
+#include "scene/scene.h"
+
+namespace twrench::timeline {
+
+/// Returns the scene's frame of reference at the time of a sample of the motion.
+motion::RotatingFrame reference_frame(scene::Frame frame, const motion::FreeBody& body,
+                                      const motion::Sample& sample);
+
+}  // namespace twrench::timeline

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/stability.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "motion/random_bodies.h"
+
+namespace twrench::motion {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::ln2;
+using std::numbers::pi;
+
+const Vector3d t_wrench(722.6710300807721, 982.2713030224087, 1578.650308428871);  // y, x, z
+
+FreeBody wrench(const Vector3d& omega) {
+  return {Vector3d(t_wrench[1], t_wrench[0], t_wrench[2]).asDiagonal(), omega};
+}
+
+TEST(Stability, OfTheTWrench) {
+  const Stability about_x = stability(t_wrench, 1, 1);
+  EXPECT_EQ(about_x.kind, Stability::Kind::unstable);
+  EXPECT_NEAR(about_x.rate, 0.3684, 5e-5);
+  EXPECT_NEAR(about_x.doubling_time(), 1.88, 5e-3);
+  const Stability about_y = stability(t_wrench, 0, 1), about_z = stability(t_wrench, 2, 1);
+  EXPECT_EQ(about_y.kind, Stability::Kind::stable);
+  EXPECT_NEAR(about_y.period(), 16.6, 0.05);
+  EXPECT_EQ(about_z.kind, Stability::Kind::stable);
+  EXPECT_NEAR(about_z.period(), 7.41, 5e-3);
+}
+
+TEST(Stability, IsThatOfTheLinearisedEquations) {
+  RandomBodies random;
+  for (int n = 0; n < 100; ++n) {
+    const Vector3d I = random.moments();
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double square = 4 * (I[j] - I[k]) * (I[k] - I[i]) / (I[i] * I[j]);
+      const auto [kind, rate] = stability(I, k, -2);
+      EXPECT_EQ(kind, square > 0 ? Stability::Kind::unstable : Stability::Kind::stable);
+      EXPECT_NEAR(rate * rate, std::abs(square), 1e-13 * std::abs(square));
+    }
+  }
+}
+
+TEST(Stability, IsNeutralWhereAMomentIsNotSingle) {
+  for (const Vector3d& moments :
+       {Vector3d(1, 1, 2), Vector3d(1, 1 + 1e-15, 2), Vector3d(2, 2, 2)}) {
+    EXPECT_EQ(stability(moments, 0, 1).kind, Stability::Kind::neutral);
+    EXPECT_EQ(stability(moments, 0, 1).rate, 0);
+    EXPECT_EQ(stability(moments, 1, 1).kind, Stability::Kind::neutral);
+  }
+  EXPECT_EQ(stability({1, 1, 2}, 2, 1).kind, Stability::Kind::stable);
+  EXPECT_EQ(stability({1, 2, 3}, 1, 0).kind, Stability::Kind::neutral) << "at rest";
+}
+
+TEST(Tilt, GrowsAsPredicted) {
+  // From 2e-9 to 2e-3 rad: far beyond where the dying part matters, and still small.
+  for (const Vector3d& sideways : {Vector3d(0, 2e-9, 0), Vector3d(0, 0, 3e-9),
+                                   Vector3d(0, -1e-9, 2e-9), Vector3d(0, 2e-9, 1e-9)}) {
+    for (const double spin : {1.0, -1.7}) {
+      const FreeBody body = wrench(Vector3d(spin, 0, 0) + sideways);
+      const Tilt tilt(body);
+      ASSERT_EQ(tilt.axis(), 1);
+      const auto growth = tilt.growth();
+      ASSERT_TRUE(growth);
+      const ExactMotion motion(body);
+      for (const double e_folds : {9.0, 11.0, 13.0}) {
+        const double t = e_folds / growth->rate;
+        const double predicted = growth->amplitude * std::exp(e_folds);
+        EXPECT_NEAR(tilt.of(motion.at(t)) / predicted, 1, 1e-5) << spin << " " << e_folds;
+      }
+    }
+  }
+}
+
+TEST(Tilt, DoublesInTheDoublingTime) {
+  const FreeBody body = wrench({1, 1e-7, 0});
+  const ExactMotion motion(body);
+  const Tilt tilt(body);
+  const double t = 20;
+  EXPECT_NEAR(tilt.of(motion.at(t + ln2 / 0.3683837)) / tilt.of(motion.at(t)), 2, 1e-5);
+}
+
+TEST(Tilt, OfAStableSpinHasThePredictedPeriod) {
+  const FreeBody body = wrench({1e-6, 1, 2e-6});
+  const Tilt tilt(body);
+  EXPECT_EQ(tilt.axis(), 0);
+  EXPECT_FALSE(tilt.growth());
+  const ExactMotion motion(body);
+  const double period = stability(t_wrench, 0, tilt.steady_rate()).period();
+  for (const double t : {0.0, 3.0, 10.0}) {
+    EXPECT_NEAR(tilt.of(motion.at(t + period)), tilt.of(motion.at(t)), 1e-11);
+  }
+}
+
+TEST(Tilt, IsTheAngleToEitherEndOfTheAxis) {
+  const FreeBody body = wrench({1, 0.05, 0});
+  const Tilt tilt(body);
+  const ExactMotion motion(body);
+  const auto flips = motion.flips();
+  ASSERT_TRUE(flips);
+  EXPECT_NEAR(tilt.of(motion.at(flips->first)), pi / 2, 1e-9) << "turning over";
+  EXPECT_NEAR(tilt.of(motion.at(0)), std::atan(0.05 * t_wrench[0] / t_wrench[1]), 1e-12);
+  for (const double t : {0.0, 7.0, 15.0, 30.0}) {
+    const Sample sample = motion.at(t);
+    const double cosine = std::abs(sample.X.col(0).dot(body.momentum().normalized()));
+    EXPECT_NEAR(std::cos(tilt.of(sample)), cosine, 1e-12) << t;
+  }
+  EXPECT_NEAR(tilt.of(motion.at(2 * flips->first)), tilt.of(motion.at(0)), 1e-9) << "the other end";
+}
+
+TEST(Tilt, OfABodyAtRestIsZero) {
+  const FreeBody body = wrench(Vector3d::Zero());
+  EXPECT_EQ(Tilt(body).of({0, Eigen::Matrix3d::Identity(), Vector3d::Zero()}), 0);
+  EXPECT_EQ(Tilt(body).steady_rate(), 0);
+  EXPECT_FALSE(Tilt(body).growth());
+}
+
+}  // namespace
+}  // namespace twrench::motion

@@ -1,0 +1,53 @@
+#include "render/hud/moments_panel.h"
+
+#include <gtest/gtest.h>
+
+#include "render/overlay_scene.h"
+
+namespace twrench::render {
+namespace {
+
+std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*& colors) {
+  scene::Scene scene = film_of(1280, 720);
+  scene.overlay.show.insert(scene::Feature::moments);
+  scene.motion.omega = omega;
+  const OverlayScene all(scene);
+  colors = &style_of(scene.look.theme).overlay;
+  return MomentsPanel(all.scene, all.timeline.solutions(), all.layout, all.typeface, all.colors)
+      .static_layers();
+}
+
+/// The rows that have pixels of exactly this colour.
+int height_of(const Layer& layer, const scene::Color& color) {
+  int rows = 0;
+  for (int y = 0; y < layer.image.height; ++y) {
+    int count = 0;
+    for (int x = 0; x < layer.image.width; ++x) {
+      const std::uint8_t* p =
+          &layer.image.pixels[static_cast<std::size_t>(y) * layer.image.row_bytes() +
+                              static_cast<std::size_t>(4 * x)];
+      count += p[0] == color.red && p[1] == color.green && p[2] == color.blue ? 1 : 0;
+    }
+    rows += count > 20 ? 1 : 0;  // a bar, not a letter
+  }
+  return rows;
+}
+
+TEST(MomentsPanel, HasBarsInProportionAndMarksTheAxisOfTheRotation) {
+  const OverlayColors* colors = nullptr;
+  const auto about_x = moments_of({1, 0, 0}, colors), about_z = moments_of({0, 0, 1}, colors);
+  ASSERT_EQ(about_x.size(), 1U);
+  const int x = height_of(about_x[0], colors->axis[0]), z = height_of(about_z[0], colors->axis[2]);
+  EXPECT_NEAR(static_cast<double>(x) / z, 982.27 / 1578.65, 0.02);
+  EXPECT_EQ(height_of(about_x[0], colors->axis[2]), 0) << "faint";
+  EXPECT_EQ(height_of(about_z[0], colors->axis[0]), 0) << "faint";
+}
+
+TEST(MomentsPanel, MarksNoAxisOfABodyAtRest) {
+  const OverlayColors* colors = nullptr;
+  const auto rest = moments_of({0, 0, 0}, colors);
+  for (const scene::Color& color : colors->axis) EXPECT_EQ(height_of(rest[0], color), 0);
+}
+
+}  // namespace
+}  // namespace twrench::render
