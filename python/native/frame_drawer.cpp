@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "gl/error.h"
-#include "render/renderer.h"
-#include "timeline/timeline.h"
+#include "render/film_renderer.h"
+#include "timeline/film_timeline.h"
 
 namespace twrench::python {
 
@@ -15,18 +15,18 @@ class FrameDrawer::Canvas {
   explicit Canvas(const FrameDrawer& drawer) : drawer_(drawer) {}
 
   image::Image draw(int frame) {
-    const timeline::Timeline timeline(drawer_.scene_, {frame});
+    const timeline::FilmTimeline timeline(drawer_.scene_, {frame});
     if (!renderer_) {
       if (!opened_.context) opened_ = gl::open_context(drawer_.backend_);
-      renderer_.emplace(*opened_.context, drawer_.scene_, timeline.solutions());
+      renderer_.emplace(*opened_.context, drawer_.scene_);
     }
-    return renderer_->draw(timeline.frame_state(0)).image;
+    return renderer_->begin(timeline, timeline.frame(0)).get().image;
   }
 
  private:
   const FrameDrawer& drawer_;
   gl::OpenedContext opened_;
-  std::optional<render::Renderer> renderer_;
+  std::optional<render::FilmRenderer> renderer_;
 };
 
 FrameDrawer::FrameDrawer(scene::Scene scene, gl::BackendChoice backend)

@@ -10,6 +10,7 @@
 #include "scene/fields.h"
 #include "scene/scene_json.h"
 #include "scene/scene_values.h"
+#include "timeline/film_timeline.h"
 
 namespace twrench::python {
 namespace {
@@ -69,6 +70,9 @@ void add_scenes(py::module_& module) {
             }
             on_scene([&] { scene::set_body(scene, body.description); });
           })
+      .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })
+      .def("motion_times",
+           [](const Scene& s) { return on_scene([&] { return timeline::motion_times(s); }); })
       .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); });
 }
 

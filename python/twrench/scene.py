@@ -49,6 +49,10 @@ def _as_json(key: str, value: Any) -> str:
         raise SceneError(f"{key}: cannot be {_arguments.brief(value)}") from error
 
 
+def _as_tuple(value: Any) -> Any:
+    return tuple(map(_as_tuple, value)) if isinstance(value, list) else value
+
+
 class _Value(Generic[T]):
     """A value of a scene, an attribute of :class:`Scene` with the name of its key or, where that is
     the name of a method, another."""
@@ -71,7 +75,7 @@ class _Value(Generic[T]):
         if scene is None:
             return self
         value = json.loads(scene._native.get(self.key))
-        return cast(T, tuple(value) if isinstance(value, list) else value)
+        return cast(T, _as_tuple(value))
 
     def __set__(self, scene: Scene, value: T) -> None:
         scene._native.set(self.key, _as_json(self.key, value))
@@ -119,7 +123,9 @@ class Scene:
     camera_frame = _Value[str]("frame")
     view = _Value[str]()
     show = _Value[tuple[str, ...]]()
+    stress = _Value[Optional[tuple[str, ...]]]()
     compare = _Value[tuple[str, ...]]()
+    compare_omega = _Value[Optional[tuple[Vector, ...]]]()
     trail_point = _Value[Optional[Vector]]()
     trail_length = _Value[Optional[float]]()
     font = _Value[str]()
@@ -183,12 +189,14 @@ class Scene:
 
     @property
     def frame_count(self) -> int:
-        """The number of frames, round(duration * fps / speed)."""
+        """The number of frames: round(duration * fps / speed), or those of all shots."""
         return self._native.frame_count()
 
     @property
     def times(self) -> Array:
-        """The time of each frame in the motion, s, (frame_count,)."""
+        """The time of the motion that each frame shows, s, (frame_count,)."""
+        if self._native.has_shots():
+            return np.array(self._native.motion_times(), dtype=np.float64)
         return np.asarray(np.arange(self.frame_count) * self.speed / self.fps, dtype=np.float64)
 
     def to_dict(self) -> dict[str, Any]:
@@ -199,12 +207,15 @@ class Scene:
     def simulate(self) -> Motion:
         """The motion at the times of the frames, by the scene's method.
 
+        Of a film that is told in shots, it is the scene's own motion, at steps of ``speed / fps``.
+
         :raises MotionError: where the method fails.
         """
+        count = round(self.duration * self.fps / self.speed)
         return simulate(
             self.body,
             self.omega,
-            self.times,
+            np.arange(count) * self.speed / self.fps if self._native.has_shots() else self.times,
             self.method,
             step=self.step,
             tolerance=self.tolerance,
@@ -230,7 +241,8 @@ class Scene:
         """Draws a frame, byte for byte as ``twrench render`` does.
 
         :param index: number of the frame, from 0; negative ones count from the end.
-        :param time: time of the motion in s, in place of ``index``: the frame nearest to it.
+        :param time: time of the motion in s, in place of ``index``: the frame nearest to it. Not
+            for a film that is told in shots, which may show a time twice.
         :returns: (height, width, 3), sRGB; (height, width, 4) with unpremultiplied alpha where the
             background is transparent. Row 0 is the top.
         :raises GlError: where there is no OpenGL.
@@ -258,6 +270,8 @@ class Scene:
         if index is not None:
             number = _arguments.whole("index", index, -count, count - 1)
             return number % count
+        if self._native.has_shots():
+            raise UsageError("time: may be shown twice by a film told in shots; give index")
         number = round(_arguments.number("time", time) * self.fps / self.speed)
         last = (count - 1) * self.speed / self.fps
         if not 0 <= number < count:

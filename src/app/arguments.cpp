@@ -55,6 +55,12 @@ Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
   throw InvalidArgument(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
+std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::string& what) {
+  std::vector<Eigen::Vector3d> vectors;
+  for (const std::string& word : split(text, ';')) vectors.push_back(parse_vector(word, what));
+  return vectors;
+}
+
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
   const std::vector<double> v = split_numbers(text, 'x', what);
   if (v.size() == 2) return {v[0], v[1]};

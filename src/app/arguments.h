@@ -18,6 +18,8 @@ double parse_number(const std::string& text, const std::string& what);
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);
 /// Parses "X,Y,Z".
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
+/// Parses "X,Y,Z;X,Y,Z;...".
+std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::string& what);
 /// Parses "WxH" without checking the values.
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 

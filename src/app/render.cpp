@@ -43,6 +43,7 @@ void render(const RenderOptions& options) {
   const ProcessorTime before = processor_time();
   options.require_consistent();
   const scene::Scene scene = options.scene.scene();
+  options.scene.require_drawable(scene);
   image::keep_memory_of_pictures(scene.film.width, scene.film.height);
   const film::RenderSettings settings = options.settings(scene);
   film::RenderJob job(scene, settings);

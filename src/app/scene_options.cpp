@@ -53,6 +53,11 @@ nlohmann::ordered_json parse_value(scene::Field::Kind kind, const std::string& t
       return text;
     case Kind::texts:
       return parse_words(text);
+    case Kind::vectors: {
+      nlohmann::ordered_json vectors = nlohmann::ordered_json::array();
+      for (const auto& v : parse_vectors(text, option)) vectors.push_back(array_of(v));
+      return vectors;
+    }
   }
   return {};
 }
@@ -156,10 +161,22 @@ std::vector<scene::Scene> SceneOptions::load() const {
   std::vector<scene::Scene> scenes;
   for (const std::string& name : names_) {
     scene::Scene scene = scene::load_scene(name);
-    for (const auto& override_value : overrides_) override_value(scene);
+    for (const auto& override_value : overrides_) {
+      override_value(scene);
+      for (scene::Shot& shot : scene.shots) override_value(shot.scene);
+    }
     scenes.push_back(std::move(scene));
   }
   return scenes;
+}
+
+void SceneOptions::require_drawable(const scene::Scene& scene) const {
+  if (scene.shots.empty()) return;
+  for (const char* option : {"--omega", "--inertia", "--duration", "--speed"}) {
+    if (command_.count(option) == 0) continue;
+    throw InvalidArgument(option, "each shot of " + scene.name + " has its own",
+                          "change the shots in the scene file, or leave the option out");
+  }
 }
 
 std::vector<scene::Scene> SceneOptions::scenes() const {

@@ -48,6 +48,10 @@ class SceneOptions {
   /// Returns all scenes, each as scene() does.
   std::vector<scene::Scene> scenes() const;
 
+  /// Throws InvalidArgument where the scene has shots and an option is given that sets what each
+  /// shot determines for itself.
+  void require_drawable(const scene::Scene& scene) const;
+
  private:
   using Override = std::function<void(scene::Scene&, const std::string& text)>;
 

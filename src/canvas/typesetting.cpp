@@ -1,5 +1,6 @@
 #include "canvas/typesetting.h"
 
+#include <fmt/format.h>
 #include <hb.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "canvas/error.h"
 #include "canvas/text_runs.h"
 
 namespace twrench::canvas {
@@ -130,6 +132,16 @@ std::optional<char32_t> missing_character(const Font& font, std::string_view utf
   const auto begin = text.characters.begin() + static_cast<std::ptrdiff_t>(*first);
   const auto missing = std::find_if(begin, text.characters.end(), lacks);
   return static_cast<char32_t>(missing == text.characters.end() ? *begin : *missing);
+}
+
+void require_characters(const Font& font, std::string_view utf8, const std::string& what) {
+  const auto missing = missing_character(font, utf8);
+  if (!missing) return;
+  throw MissingGlyph(what,
+                     fmt::format("contains the character U+{:04X}, which neither the font nor the "
+                                 "built-in sans can draw",
+                                 static_cast<std::uint32_t>(*missing)),
+                     *missing);
 }
 
 }  // namespace twrench::canvas

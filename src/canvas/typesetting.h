@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,5 +38,8 @@ Line typeset_within(const Font& font, std::string_view utf8, double width);
 /// The first character of the text that neither the font nor its fallback can draw. Not to be
 /// called while another thread draws with them.
 std::optional<char32_t> missing_character(const Font& font, std::string_view utf8);
+
+/// Throws MissingGlyph about `what` where there is such a character.
+void require_characters(const Font& font, std::string_view utf8, const std::string& what);
 
 }  // namespace twrench::canvas

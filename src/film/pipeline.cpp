@@ -97,7 +97,9 @@ class Pipeline {
       std::vector<std::uint8_t> png;
       {
         const Timed timed(times_.compress);
-        png = image::encode_png(entry->frame->image, {entry->frame->damage, static_bands_});
+        const auto& [image, damage, is_new, background] = *entry->frame;
+        png =
+            background ? image::encode_png(image, {damage, *background}) : image::encode_png(image);
       }
       const Timed timed(times_.write);
       outputs_.sequence->write(*entry->record, png);
@@ -109,7 +111,7 @@ class Pipeline {
     while (const auto entry = to_encode_.pop()) {
       {
         const Timed timed(times_.convert);
-        outputs_.encoder->convert(entry->frame->image, entry->frame->damage);
+        outputs_.encoder->convert(*entry->frame);
       }
       const Timed timed(times_.encode);
       outputs_.encoder->write_converted();
@@ -125,7 +127,6 @@ class Pipeline {
 
   const Outputs& outputs_;
   StageTimes& times_;
-  image::StaticBands static_bands_;
   system::BoundedQueue<Entry> to_compress_;
   system::BoundedQueue<Entry> to_encode_{4};
   std::atomic_flag first_;

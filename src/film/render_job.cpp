@@ -28,20 +28,15 @@ std::array<double, count> row_major(const Matrix& matrix) {
   return values;
 }
 
-/// The frames to draw, each with the first method's pose at its own time.
-std::vector<video::FrameRecord> frame_records(const timeline::Timeline& timeline,
-                                              const render::Renderer& renderer) {
-  std::vector<video::FrameRecord> frames(timeline.size());
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const timeline::FrameState state = timeline.frame_state(i);
-    const render::Camera camera = renderer.camera(state);
-    frames[i].frame = state.frame;
-    frames[i].t = state.solutions.front().sample.t;
-    frames[i].X = row_major<9>(state.solutions.front().sample.X);
-    frames[i].view = row_major<16>(camera.view);
-    frames[i].projection = row_major<16>(camera.projection);
-  }
-  return frames;
+/// The frame with the first motion's pose.
+video::FrameRecord record_of(const timeline::FrameState& state, const render::Camera& camera) {
+  video::FrameRecord record;
+  record.frame = state.frame;
+  record.t = state.solutions.front().sample.t;
+  record.X = row_major<9>(state.solutions.front().sample.X);
+  record.view = row_major<16>(camera.view);
+  record.projection = row_major<16>(camera.projection);
+  return record;
 }
 
 std::vector<int> asked_frames(const scene::Scene& scene, const std::string& range) {
@@ -94,7 +89,7 @@ std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings
 }
 
 video::Manifest manifest_of(const RenderSettings& settings, const scene::Scene& scene,
-                            const render::Renderer& renderer, const std::vector<int>& asked) {
+                            const render::FilmRenderer& renderer, const std::vector<int>& asked) {
   video::Manifest manifest;
   manifest.version = TWRENCH_VERSION;
   // As it will be read back: its strings may contain invalid UTF-8.
@@ -140,10 +135,37 @@ PlannedOutput planned_output(const RenderSettings& settings, const scene::Scene&
   return planned;
 }
 
-timeline::Timeline timed_timeline(const scene::Scene& scene, const std::vector<int>& numbers,
-                                  StageTimes& times) {
+timeline::FilmTimeline timed_timeline(const scene::Scene& scene, const std::vector<int>& numbers,
+                                      StageTimes& times) {
   const Timed timed(times.pose);
-  return timeline::Timeline(scene, numbers);
+  return timeline::FilmTimeline(scene, numbers);
+}
+
+/// When each caption is seen in a video of the timeline's frames.
+std::vector<video::Cue> cues_of(const scene::Scene& scene, const timeline::FilmTimeline& timeline) {
+  std::vector<video::Cue> cues;
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    const auto& caption = timeline::scene_of_shot(scene, timeline.shot(i)).caption;
+    if (!caption) continue;
+    const double begin = static_cast<double>(i) / scene.film.fps;
+    const double end = static_cast<double>(i + 1) / scene.film.fps;
+    if (cues.empty() || cues.back().text != *caption) cues.push_back({begin, end, *caption});
+    cues.back().end = end;
+  }
+  std::erase_if(cues, [](const video::Cue& cue) { return cue.text.empty(); });
+  return cues;
+}
+
+/// Opens the captions' file beside the video; null where there are none, or no file to be beside.
+std::unique_ptr<video::CaptionFile> open_captions(const RenderSettings& settings,
+                                                  const std::string& identity,
+                                                  const std::vector<video::Cue>& cues) {
+  const std::optional<fs::path> file = video_file(settings);
+  std::error_code failed;
+  const bool is_device = file && fs::exists(*file, failed) && !fs::is_regular_file(*file, failed);
+  if (!file || is_device || cues.empty()) return nullptr;
+  return std::make_unique<video::CaptionFile>(*file, cues, identity,
+                                              settings.reuse == Reuse::overwrite);
 }
 
 }  // namespace
@@ -158,8 +180,8 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
       trial_(try_encoder(settings_, scene_)),
       opened_(gl::open_context(settings_.backend)),
       timeline_(timed_timeline(scene_, numbers_, times_)),
-      renderer_(*opened_.context, scene_, timeline_.solutions()),
-      frames_(frame_records(timeline_, renderer_)) {
+      renderer_(*opened_.context, scene_),
+      frames_(numbers_.size()) {
   const video::Manifest manifest = manifest_of(settings_, scene_, renderer_, asked_);
   const std::string identity = video::video_identity(manifest, numbers_);
   const std::optional<fs::path> file = video_file(settings_);
@@ -168,17 +190,21 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     output_.emplace(*settings_.frames_folder, manifest, numbers_, settings_.reuse);
   }
   if (!frames_.empty()) {
+    renderer_.camera(timeline_, timeline_.frame(0));  // fails now, if OpenGL cannot draw it
     require_space(planned_output(settings_, scene_, output_, frames_.size()),
-                  [&] { return renderer_.draw(timeline_.frame_state(0)).image; });
+                  [&] { return renderer_.begin(timeline_, timeline_.frame(0)).get().image; });
   }
   encoder_ = open_encoder(settings_, scene_, identity, std::move(trial_));
+  captions_ = open_captions(settings_, identity, cues_of(scene_, timeline_));
   if (output_) sequence_ = &output_->open();
 }
 
 void RenderJob::run(const ProgressCallback& progress) {
   const auto begin = [&](std::size_t index) {
+    const timeline::FilmFrame frame = timeline_.frame(index);
+    frames_[index] = record_of(frame.state, renderer_.camera(timeline_, frame));
     const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
-    if (!kept) return renderer_.begin(timeline_.frame_state(index));
+    if (!kept) return renderer_.begin(timeline_, frame);
     return std::async(std::launch::deferred, read_frame, output_->folder() / kept->file,
                       encoder_ != nullptr);
   };
@@ -189,6 +215,7 @@ void RenderJob::run(const ProgressCallback& progress) {
                {sequence_, encoder_.get(), settings_.jobs, start_}, progress, times_);
   if (sequence_ != nullptr) sequence_->finish();
   if (encoder_) encoder_->finish();
+  if (captions_) captions_->finish();
 }
 
 std::optional<std::size_t> RenderJob::record_frames() {

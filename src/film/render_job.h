@@ -13,9 +13,10 @@
 #include "film/pipeline.h"
 #include "film/stage_times.h"
 #include "gl/backend.h"
-#include "render/renderer.h"
+#include "render/film_renderer.h"
 #include "scene/scene.h"
-#include "timeline/timeline.h"
+#include "timeline/film_timeline.h"
+#include "video/caption_file.h"
 #include "video/encoder.h"
 #include "video/shard.h"
 
@@ -89,11 +90,12 @@ class RenderJob {
   const std::vector<int> numbers_;  ///< Numbers of those of this run.
   std::future<void> trial_;         ///< The test of the encoder.
   const gl::OpenedContext opened_;
-  const timeline::Timeline timeline_;
-  render::Renderer renderer_;
-  const std::vector<video::FrameRecord> frames_;
+  const timeline::FilmTimeline timeline_;
+  render::FilmRenderer renderer_;
+  std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;
   std::unique_ptr<video::VideoEncoder> encoder_;
+  std::unique_ptr<video::CaptionFile> captions_;
   video::FrameSequence* sequence_ = nullptr;
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "image/area.h"
 #include "image/image.h"
+#include "image/row_bands.h"
 
 namespace twrench::image {
 
@@ -15,6 +17,9 @@ struct Frame {
   std::vector<Area> damage;
   /// Whether this run drew it; a frame kept from an earlier run already has its file.
   bool is_new = true;
+  /// The compressed static background, the same object in all frames that have this background;
+  /// null if there is none.
+  std::shared_ptr<StaticBands> background = nullptr;
 };
 
 }  // namespace twrench::image

@@ -144,6 +144,8 @@ std::string value_form(const scene::Field& field) {
       return "\"" + italic(field.placeholder) + "\"";
     case texts:
       return "[\"" + italic("name") + "\", ...]";
+    case vectors:
+      return "[[" + italic("x") + ", " + italic("y") + ", " + italic("z") + "], ...]";
   }
   return {};
 }

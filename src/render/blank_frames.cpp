@@ -27,7 +27,7 @@ image::Frame BlankFrames::acquire() {
   image::Frame frame;
   {
     const std::lock_guard lock(mutex_);
-    if (used_.empty()) return {background_, {}};
+    if (used_.empty()) return {background_, {}, true, bands_};
     frame = std::move(used_.back());
     used_.pop_back();
   }

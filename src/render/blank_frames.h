@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -16,6 +17,9 @@ class BlankFrames {
 
   const image::Image& static_background() const { return background_; }
 
+  /// Returns the static background compressed, as all frames refer to it.
+  const std::shared_ptr<image::StaticBands>& bands() const { return bands_; }
+
   /// Returns a frame that shows the static background.
   image::Frame acquire();
 
@@ -26,6 +30,7 @@ class BlankFrames {
   static constexpr std::size_t most = 16;  // as many as are in progress at once
 
   image::Image background_;
+  const std::shared_ptr<image::StaticBands> bands_ = std::make_shared<image::StaticBands>();
   std::mutex mutex_;
   std::vector<image::Frame> used_;
 };

@@ -12,6 +12,7 @@
 #include "render/compose/element.h"
 #include "render/compose/label_painter.h"
 #include "render/compose/layout.h"
+#include "render/hud/caption.h"
 #include "render/hud/component_panel.h"
 #include "render/hud/curve_panel.h"
 #include "render/hud/force_legend.h"
@@ -19,6 +20,7 @@
 #include "render/hud/moments_panel.h"
 #include "render/hud/tilt_panel.h"
 #include "render/look/background.h"
+#include "render/look/emphasis.h"
 #include "render/look/theme.h"
 #include "render/views/body_view.h"
 #include "render/views/momentum_view.h"
@@ -32,6 +34,14 @@ using namespace std::chrono_literals;
 image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height);
+}
+
+PendingLayer dimmed(PendingLayer pending) {
+  return std::async(std::launch::deferred, [pending = std::move(pending)]() mutable {
+    Layer layer = pending.get();
+    scale_opacity(layer, dimmed_opacity);
+    return layer;
+  });
 }
 
 /// Composites layers in order: each as soon as it and all below it are ready.
@@ -75,10 +85,27 @@ struct Renderer::Parts {
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   canvas::Typeface typeface;
-  std::vector<std::unique_ptr<Element>> elements;  // in compositing order
+  image::Image empty;  // without any element
+  /// An element and whether what the scene stresses lets it step back.
+  struct Shown {
+    std::unique_ptr<Element> element;
+    bool is_dimmed = false;
+  };
+  std::vector<Shown> elements;  // in compositing order
   std::optional<LabelPainter> label_painter;
-  const SpaceView* first = nullptr;
+  SpaceView* first = nullptr;
+  std::vector<image::Area> taken;  // areas that labels avoid
   std::optional<BlankFrames> blank;
+
+  template <typename View>
+  void add_view(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                std::size_t solution, const Layout::Pane& pane, bool is_dimmed);
+  void add_panels(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                  const Layout& layout);
+  /// The static background, seen through the first view's present camera.
+  image::Image background() const;
+  /// A frame that shows it.
+  image::Frame blank_frame(bool through_own_camera);
 };
 
 Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
@@ -87,54 +114,91 @@ Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
     : gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
                   mode.value_or(gl::best_read_mode(gl))),
-      typeface(canvas::load_typeface(scene.overlay.font)) {
+      typeface(canvas::load_typeface(scene.overlay.font)),
+      empty(empty_picture(scene)) {
   const Layout layout = compute_layout(scene);
-  const auto add = [&]<typename View>(std::in_place_type_t<View>, std::size_t solution,
-                                      const Layout::Pane& pane) {
-    auto view = std::make_unique<View>(gl, framebuffer, scene, solutions, solution, pane);
-    if (elements.empty()) first = view.get();
-    elements.push_back(std::move(view));
-  };
   for (std::size_t i = 0; i < layout.panes.size(); ++i) {
-    add(std::in_place_type<BodyView>, i, layout.panes[i]);
+    add_view<BodyView>(scene, solutions, i, layout.panes[i], false);
   }
-  if (layout.momentum) add(std::in_place_type<MomentumView>, 0, *layout.momentum);
-  if (layout.poinsot) add(std::in_place_type<PoinsotView>, 0, *layout.poinsot);
+  const auto is_dim = [&](scene::Feature feature) { return is_dimmed(scene.overlay, feature); };
+  const bool insets = scene.overlay.view == scene::View::wrench;
+  if (layout.momentum) {
+    add_view<MomentumView>(scene, solutions, 0, *layout.momentum,
+                           insets && is_dim(scene::Feature::sphere));
+  }
+  if (layout.poinsot) {
+    add_view<PoinsotView>(scene, solutions, 0, *layout.poinsot,
+                          insets && is_dim(scene::Feature::poinsot));
+  }
+  add_panels(scene, solutions, layout);
+  label_painter.emplace(typeface.regular, layout.text.readout,
+                        style_of(scene.look.theme).overlay.panel,
+                        image::Area{0, 0, scene.film.width, scene.film.height}, taken);
+  blank.emplace(background());
+}
+
+/// A view of one motion.
+template <typename View>
+void Renderer::Parts::add_view(const scene::Scene& scene,
+                               const std::vector<timeline::Solution>& solutions,
+                               std::size_t solution, const Layout::Pane& pane, bool is_dimmed) {
+  auto view = std::make_unique<View>(gl, framebuffer, scene, solutions, solution, pane);
+  if (elements.empty()) first = view.get();
+  elements.push_back({std::move(view), is_dimmed});
+}
+
+/// Adds curves, figures and text.
+void Renderer::Parts::add_panels(const scene::Scene& scene,
+                                 const std::vector<timeline::Solution>& solutions,
+                                 const Layout& layout) {
   const OverlayColors& colors = style_of(scene.look.theme).overlay;
-  std::vector<image::Area> taken;  // areas that labels avoid
-  if (layout.components) {
-    elements.push_back(
-        std::make_unique<ComponentPanel>(scene, solutions, layout, typeface, colors));
-    taken.push_back(*layout.components);
-  }
-  if (layout.curve) {
-    elements.push_back(std::make_unique<CurvePanel>(scene, solutions, layout, typeface, colors));
-    taken.push_back(*layout.curve);
-  }
-  if (layout.tilt) {
-    elements.push_back(std::make_unique<TiltPanel>(scene, solutions, layout, typeface, colors));
-    taken.push_back(*layout.tilt);
-  }
-  if (layout.moments) {
-    elements.push_back(std::make_unique<MomentsPanel>(scene, solutions, layout, typeface, colors));
-    taken.push_back(*layout.moments);
-  }
+  const auto add = [&](std::unique_ptr<Element> element, scene::Feature feature) {
+    elements.push_back({std::move(element), is_dimmed(scene.overlay, feature)});
+  };
+  const auto add_plot = [&]<typename Panel>(std::in_place_type_t<Panel>,
+                                            const std::optional<image::Area>& area,
+                                            scene::Feature feature) {
+    if (!area) return;
+    add(std::make_unique<Panel>(scene, solutions, layout, typeface, colors), feature);
+    taken.push_back(*area);
+  };
+  using enum scene::Feature;
+  add_plot(std::in_place_type<ComponentPanel>, layout.components, components);
+  add_plot(std::in_place_type<CurvePanel>, layout.curve, curve);
+  add_plot(std::in_place_type<TiltPanel>, layout.tilt, tilt);
+  add_plot(std::in_place_type<MomentsPanel>, layout.moments, moments);
   if (layout.forces) {
-    elements.push_back(std::make_unique<ForceLegend>(
-        scene, layout,
-        TextStyle{typeface, colors, layout.text, layout.compact, halo_for(scene.look)}));
+    const TextStyle style{typeface, colors, layout.text, layout.compact, halo_for(scene.look)};
+    add(std::make_unique<ForceLegend>(scene, layout, style), forces);
     taken.push_back(*layout.forces);
   }
-  auto hud = std::make_unique<Hud>(scene, solutions, layout, typeface, colors);
-  std::ranges::copy(hud->extents(), std::back_inserter(taken));
-  elements.push_back(std::move(hud));
-  label_painter.emplace(typeface.regular, layout.text.readout, colors.panel,
-                        image::Area{0, 0, scene.film.width, scene.film.height}, taken);
-  image::Image background = empty_picture(scene);
-  for (const auto& element : elements) {
-    for (const Layer& layer : element->static_layers()) composite_over(background, layer);
+  auto text = std::make_unique<Hud>(scene, solutions, layout, typeface, colors);
+  std::ranges::copy(text->extents(), std::back_inserter(taken));
+  add(std::move(text), hud);
+  if (layout.caption) {
+    elements.push_back(
+        {std::make_unique<Caption>(*scene.caption, *layout.caption, typeface, colors)});
+    taken.push_back(layout.caption->area);
   }
-  blank.emplace(std::move(background));
+}
+
+image::Image Renderer::Parts::background() const {
+  image::Image picture = empty;
+  for (const auto& [element, is_dimmed] : elements) {
+    for (Layer& layer : element->static_layers()) {
+      if (is_dimmed) scale_opacity(layer, dimmed_opacity);
+      composite_over(picture, layer);
+    }
+  }
+  return picture;
+}
+
+image::Frame Renderer::Parts::blank_frame(bool through_own_camera) {
+  image::Frame frame = blank->acquire();
+  if (through_own_camera) return frame;
+  frame.image = background();
+  frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
+  return frame;
 }
 
 Renderer::Renderer(gl::Context& context, const scene::Scene& scene,
@@ -145,19 +209,28 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-PendingFrame Renderer::begin(const timeline::FrameState& state) {
-  Composition composition(parts_->blank->acquire());
+PendingFrame Renderer::begin(const timeline::FrameState& state,
+                             const std::optional<Camera>& camera) {
+  parts_->first->look_through(camera);
+  Composition composition(parts_->blank_frame(!camera.has_value()));
   std::vector<Label> labels;
-  for (const auto& element : parts_->elements) {
-    for (PendingLayer& layer : element->draw(state)) composition.add(std::move(layer));
+  for (const auto& [element, is_dimmed] : parts_->elements) {
+    for (PendingLayer& layer : element->draw(state)) {
+      composition.add(is_dimmed ? dimmed(std::move(layer)) : std::move(layer));
+    }
     std::ranges::move(element->labels(state), std::back_inserter(labels));
   }
   for (Layer& layer : parts_->label_painter->paint(labels)) {
     composition.add(ready(std::move(layer)));
   }
+  parts_->first->look_through({});
   return std::async(std::launch::deferred, [composition = std::move(composition)]() mutable {
     return composition.finish();
   });
+}
+
+bool Renderer::drew(const image::Frame& frame) const noexcept {
+  return frame.background == parts_->blank->bands();
 }
 
 void Renderer::reuse(image::Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
@@ -169,8 +242,6 @@ std::size_t Renderer::frames_ahead() const {
 const image::Image& Renderer::static_background() const {
   return parts_->blank->static_background();
 }
-std::string Renderer::description() const { return gl::renderer_string(parts_->gl); }
-std::string Renderer::typeface_digest() const { return canvas::typeface_digest(parts_->typeface); }
 Camera Renderer::camera(const timeline::FrameState& state) const {
   return parts_->first->camera_in_space(state);
 }

@@ -19,7 +19,8 @@ namespace twrench::render {
 /// A frame in progress. get() completes it on the thread of its renderer, which must outlive it.
 using PendingFrame = std::future<image::Frame>;
 
-/// Draws the frames of a scene. One per context; use it only on the thread that created it.
+/// Draws the frames of a scene. Several may share a context; use them only on the thread that
+/// created it.
 class Renderer {
  public:
   /// Compiles the shaders, creates the meshes and the framebuffer for the scene's frame size, and
@@ -34,10 +35,14 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Issues all drawing of a frame; work on pixels that are still in transfer is left to get().
-  /// Several frames may be in progress, and completed in any order.
-  PendingFrame begin(const timeline::FrameState& state);
+  /// Several frames may be in progress, and completed in any order. With `camera`, the first view
+  /// is seen through that instead of its own.
+  PendingFrame begin(const timeline::FrameState& state, const std::optional<Camera>& camera = {});
 
   image::Frame draw(const timeline::FrameState& state) { return begin(state).get(); }
+
+  /// Returns whether it drew the frame.
+  bool drew(const image::Frame& frame) const noexcept;
 
   /// Takes back a frame that it drew and that is no longer needed, so that a later one can reuse
   /// its memory: only its damaged areas must then be restored. Thread-safe.
@@ -49,12 +54,6 @@ class Renderer {
 
   /// Returns the static background.
   const image::Image& static_background() const;
-
-  /// Returns GL's renderer and version; frames are byte-identical where these are the same.
-  std::string description() const;
-
-  /// Returns a digest of the font files' bytes; frames depend on it too.
-  std::string typeface_digest() const;
 
   /// Returns the camera of the first view, which shows the body if any does, for coordinates in
   /// space.

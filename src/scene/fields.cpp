@@ -42,6 +42,12 @@ ordered_json to_json(const Texts& names) {
   return names.empty() ? ordered_json() : ordered_json(names);
 }
 
+ordered_json to_json(const std::vector<Eigen::Vector3d>& vectors) {
+  ordered_json values = vectors.empty() ? ordered_json() : ordered_json::array();
+  for (const Eigen::Vector3d& v : vectors) values.push_back(to_json(v));
+  return values;
+}
+
 template <typename Value>
 ordered_json to_json(const std::optional<Value>& value) {
   return value ? to_json(*value) : ordered_json();
@@ -57,6 +63,10 @@ auto from_json(const ordered_json& value) {
     return value.get<std::string>();
   } else if constexpr (kind == Field::Kind::texts) {
     return value.get<Texts>();
+  } else if constexpr (kind == Field::Kind::vectors) {
+    std::vector<Eigen::Vector3d> vectors;
+    for (const ordered_json& entry : value) vectors.push_back(to_vector(entry));
+    return vectors;
   } else {
     return value.get<double>();
   }
@@ -80,6 +90,15 @@ Field choice(Field field, const Texts& names, Parse parse, Member member) {
   field.help +=
       fmt::format(": {} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
   return complete<Field::Kind::text>(std::move(field), parse, member);
+}
+
+/// Makes a field whose value is an empty array one that the scene leaves to its default.
+Field or_nothing(Field field) {
+  field.get = [get = std::move(field.get)](const Scene& scene) {
+    ordered_json value = get(scene);
+    return value.empty() ? ordered_json() : value;
+  };
+  return field;
 }
 
 /// Two members hold the background, of which only the colour has a value of its own.
@@ -113,6 +132,17 @@ std::pair<int, int> whole_pixels(const std::array<double, 2>& size, const std::s
 
 Eigen::Vector3d angular_velocity(const Eigen::Vector3d& omega, const std::string& what) {
   return limits::check_omega(what, omega);
+}
+
+std::vector<Eigen::Vector3d> compared_velocities(const std::vector<Eigen::Vector3d>& velocities,
+                                                 const std::string& what) {
+  for (const Eigen::Vector3d& omega : velocities) limits::check_omega(what, omega);
+  if (velocities.size() > limits::max_compared) {
+    throw InvalidArgument(what,
+                          fmt::format("has {} velocities, but at most {} are drawn side by side",
+                                      velocities.size(), limits::max_compared));
+  }
+  return velocities;
 }
 
 std::string as_it_is(const std::string& text, const std::string& /*what*/) { return text; }
@@ -210,10 +240,19 @@ const std::vector<Field>& fields() {
       complete<texts>(
           {"overlay", "show", "LIST", "what is shown besides the body"}, features,
           [](auto& s) -> auto& { return s.overlay.show; }),
+      or_nothing(complete<texts>(
+          {"overlay", "stress", "LIST", "what is drawn stronger, everything else dimmer",
+           "nothing"},
+          features, [](auto& s) -> auto& { return s.overlay.stress; })),
       complete<texts>(
           {"overlay", "compare", "M1,M2,...", "show up to four methods side by side",
            "the motion's method"},
           compared_methods, [](auto& s) -> auto& { return s.overlay.compare; }),
+      complete<vectors>(
+          {"overlay", "compare_omega", "X,Y,Z;...",
+           "show up to four motions side by side: their initial angular velocities, rad/s",
+           "the motion's omega"},
+          compared_velocities, [](auto& s) -> auto& { return s.overlay.compare_omega; }),
       complete<vector>(
           {"overlay", "trail_point", "X,Y,Z",
            "point that draws the trail, in the axes of the parts, cm", "the farthest point"},

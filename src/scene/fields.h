@@ -21,6 +21,7 @@ struct Field {
     size,     ///< An array of two integers: width and height.
     text,     ///< A string.
     texts,    ///< An array of strings.
+    vectors,  ///< An array of arrays of three numbers.
   };
 
   /// Name of the table; empty for the top level of the file.

@@ -47,6 +47,10 @@ inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "strai
 inline constexpr Limit distance{0.2, 20};
 inline constexpr Limit trail_length{1e-15, 1e6};  // s of motion
 
+inline constexpr Limit shot_length{1e-3, 1e6};  // s of video
+inline constexpr Limit shot_speed{0, 1e6};      // s of motion per s of video
+inline constexpr Limit shot_start{0, 1e9};      // s of motion
+
 /// The largest allowed ratio of principal moments. The axes are known to 1e-15 times that ratio,
 /// and beyond about 1e15 the smallest moment is not determined at all.
 inline constexpr double max_moment_ratio = 1e12;
@@ -55,6 +59,7 @@ inline constexpr double max_moment_ratio = 1e12;
 inline constexpr double min_rotation_rate = 1e-100;
 
 inline constexpr std::size_t max_compared = 4;
+inline constexpr std::size_t max_shots = 1000;
 inline constexpr int max_parts = 1000;
 inline constexpr double max_frames = 10'000'000;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,15 +11,40 @@
 
 namespace twrench::scene {
 
+std::size_t Overlay::motion_count() const {
+  return std::max({compare.size(), compare_omega.size(), std::size_t{1}});
+}
+
+double Scene::video_length() const {
+  if (length) return *length;
+  if (shots.empty()) return motion.duration / film.speed;
+  double sum = 0;
+  for (const Shot& shot : shots) sum += shot.scene.video_length();
+  return sum;
+}
+
 int Scene::frame_count() const {
-  const double frames = std::round(motion.duration * film.fps / film.speed);
+  const double frames = shots.empty() ? std::round(motion.duration * film.fps / film.speed)
+                                      : std::round(video_length() * film.fps);
   if (frames < 1.0 || frames > limits::max_frames) {
     throw OutOfRange(
         "film",
         fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::max_frames),
-        {frames, 1, limits::max_frames}, "change the duration, the frame rate or the speed");
+        {frames, 1, limits::max_frames},
+        shots.empty() ? "change the duration, the frame rate or the speed"
+                      : "change the lengths of the shots or the frame rate");
   }
   return static_cast<int>(frames);
+}
+
+std::vector<int> first_frames(const Scene& film) {
+  std::vector<int> frames{0};
+  double end = 0;
+  for (const Shot& shot : film.shots) {
+    end += shot.scene.video_length();
+    frames.push_back(static_cast<int>(std::lround(end * film.film.fps)));
+  }
+  return frames;
 }
 
 void set_background(Look& look, const std::string& text, const std::string& what) {

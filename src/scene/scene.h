@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/color.h"
+#include "scene/speed_curve.h"
 #include "system/error.h"
 
 namespace twrench::scene {
@@ -127,8 +128,13 @@ struct Overlay {
   /// What is shown besides the body.
   std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,  Feature::trail,
                          Feature::labels, Feature::hud,      Feature::sphere, Feature::curve};
+  /// What is drawn stronger, while everything else is dimmed; empty stresses nothing.
+  std::set<Feature> stress;
   /// Names of the methods shown side by side; empty shows only Motion::method.
   std::vector<std::string> compare;
+  /// Initial angular velocities in body axes, in rad/s, of the motions shown side by side; empty
+  /// shows only Motion::omega.
+  std::vector<Eigen::Vector3d> compare_omega;
   /// The point of the body that draws the trail, in the axes of the parts, in cm; by default see
   /// trail_point().
   std::optional<Eigen::Vector3d> trail_point;
@@ -139,10 +145,14 @@ struct Overlay {
 
   /// Returns whether a feature is shown.
   bool shows(Feature feature) const { return show.contains(feature); }
+  /// Returns how many motions are shown side by side, at least 1.
+  std::size_t motion_count() const;
 };
 
 /// Sets the background to "transparent" or a colour. Throws InvalidArgument about `what`.
 void set_background(Look& look, const std::string& text, const std::string& what);
+
+struct Shot;
 
 /// Everything that determines a video. The values have defaults that a scene file or the command
 /// line overrides.
@@ -163,11 +173,47 @@ struct Scene {
   CameraPath camera;
   /// View and overlays.
   Overlay overlay;
+  /// The shots of a film that tells a story, in order. Size, frame rate and font are the same in
+  /// all of them, and so is whether the background is transparent. Empty for a film of one motion.
+  std::vector<Shot> shots;
 
-  /// Returns the number of frames, round(duration * fps / speed). Throws InvalidArgument unless it
-  /// is 1 to 10^7.
+  /// The caption of a shot; empty where the shot has none but others of its film do, so that the
+  /// room for it stays free. Nothing in a film without captions.
+  std::optional<std::string> caption;
+  /// The length of a shot in s of video; nothing outside of shots.
+  std::optional<double> length;
+
+  /// Returns the number of frames: round(duration * fps / speed), or as many as the shots have.
+  /// Throws InvalidArgument unless it is 1 to 10^7.
   int frame_count() const;
+
+  /// Returns the length of the video in s: of the shot, of all shots, or duration / speed.
+  double video_length() const;
 };
+
+/// A shot: a part of a film with its own motion, camera and overlays.
+struct Shot {
+  /// What the shot shows: the film's scene with the shot's own values, and without shots. Its
+  /// motion's duration is what the curves that are drawn cover.
+  Scene scene;
+  /// Seconds of video for which the previous shot fades into this one, at its start.
+  double fade = 0.0;
+  /// Seconds of video in which the camera moves from the previous shot's to this one's.
+  double move = 0.0;
+  /// Time of the motion at the start of the shot, in s.
+  double start = 0.0;
+  /// Seconds of motion per second of video, against the time since the start of the shot.
+  SpeedCurve speed;
+  /// Where it stands in its file, for messages: "FILE:LINE: shot[2]".
+  std::string place;
+
+  /// Returns the time of the motion in s that many seconds of video after the shot's start.
+  double time_of(double seconds) const { return start + speed.integral(seconds); }
+};
+
+/// Returns the number of each shot's first frame, and at the end the number of all frames of the
+/// shots: shots begin at whole frames.
+std::vector<int> first_frames(const Scene& film);
 
 /// Returns the mass properties of the scene's body. If it is given by its moments alone, the mass
 /// is NaN and the centre of mass 0.

@@ -43,6 +43,37 @@ ordered_json& table_in(ordered_json& json, const std::string& name) {
   return name.empty() ? json : *json.emplace(name, ordered_json::object()).first;
 }
 
+ordered_json body_json(const Body& body) {
+  ordered_json json = ordered_json::object();
+  if (!body.parts.empty()) json["part"] = parts_json(body.parts);
+  if (body.moments) json["body"] = {{"moments", numbers(*body.moments)}};
+  return json;
+}
+
+ordered_json speed_json(const SpeedCurve& speed) {
+  ordered_json json = ordered_json::array();
+  for (const auto& [time, value] : speed.points) json.push_back({time, value});
+  return json;
+}
+
+/// The shot's own values, and those of its fields and its body that differ from the film's.
+ordered_json shot_json(const Shot& shot, const Scene& film) {
+  ordered_json json{{"length", *shot.scene.length},
+                    {"caption", shot.scene.caption.value_or("")},
+                    {"fade", shot.fade},
+                    {"move", shot.move},
+                    {"start", shot.start},
+                    {"speed", speed_json(shot.speed)}};
+  for (const Field& field : fields()) {
+    ordered_json value = field.get(shot.scene);
+    if (field.table == "film" || value == field.get(film)) continue;
+    table_in(json, field.table)[field.key] = std::move(value);
+  }
+  const ordered_json body = body_json(shot.scene.body);
+  if (body != body_json(film.body)) json.update(body);
+  return json;
+}
+
 }  // namespace
 
 ordered_json scene_json(const Scene& scene) {
@@ -52,8 +83,12 @@ ordered_json scene_json(const Scene& scene) {
     if (value.is_null()) continue;
     table_in(json, field.table)[field.key] = std::move(value);
   }
-  if (!scene.body.parts.empty()) json["part"] = parts_json(scene.body.parts);
-  if (scene.body.moments) json["body"] = {{"moments", numbers(*scene.body.moments)}};
+  json.update(body_json(scene.body));
+  if (!scene.shots.empty()) {
+    ordered_json shots = ordered_json::array();
+    for (const Shot& shot : scene.shots) shots.push_back(shot_json(shot, scene));
+    json["shot"] = std::move(shots);
+  }
   // JSON is UTF-8: invalid bytes in a title or a font's path are replaced here as they are in a
   // file.
   return ordered_json::parse(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));

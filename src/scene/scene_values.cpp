@@ -38,6 +38,14 @@ void require_form(Field::Kind kind, const ordered_json& value, const std::string
       return require(value.is_string(), "a string");
     case Field::Kind::texts:
       return require(is_array_of(value, 0, &ordered_json::is_string), "an array of strings");
+    case Field::Kind::vectors:
+      return require(value.is_array() && std::ranges::all_of(value,
+                                                             [](const ordered_json& entry) {
+                                                               return is_array_of(
+                                                                   entry, 3,
+                                                                   &ordered_json::is_number);
+                                                             }),
+                     "an array of arrays of 3 numbers");
   }
 }
 
@@ -60,6 +68,13 @@ void require_allowed(const body::Part& part, const std::string& what) {
   limits::check(limits::coordinate, what + ".position", part.position);
 }
 
+/// Throws if each shot determines the value for itself.
+void require_without_shots(const Scene& scene, const std::string& key) {
+  if (scene.shots.empty()) return;
+  throw InvalidArgument(key, "each shot of " + scene.name + " has its own",
+                        "change the shots in the scene file");
+}
+
 }  // namespace
 
 void set_value(Scene& scene, const std::string& key, const ordered_json& value) {
@@ -70,12 +85,15 @@ void set_value(Scene& scene, const std::string& key, const ordered_json& value) 
     throw unknown_name("scene", key, keys);
   }
   require_form(field->kind, value, key);
+  if (key == "omega" || key == "duration" || key == "speed") require_without_shots(scene, key);
   Scene changed = scene;
   field->set(changed, value, key);
+  for (Shot& shot : changed.shots) field->set(shot.scene, value, key);
   scene = std::move(changed);
 }
 
 void set_body(Scene& scene, Body body) {
+  require_without_shots(scene, "body");
   if (body.parts.size() > limits::max_parts) {
     throw InvalidArgument("body", fmt::format("has {} parts, but at most {} are allowed",
                                               body.parts.size(), limits::max_parts));

@@ -28,6 +28,13 @@ ordered_json numbers(const toml::node& node, std::size_t count, const std::strin
   return values;
 }
 
+ordered_json vectors(const toml::node& node, const std::string& what) {
+  if (!node.is_array()) throw InvalidArgument(what, "must be an array of arrays of 3 numbers");
+  ordered_json values = ordered_json::array();
+  for (const toml::node& entry : *node.as_array()) values.push_back(numbers(entry, 3, what));
+  return values;
+}
+
 std::string text(const toml::node& node, const char* form, const std::string& what) {
   if (!node.is_string()) throw InvalidArgument(what, form);
   return node.as_string()->get();
@@ -46,7 +53,8 @@ ordered_json texts(const toml::node& node, const std::string& what) {
 std::string TomlTable::place(const std::string& key) const {
   const toml::node* node = table_.get(key);
   const auto line = (node != nullptr ? node->source() : table_.source()).begin.line;
-  return fmt::format("{}:{}: {}{}{}", source_, line, path_, path_.empty() ? "" : ".", key);
+  const bool both = !path_.empty() && !key.empty();
+  return fmt::format("{}:{}: {}{}{}", source_, line, path_, both ? "." : "", key);
 }
 
 const toml::node* TomlTable::find(const std::string& key) {
@@ -69,8 +77,25 @@ std::optional<ordered_json> TomlTable::value(const std::string& key, Field::Kind
       return text(*node, "must be a string", place(key));
     case Field::Kind::texts:
       return texts(*node, place(key));
+    case Field::Kind::vectors:
+      return vectors(*node, place(key));
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<std::array<double, 2>>> TomlTable::number_or_pairs(
+    const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_number()) return std::vector{std::array{0.0, number(*node, place(key))}};
+  if (!node->is_array()) {
+    throw InvalidArgument(place(key), "must be a number or an array of pairs of numbers");
+  }
+  std::vector<std::array<double, 2>> pairs;
+  for (const toml::node& entry : *node->as_array()) {
+    pairs.push_back(numbers(entry, 2, place(key)).get<std::array<double, 2>>());
+  }
+  return pairs;
 }
 
 ordered_json TomlTable::required(const std::string& key, Field::Kind kind) {
@@ -113,7 +138,8 @@ void TomlTable::tables(const std::string& key, const std::function<void(TomlTabl
   }
   std::size_t index = 0;
   for (const toml::node& entry : *node->as_array()) {
-    TomlTable sub(*entry.as_table(), source_, fmt::format("{}[{}]", key, index++));
+    const std::string name = path_.empty() ? key : path_ + "." + key;
+    TomlTable sub(*entry.as_table(), source_, fmt::format("{}[{}]", name, index++));
     read(sub);
     sub.finish();
   }

@@ -3,11 +3,13 @@
 #include <toml++/toml.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "scene/fields.h"
 #include "scene/limits.h"
@@ -28,6 +30,10 @@ class TomlTable {
   /// Returns the value in the form of `kind`, or nothing if the key is absent.
   std::optional<nlohmann::ordered_json> value(const std::string& key, Field::Kind kind);
 
+  /// Returns the numbers of an array of pairs, or a number alone as the pair of 0 and it; nothing
+  /// if the key is absent.
+  std::optional<std::vector<std::array<double, 2>>> number_or_pairs(const std::string& key);
+
   /// Returns a vector whose components are within `limit`; `otherwise` if the key is absent.
   Eigen::Vector3d vector(const std::string& key, const limits::Limit& limit,
                          const Eigen::Vector3d& otherwise);
@@ -42,7 +48,8 @@ class TomlTable {
   /// Calls `read` for each table of the array if it is present, and finishes each.
   void tables(const std::string& key, const std::function<void(TomlTable&)>& read);
 
-  /// Returns "FILE:LINE: KEY", the start of a message about that key.
+  /// Returns "FILE:LINE: KEY", the start of a message about that key, or about the table if the key
+  /// is empty.
   std::string place(const std::string& key) const;
 
   /// Throws InvalidArgument if the table has a key that was not requested.

@@ -1,5 +1,6 @@
 #include "timeline/timeline.h"
 
+#include <fmt/format.h>
 #include <twrench/study/flip_search.h>
 
 #include <algorithm>
@@ -34,15 +35,26 @@ std::vector<double> seen_flips(const Solution& solution, double duration) {
   return search.times();
 }
 
-Solution take_of(const scene::Scene& scene, const std::string& method) {
-  Solution solution{
-      &motion::find_method(method),
-      scene.motion.control,
-      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega),
-      0.0,
-      {},
-      {},
-      {}};
+/// "about x" for the body's axis that is within about 18 degrees of omega, otherwise omega.
+std::string name_of(const Eigen::Vector3d& omega) {
+  Eigen::Index axis = 0;
+  constexpr double near = 0.95;
+  if (omega.cwiseAbs().maxCoeff(&axis) >= near * omega.norm() && !omega.isZero(0.0)) {
+    return std::string("about ") + "xyz"[axis];
+  }
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
+}
+
+Solution solution_of(const scene::Scene& scene, const std::string& name, const std::string& method,
+                     const Eigen::Vector3d& omega) {
+  Solution solution{&motion::find_method(method),
+                    scene.motion.control,
+                    motion::FreeBody(scene::mass_properties(scene.body).inertia, omega),
+                    0.0,
+                    {},
+                    {},
+                    {},
+                    name};
   solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
@@ -53,6 +65,20 @@ Solution take_of(const scene::Scene& scene, const std::string& method) {
   solution.flips = flips_of(solution.body);
   solution.flip_times = seen_flips(solution, scene.motion.duration);
   return solution;
+}
+
+/// One per method or per initial angular velocity.
+std::vector<Solution> solutions_of(const scene::Scene& scene) {
+  const auto& [omega, method, control, duration] = scene.motion;
+  std::vector<Solution> solutions;
+  for (const std::string& other : scene.overlay.compare) {
+    solutions.push_back(solution_of(scene, other, other, omega));
+  }
+  for (const Eigen::Vector3d& other : scene.overlay.compare_omega) {
+    solutions.push_back(solution_of(scene, name_of(other), method, other));
+  }
+  if (solutions.empty()) solutions.push_back(solution_of(scene, method, method, omega));
+  return solutions;
 }
 
 std::optional<double> next_flip(const Solution& solution, double t) {
@@ -70,27 +96,31 @@ double trail_length(const scene::Scene& scene) {
   return scene.overlay.trail_length.value_or(speed > 0 ? 12 / speed : scene.motion.duration);
 }
 
-Timeline::Timeline(const scene::Scene& scene, std::vector<int> frames)
+std::vector<FrameTime> frame_times(const scene::Film& film, const std::vector<int>& frames) {
+  std::vector<FrameTime> times;
+  times.reserve(frames.size());
+  for (const int frame : frames) {
+    times.push_back({frame, frame / film.fps, film.time_of(frame), film.speed / film.fps});
+  }
+  return times;
+}
+
+Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames)
     : scene_(scene),
-      frames_(std::move(frames)),
+      frames_(frames.begin(), frames.end()),
       trail_length_(trail_length(scene)),
       grid_step_(step_of_trail(scene, trail_length_)) {
   if (scene.overlay.shows(scene::Feature::trail)) {
     std::int64_t next = 0;
-    for (const int frame : frames_) {
-      const double t = scene.film.time_of(frame);
+    for (const auto& [frame, video_time, t, interval] : frames_) {
       const auto oldest = static_cast<std::int64_t>(std::ceil((t - trail_length_) / grid_step_));
       for (next = std::max(next, oldest); static_cast<double>(next) * grid_step_ < t; ++next) {
         grid_numbers_.push_back(next);
       }
     }
   }
-  const auto methods =
-      scene.overlay.compare.empty() ? std::vector{scene.motion.method} : scene.overlay.compare;
-  for (const std::string& method : methods) {
-    solutions_.push_back(take_of(scene, method));
-    records_.push_back(record(solutions_.back()));
-  }
+  solutions_ = solutions_of(scene);
+  for (const Solution& solution : solutions_) records_.push_back(record(solution));
 }
 
 Timeline::Record Timeline::record(const Solution& solution) const {
@@ -99,11 +129,11 @@ Timeline::Record Timeline::record(const Solution& solution) const {
   };
   std::vector<double> own, blurred, grid;
   const int count = scene_.look.motion_blur;
-  const double open = 0.5 * scene_.film.speed / scene_.film.fps;  // half the frame interval
-  for (const int frame : frames_) {
-    own.push_back(scene_.film.time_of(frame));
+  for (const FrameTime& frame : frames_) {
+    own.push_back(frame.t);
+    const double open = 0.5 * frame.interval;
     for (int i = 0; count > 1 && i < count; ++i) {
-      blurred.push_back(own.back() + open * ((i + 0.5) / count - 0.5));
+      blurred.push_back(frame.t + open * ((i + 0.5) / count - 0.5));
     }
   }
   for (const std::int64_t number : grid_numbers_) {
@@ -127,7 +157,7 @@ double SolutionState::trail_age(const motion::Sample& of_trail, double trail_len
 }
 
 FrameState Timeline::frame_state(std::size_t index) const {
-  FrameState state{frames_[index], frames_[index] / scene_.film.fps, {}};
+  FrameState state{frames_[index].frame, frames_[index].video_time, 1, {}};
   for (std::size_t i = 0; i < solutions_.size(); ++i) {
     const Solution& solution = solutions_[i];
     const Record& record = records_[i];

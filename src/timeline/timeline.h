@@ -12,6 +12,21 @@
 
 namespace twrench::timeline {
 
+/// When a frame shows the motion.
+struct FrameTime {
+  /// Number of the frame in the video.
+  int frame = 0;
+  /// Time in the video, or since the start of the shot, in s.
+  double video_time = 0.0;
+  /// Time of the motion in s.
+  double t = 0.0;
+  /// Seconds of motion in the time of one frame.
+  double interval = 0.0;
+};
+
+/// Returns the times of these frames of a film of one motion.
+std::vector<FrameTime> frame_times(const scene::Film& film, const std::vector<int>& frames);
+
 /// One motion of the video as computed by one method: everything that does not depend on the frame.
 struct Solution {
   /// The method that computes the motion.
@@ -28,6 +43,9 @@ struct Solution {
   std::optional<motion::ExactMotion::Flips> flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
+  /// What tells it apart from others side by side with it: its method, or the axis that it starts
+  /// about.
+  std::string name = {};
 };
 
 /// The state of one motion in one frame.
@@ -54,8 +72,10 @@ struct SolutionState {
 struct FrameState {
   /// Number of the frame in the video.
   int frame = 0;
-  /// Time in the video in s.
+  /// Time in the video, or since the start of the shot, in s.
   double video_time = 0.0;
+  /// Opacity of the caption.
+  double caption_opacity = 1.0;
   /// The state of each motion.
   std::vector<SolutionState> solutions;
 };
@@ -68,14 +88,18 @@ double trail_length(const scene::Scene& scene);
 /// frame number, not on which other frames are requested.
 class Timeline {
  public:
-  /// Integrates everything that `frames` (ascending numbers) need: one motion or, for a comparison,
-  /// one per method. Throws as trajectory() does.
-  Timeline(const scene::Scene& scene, std::vector<int> frames);
+  /// Integrates everything that `frames` (in ascending order of t) need: one motion or, for a
+  /// comparison, one per method or initial angular velocity. Throws as trajectory() does.
+  Timeline(const scene::Scene& scene, std::span<const FrameTime> frames);
+
+  /// The same for frames of a film of one motion, by their numbers.
+  Timeline(const scene::Scene& scene, const std::vector<int>& frames)
+      : Timeline(scene, frame_times(scene.film, frames)) {}
 
   const std::vector<Solution>& solutions() const { return solutions_; }
   std::size_t size() const { return frames_.size(); }
 
-  /// Returns the state of the frame with number frames[index].
+  /// Returns the state of frames[index].
   FrameState frame_state(std::size_t index) const;
 
  private:
@@ -91,7 +115,7 @@ class Timeline {
   std::vector<motion::Sample> trail(const Record& record, std::size_t index) const;
 
   scene::Scene scene_;
-  std::vector<int> frames_;
+  std::vector<FrameTime> frames_;
   double trail_length_;
   double grid_step_;                        ///< Spacing in s.
   std::vector<std::int64_t> grid_numbers_;  ///< Ascending.

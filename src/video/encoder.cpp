@@ -162,11 +162,8 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
   file_.claim();
 }
 
-void VideoEncoder::convert(const image::Image& frame) {
-  convert(frame, std::array{image::Area{0, 0, format_.width, format_.height}});
-}
-
-void VideoEncoder::convert(const image::Image& frame, std::span<const image::Area> damage) {
+void VideoEncoder::convert(const image::Image& frame, std::span<const image::Area> damage,
+                           const Background& background) {
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("the frame does not have the video's size");
   }
@@ -180,11 +177,14 @@ void VideoEncoder::convert(const image::Image& frame, std::span<const image::Are
     shown = &opaque_;
   }
   current_ = 1 - current_;
-  auto& [planes, damage_before] = converted_[current_];
-  damage_before.insert(damage_before.end(), damage.begin(), damage.end());
-  for (const image::Area& area : image::merged(std::move(damage_before)))
-    planes.update(*shown, area);
-  damage_before.assign(damage.begin(), damage.end());
+  auto& [planes, changed, background_before] = converted_[current_];
+  if (background == nullptr || background != background_before) {
+    changed.assign(1, {0, 0, format_.width, format_.height});
+  }
+  changed.insert(changed.end(), damage.begin(), damage.end());
+  for (const image::Area& area : image::merged(std::move(changed))) planes.update(*shown, area);
+  changed.assign(damage.begin(), damage.end());
+  background_before = background;
 }
 
 void VideoEncoder::write_converted() {
@@ -198,7 +198,7 @@ void VideoEncoder::write_converted() {
 }
 
 void VideoEncoder::write(const image::Image& frame) {
-  convert(frame);
+  convert(frame, std::array{image::Area{0, 0, format_.width, format_.height}}, nullptr);
   write_converted();
 }
 

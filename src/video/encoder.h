@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "image/area.h"
+#include "image/frame.h"
 #include "image/image.h"
 #include "image/yuv.h"
 #include "system/child_process.h"
@@ -63,11 +65,9 @@ class VideoEncoder {
   /// RGBA is composited over black. Throws EncoderError if ffmpeg failed.
   void write(const image::Image& frame);
 
-  /// The two halves of write(). With `changed`, the frame equals the static background outside
-  /// these damaged areas: after the first frame, only they and those of the previous frame are
-  /// converted.
-  void convert(const image::Image& frame);
-  void convert(const image::Image& frame, std::span<const image::Area> damage);
+  /// The two halves of write(). A frame equals its static background outside its damaged areas:
+  /// after other frames with that background, only they and those of an earlier one are converted.
+  void convert(const image::Frame& frame) { convert(frame.image, frame.damage, frame.background); }
   void write_converted();
 
   /// Completes the video and verifies that it matches what was written. Throws EncoderError if
@@ -75,6 +75,10 @@ class VideoEncoder {
   void finish();
 
  private:
+  using Background = std::shared_ptr<const image::StaticBands>;
+
+  void convert(const image::Image& frame, std::span<const image::Area> damage,
+               const Background& background);
   [[noreturn]] void fail();
   void require_whole() const;
 
@@ -95,6 +99,7 @@ class VideoEncoder {
         : planes(format.width, format.height), damage{{0, 0, format.width, format.height}} {}
     image::Yuv420 planes;
     std::vector<image::Area> damage;
+    Background background;
   };
   std::array<Converted, 2> converted_;  ///< One is filled while the other is read.
   std::size_t current_ = 0;

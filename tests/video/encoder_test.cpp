@@ -169,6 +169,7 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
   const ScratchFolder scratch;
   VideoEncoder whole(scratch / "whole.mp4", format);
   VideoEncoder areas(scratch / "areas.mp4", format);
+  const auto background = std::make_shared<image::StaticBands>();
   for (int k = 0; k < 4; ++k) {
     image::Image frame = flat({20, 60, 90});
     const image::Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
@@ -180,7 +181,24 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
       }
     }
     whole.write(frame);
-    areas.convert(frame, std::array{area});
+    areas.convert({frame, {area}, true, background});
+    areas.write_converted();
+  }
+  whole.finish();
+  areas.finish();
+  EXPECT_EQ(decode(scratch, "areas.mp4"), decode(scratch, "whole.mp4"));
+}
+
+TEST(Encoder, NoticesThatTheBackgroundIsAnother) {
+  const ScratchFolder scratch;
+  VideoEncoder whole(scratch / "whole.mp4", format);
+  VideoEncoder areas(scratch / "areas.mp4", format);
+  const std::array backgrounds{std::make_shared<image::StaticBands>(),
+                               std::make_shared<image::StaticBands>()};
+  for (const std::size_t which : {0U, 0U, 1U, 1U, 1U, 0U, 1U}) {
+    const image::Image frame = flat({20, static_cast<std::uint8_t>(60 + 100 * which), 90});
+    whole.write(frame);
+    areas.convert({frame, {{1, 1, 2, 2}}, true, backgrounds[which]});
     areas.write_converted();
   }
   whole.finish();
@@ -199,6 +217,7 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
                                      "for film; do :; done; exec touch \"${film#file:}\"");
   constexpr int width = 1280, height = 720;  // more than the pipe holds
   VideoEncoder encoder(scratch / "film.mp4", {width, height, 30});
+  const auto background = std::make_shared<image::StaticBands>();
   std::vector<std::uint8_t> expected;
   for (int k = 0; k < 9; ++k) {
     image::Image frame(width, height, 3);
@@ -207,7 +226,7 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
       std::fill_n(&frame.pixels[static_cast<std::size_t>(3 * (y * width + area.x))], 3 * area.width,
                   static_cast<std::uint8_t>(90 + 15 * k));
     }
-    encoder.convert(frame, std::array{area});
+    encoder.convert({frame, {area}, true, background});
     encoder.write_converted();
     image::Yuv420 planes(width, height);
     planes.update(frame, {0, 0, width, height});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/compose/label.h"
@@ -13,7 +14,7 @@ class Element {
  public:
   virtual ~Element() = default;
 
-  /// Returns the static layers, which are the same in every frame; called once.
+  /// Returns the static layers, which are the same in every frame through the same camera.
   virtual std::vector<Layer> static_layers() { return {}; }
 
   /// Returns the layers that change, in the order in which they are composited. Layers lie entirely
@@ -33,9 +34,24 @@ class SpaceView : public Element {
   virtual Camera camera(double video_time) const = 0;
 
   /// Returns the camera for coordinates in space.
-  virtual Camera camera_in_space(const timeline::FrameState& state) const {
+  Camera camera_in_space(const timeline::FrameState& state) const {
+    return other_camera_ ? *other_camera_ : own_camera_in_space(state);
+  }
+
+  /// Lets the view be seen through another camera than its own, which is for coordinates in space,
+  /// until this is called with nothing.
+  void look_through(const std::optional<Camera>& camera) { other_camera_ = camera; }
+
+ protected:
+  /// Returns the camera that the view has been told to use instead of its own.
+  const std::optional<Camera>& other_camera() const { return other_camera_; }
+
+ private:
+  virtual Camera own_camera_in_space(const timeline::FrameState& state) const {
     return camera(state.video_time);
   }
+
+  std::optional<Camera> other_camera_;
 };
 
 }  // namespace twrench::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 
 namespace twrench::render {
@@ -47,6 +48,12 @@ void copy_area(const Layer& from, Layer& to, const image::Area& area) {
   for (int y = held.y; y < held.y + held.height; ++y) {
     const auto start = static_cast<std::ptrdiff_t>(offset(from.image, held.x - from.x, y - from.y));
     std::copy_n(from.image.pixels.begin() + start, 4 * held.width, to.image.pixels.begin() + start);
+  }
+}
+
+void scale_opacity(Layer& layer, double factor) {
+  for (std::uint8_t& value : layer.image.pixels) {
+    value = static_cast<std::uint8_t>(std::lround(value * factor));
   }
 }
 

@@ -21,6 +21,9 @@ Layer layer_around(const image::Area& area, int margin, const image::Area& pictu
 /// Copies the pixels in `area`, as far as it lies in both, between two layers at the same position.
 void copy_area(const Layer& from, Layer& to, const image::Area& area);
 
+/// Multiplies the layer's opacity by a factor from 0 to 1.
+void scale_opacity(Layer& layer, double factor);
+
 /// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
 /// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
 image::Area composite_over(image::Image& image, const Layer& layer);

@@ -10,7 +10,7 @@ namespace twrench::render {
 namespace {
 
 Parts parts_of(const scene::Overlay& overlay) {
-  const bool single = overlay.compare.size() < 2;
+  const bool single = overlay.motion_count() == 1;
   const bool shows_body = overlay.view == scene::View::wrench;
   Parts parts{};
   parts[poinsot_part] = single && shows_body && overlay.shows(scene::Feature::poinsot);
@@ -37,10 +37,15 @@ bool is_strip(const image::Area& components) {
 }
 
 Layout compute_layout(const scene::Scene& scene) {
-  if (scene.overlay.compare.size() > 1 && scene.overlay.view != scene::View::wrench) {
-    throw InvalidArgument(
-        "compare", "the view '" + scene::name_of(scene.overlay.view) + "' shows only one motion",
-        "use the view 'wrench' to compare methods");
+  const scene::Overlay& overlay = scene.overlay;
+  if (!overlay.compare.empty() && !overlay.compare_omega.empty()) {
+    throw InvalidArgument("compare_omega", "cannot be combined with compare",
+                          "compare either methods or initial angular velocities");
+  }
+  if (overlay.motion_count() > 1 && overlay.view != scene::View::wrench) {
+    throw InvalidArgument(overlay.compare.empty() ? "compare_omega" : "compare",
+                          "the view '" + scene::name_of(overlay.view) + "' shows only one motion",
+                          "use the view 'wrench' to compare motions");
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {

@@ -37,7 +37,16 @@ struct Layout {
     double caption;
   };
 
-  /// Panes of the body, one per method. They tile the picture or, in the view `quad`, a quarter of
+  /// The caption of a shot, in a band at the bottom that everything else keeps clear of.
+  struct Caption {
+    static constexpr double line_height = 1.3;  ///< em
+
+    image::Area area;  ///< As high as the most lines.
+    double size;       ///< px per em, of which capitals are a 25th of the shorter side high.
+    int most_lines;
+  };
+
+  /// Panes of the body, one per motion. They tile the picture or, in the view `quad`, a quarter of
   /// it; none if the view shows no body.
   std::vector<Pane> panes;
   /// The momentum sphere and Poinsot's construction.
@@ -55,6 +64,9 @@ struct Layout {
   std::optional<image::Area> forces, tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
+
+  /// The caption; nothing in a film without captions, and in a picture too small for them.
+  std::optional<Caption> caption;
 
   /// Text sizes.
   TextSizes text{};

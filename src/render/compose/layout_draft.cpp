@@ -39,7 +39,7 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts)
       picture_{0, 0, scene.film.width, scene.film.height},
       gap_(std::max(4, shorter(picture_) / 40)),
       rest_(picture_),
-      solutions_(std::max(1, static_cast<int>(scene.overlay.compare.size()))) {
+      solutions_(static_cast<int>(scene.overlay.motion_count())) {
   const double side = shorter(picture_);
   layout_.text = {std::max(12.0, 0.040 * side), std::max(10.0, 0.026 * side),
                   std::max(9.0, 0.0185 * side)};
@@ -47,7 +47,22 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts)
   const int x = static_cast<int>(std::ceil(safe_margin * picture_.width));
   const int y = static_cast<int>(std::ceil(safe_margin * picture_.height));
   safe_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
+  if (scene.caption) place_caption();
   if (std::ranges::find(parts_, true) != parts_.end()) rest_ = safe_;
+}
+
+/// The more lines, the shorter they are.
+void LayoutDraft::place_caption() {
+  constexpr double em = 0.056;  // of the shorter side
+  constexpr double least = 9;   // px
+  const double size = em * shorter(picture_);
+  if (size < least) return;
+  const int lines = 4 * picture_.width >= 5 * picture_.height   ? 2
+                    : 5 * picture_.width >= 4 * picture_.height ? 3
+                                                                : 4;
+  const int height = pixels(lines * Layout::Caption::line_height * size);
+  layout_.caption = {cut_bottom(safe_, height, gap_), size, lines};
+  rest_.height = safe_.y + safe_.height - rest_.y;
 }
 
 bool LayoutDraft::is_long() const {

@@ -50,6 +50,8 @@ class LayoutDraft {
   bool explains() const { return !layout_.compact && overlay_.shows(scene::Feature::hud); }
   std::vector<Inset> shown(std::span<const Inset> insets) const;
 
+  void place_caption();
+
   // Title, readouts and insets: layout_insets.cpp.
   void place_words_and_insets();
   double title_height(int width) const;

@@ -98,10 +98,11 @@ void Addition::place_legend() {
 }  // namespace
 
 Layout with_forces(Layout layout, const scene::Scene& scene) {
-  if (scene.overlay.view != scene::View::wrench || layout.panes.size() != 1) return layout;
+  if (scene.overlay.view != scene::View::wrench) return layout;
+  const bool single = layout.panes.size() == 1;
   Addition addition(layout, scene);
-  addition.place_panels();
-  addition.place_legend();
+  if (single || layout.curve || layout.components) addition.place_panels();
+  if (single) addition.place_legend();
   return layout;
 }
 

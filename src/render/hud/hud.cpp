@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "canvas/error.h"
+#include "canvas/typesetting.h"
 #include "render/hud/captions.h"
 #include "render/hud/hud_text.h"
 
@@ -59,17 +59,6 @@ class Figures {
   std::size_t flips_ = 0;
 };
 
-void require_characters(const canvas::Font& font, const std::string& title) {
-  if (const auto missing = canvas::missing_character(font, title)) {
-    throw canvas::MissingGlyph(
-        "title",
-        fmt::format("contains the character U+{:04X}, which neither the font nor the "
-                    "built-in sans can draw",
-                    static_cast<std::uint32_t>(*missing)),
-        *missing);
-  }
-}
-
 /// Sets all text of a video.
 class Typesetter {
  public:
@@ -113,7 +102,7 @@ void Typesetter::add_title() {
   TextBlock& block = blocks_.emplace_back(style_, *layout_.title);
   if (shows(scene::Feature::hud)) {
     const std::string& title = scene_.title.empty() ? scene_.name : scene_.title;
-    require_characters(style_.typeface.strong, title);
+    canvas::require_characters(style_.typeface.strong, title, "title");
     if (compares()) block.add_corner(figures_.time());
     block.add_title(title, style_.typeface.strong, layout_.text.title, style_.colors.text);
   }
@@ -141,8 +130,8 @@ void Typesetter::add_legend(std::size_t solution) {
   TextBlock& block = blocks_.emplace_back(style_, layout_.legends[solution]);
   const scene::Color curve = solution_color(style_.colors, solution);
   const bool plotted = layout_.components || layout_.curve;
-  block.add_line(std::string(solutions_[solution].method->name), style_.typeface.strong,
-                 0.85 * layout_.text.title, style_.colors.text, plotted ? &curve : nullptr);
+  block.add_line(solutions_[solution].name, style_.typeface.strong, 0.85 * layout_.text.title,
+                 style_.colors.text, plotted ? &curve : nullptr);
   block.add_readouts({figures_.energy_drift(solution), Figures::orthogonality(solution),
                       figures_.flips(solution)});
   add_remark(block, solution);

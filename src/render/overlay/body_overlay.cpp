@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/look/emphasis.h"
 #include "render/overlay/trail_point.h"
 
 namespace twrench::render {
@@ -37,13 +38,17 @@ std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, dou
 
 BodyOverlay::BodyOverlay(const scene::Scene& scene, const timeline::Solution& solution,
                          double radius)
-    : colors_(style_of(scene.look.theme).overlay),
+    : colors_(emphasised(style_of(scene.look.theme).overlay, scene.overlay)),
       shows_axes_(scene.overlay.shows(scene::Feature::axes)),
       shows_momentum_(scene.overlay.shows(scene::Feature::momentum)),
       shows_omega_(scene.overlay.shows(scene::Feature::omega)),
       shows_plane_(scene.overlay.shows(scene::Feature::plane)),
       shows_trail_(scene.overlay.shows(scene::Feature::trail)),
       shows_labels_(scene.overlay.shows(scene::Feature::labels)),
+      momentum_shaft_(momentum_shaft * thickness_of(scene.overlay, scene::Feature::momentum)),
+      omega_shaft_(omega_shaft * thickness_of(scene.overlay, scene::Feature::omega)),
+      axis_shaft_(axis_shaft * thickness_of(scene.overlay, scene::Feature::axes)),
+      trail_width_(trail_width * thickness_of(scene.overlay, scene::Feature::trail)),
       radius_(radius),
       trail_length_(timeline::trail_length(scene)),
       trail_point_(trail_point(scene)),
@@ -82,15 +87,15 @@ void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
   const Vector3d centre = Vector3d::Zero();
   if (shows_axes_) {
     for (int i = 0; i < 3; ++i) {
-      opaque.arrow(centre, axis_length * radius_ * X.col(i), axis_shaft * radius_,
+      opaque.arrow(centre, axis_length * radius_ * X.col(i), axis_shaft_ * radius_,
                    {colors_.axis[static_cast<std::size_t>(i)]});
     }
   }
   if (shows_momentum_) {
-    opaque.arrow(centre, momentum_tip(), momentum_shaft * radius_, {colors_.momentum});
+    opaque.arrow(centre, momentum_tip(), momentum_shaft_ * radius_, {colors_.momentum});
   }
   if (shows_omega_) {
-    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft * radius_, {colors_.omega});
+    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft_ * radius_, {colors_.omega});
   }
   if (shows_plane_) draw_plane(translucent);
   if (shows_trail_) draw_trail(instant, translucent);
@@ -136,11 +141,11 @@ void BodyOverlay::draw_fading(const timeline::SolutionState& instant, double wid
 void BodyOverlay::draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const {
   if (shows_plane_ && shows_omega_) {
     draw_fading(
-        instant, 0.6 * trail_width, colors_.omega,
+        instant, 0.6 * trail_width_, colors_.omega,
         [&](const motion::Sample& sample) { return omega_tip(sample); }, translucent);
   }
   draw_fading(
-      instant, trail_width, colors_.trail,
+      instant, trail_width_, colors_.trail,
       [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; },
       translucent);
 }

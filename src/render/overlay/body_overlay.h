@@ -55,6 +55,7 @@ class BodyOverlay {
 
   OverlayColors colors_;
   bool shows_axes_, shows_momentum_, shows_omega_, shows_plane_, shows_trail_, shows_labels_;
+  double momentum_shaft_, omega_shaft_, axis_shaft_, trail_width_;  ///< In radii.
   double radius_;
   double trail_length_;  ///< Duration of the trail in s.
   Eigen::Vector3d trail_point_;

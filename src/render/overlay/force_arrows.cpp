@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/look/emphasis.h"
 #include "timeline/reference_frame.h"
 
 namespace twrench::render {
@@ -40,6 +41,8 @@ const Vector3d& force_of(const motion::PointForces& forces, Force kind) {
 ForceArrows::ForceArrows(const scene::Scene& scene, const timeline::Solution& solution,
                          double radius)
     : colors_(style_of(scene.look.theme).overlay),
+      is_dimmed_(is_dimmed(scene.overlay, scene::Feature::forces)),
+      shaft_(force_shaft * thickness_of(scene.overlay, scene::Feature::forces)),
       frame_(scene.camera.frame),
       body_(solution.body),
       radius_(radius),
@@ -81,7 +84,9 @@ void ForceArrows::draw(const timeline::SolutionState& instant, DrawList& opaque)
   visit(instant.sample, [&](const Vector3d& place, const Vector3d& force, Force kind) {
     const Vector3d arrow = scale_ * force;
     if (arrow.norm() < shortest_force * radius_) return;
-    opaque.arrow(place, place + arrow, force_shaft * radius_, {color_of(kind, colors_)});
+    const scene::Color color = color_of(kind, colors_);
+    opaque.arrow(place, place + arrow, shaft_ * radius_,
+                 {is_dimmed_ ? dimmed(color, colors_) : color});
   });
 }
 

@@ -37,6 +37,8 @@ class ForceArrows {
   void visit(const motion::Sample& sample, Visit visit) const;
 
   OverlayColors colors_;
+  bool is_dimmed_;
+  double shaft_;  ///< In radii.
   scene::Frame frame_;
   motion::FreeBody body_;
   double radius_;

@@ -121,6 +121,15 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
   return wide;
 }
 
+Camera between(const Camera& from, const Camera& to, double share) {
+  const Eigen::Quaterniond start(from.camera_from_space()), end(to.camera_from_space());
+  const double distance = from.distance * std::pow(to.distance / from.distance, share);
+  Matrix4d view = Matrix4d::Identity();
+  view.topLeftCorner<3, 3>() = start.slerp(share, end).toRotationMatrix();
+  view(2, 3) = -distance;
+  return {view, from.projection + share * (to.projection - from.projection), distance};
+}
+
 Camera carried(const Camera& camera, const Eigen::Matrix3d& space_from_frame) {
   Camera seen = camera;
   seen.view.topLeftCorner<3, 3>() = camera.camera_from_space() * space_from_frame.transpose();

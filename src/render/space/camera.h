@@ -54,6 +54,10 @@ Eigen::Vector2d pixel_of(const Camera& camera, const image::Area& pane,
 /// Returns the camera whose picture in `focus` is unchanged but extends to fill `pane`.
 Camera widened(const Camera& camera, const image::Area& focus, const image::Area& pane);
 
+/// Returns the camera on the way from one to another, by the share of the way that it has gone, 0
+/// to 1: it turns about the origin by the shortest way.
+Camera between(const Camera& from, const Camera& to, double share);
+
 /// Returns the camera for coordinates in space of a camera for those in a frame with the same
 /// origin, given the frame's attitude, space_from_frame.
 Camera carried(const Camera& camera, const Eigen::Matrix3d& space_from_frame);

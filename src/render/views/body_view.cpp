@@ -116,7 +116,7 @@ Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution
   const double radius =
       std::max(overlay_.bounding_radius(), forces_ ? forces_->bounding_radius() : 0);
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
-  const double orbit = scene.camera.orbit * scene.motion.duration / scene.film.speed;
+  const double orbit = scene.camera.orbit * scene.video_length();
   const std::vector<Eigen::Vector3d> directions =
       directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
   Framing framing =
@@ -136,7 +136,7 @@ motion::RotatingFrame BodyView::frame_at(const motion::Sample& sample) const {
   return timeline::reference_frame(frame_, motion_, sample);
 }
 
-Camera BodyView::camera_in_space(const timeline::FrameState& state) const {
+Camera BodyView::own_camera_in_space(const timeline::FrameState& state) const {
   return carried(camera(state.video_time), frame_at(state.solutions[solution_].sample).attitude);
 }
 
@@ -155,7 +155,7 @@ timeline::SolutionState BodyView::relative(timeline::SolutionState instant) cons
 
 std::vector<Layer> BodyView::static_layers() {
   std::vector<Layer> layers;
-  if (floor_ && floor_lit_) layers.push_back(floor_->light(camera(0)));
+  if (floor_ && floor_lit_) layers.push_back(floor_->light(other_camera().value_or(camera(0))));
   return layers;
 }
 

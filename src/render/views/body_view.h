@@ -29,9 +29,9 @@ class BodyView final : public SpaceView {
   std::vector<Label> labels(const timeline::FrameState& state) const override;
 
   Camera camera(double video_time) const override;
-  Camera camera_in_space(const timeline::FrameState& state) const override;
 
  private:
+  Camera own_camera_in_space(const timeline::FrameState& state) const override;
   void add_surroundings(const gl::Functions& gl, const scene::Scene& scene);
   motion::RotatingFrame frame_at(const motion::Sample& sample) const;
   timeline::SolutionState relative(timeline::SolutionState instant) const;

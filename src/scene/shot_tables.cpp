@@ -1,0 +1,184 @@
+#include "scene/shot_tables.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/limits.h"
+#include "scene/scene_tables.h"
+
+namespace twrench::scene {
+namespace {
+
+/// Returns the speed in seconds of motion per second of video: a number, or pairs of a time in s
+/// of the shot and the speed then.
+SpeedCurve read_speed(TomlTable& table, double length, double otherwise) {
+  const std::string place = table.place("speed");
+  const auto pairs = table.number_or_pairs("speed");
+  if (!pairs) return {{{0, otherwise}}};
+  SpeedCurve curve;
+  for (const auto& [time, speed] : *pairs) {
+    limits::check({0, length}, place, time);
+    limits::check(limits::shot_speed, place, speed);
+    if (!curve.points.empty() && time <= curve.points.back().time) {
+      throw InvalidArgument(place, fmt::format("has a point at {} s after one at {} s", time,
+                                               curve.points.back().time));
+    }
+    curve.points.push_back({time, speed});
+  }
+  if (curve.points.empty()) throw InvalidArgument(place, "has no points");
+  return curve;
+}
+
+/// Throws if the shot sets what must be the same in the whole film.
+void require_of_film(const TomlTable& table, const Scene& shot, const Scene& film) {
+  if (table.has("font") || shot.look.transparent != film.look.transparent) {
+    throw InvalidArgument(table.place(table.has("font") ? "font" : "background"),
+                          "must be the same in the whole film: set it outside of the shots");
+  }
+}
+
+/// Reads the tables that a shot has in common with the scene. Returns the duration of the motion
+/// if the shot sets it, otherwise 0.
+double read_scene(TomlTable& table, Scene& shot, const Scene& film) {
+  if (table.has("part") || table.has("body")) shot.body = read_body(table);
+  double duration = 0;
+  for (const char* name : {"motion", "look", "camera", "overlay"}) {
+    table.table(name, [&](TomlTable& fields) {
+      read_fields(fields, name, shot);
+      require_of_film(fields, shot, film);
+      if (fields.has("duration")) duration = shot.motion.duration;
+    });
+  }
+  return duration;
+}
+
+bool shows_one_body(const Scene& scene) {
+  return scene.overlay.view == View::wrench && scene.overlay.motion_count() == 1;
+}
+
+/// What a motion starts from.
+struct Start {
+  explicit Start(const Scene& scene)
+      : inertia(mass_properties(scene.body).inertia),
+        omega(scene.motion.omega),
+        compared(scene.overlay.compare_omega) {}
+  bool operator==(const Start&) const = default;
+
+  Eigen::Matrix3d inertia;
+  Eigen::Vector3d omega;
+  std::vector<Eigen::Vector3d> compared;
+};
+
+/// Reads shots one after the other.
+class ShotReader {
+ public:
+  explicit ShotReader(const Scene& film) : film_(film) {}
+
+  void read(TomlTable& table);
+
+  /// Returns the shots. The motion of each lasts until no shot of the same motion needs it.
+  std::vector<Shot> finish();
+
+ private:
+  /// A motion that one or more shots show.
+  struct Shown {
+    Start start;
+    double end = 0;     ///< Where the last shot of it ended, in s.
+    double needed = 0;  ///< How long it lasts at least, in s.
+  };
+
+  double read_transition(TomlTable& table, const std::string& key, double length) const;
+  std::size_t motion_of(const Scene& shot);
+
+  const Scene& film_;
+  std::vector<Shot> shots_;
+  std::vector<Shown> motions_;
+  std::vector<std::size_t> motion_of_shot_;
+};
+
+/// A time in s that the shot's start has room for; 0 if it is not given.
+double ShotReader::read_transition(TomlTable& table, const std::string& key, double length) const {
+  const auto given = table.value(key, Field::Kind::number);
+  const double time = given ? given->get<double>() : 0;
+  if (!given || limits::check({0, limits::shot_length.high}, table.place(key), time) == 0) return 0;
+  if (shots_.empty()) {
+    throw InvalidArgument(table.place(key), "must be 0 in the first shot, which follows no other");
+  }
+  const double room = std::min(length, *shots_.back().scene.length);
+  if (time <= room) return time;
+  throw InvalidArgument(table.place(key),
+                        fmt::format("is {} s, but must be at most {} s, the length of the shorter "
+                                    "one of this shot and the previous",
+                                    time, room));
+}
+
+std::size_t ShotReader::motion_of(const Scene& shot) {
+  const Start start(shot);
+  const auto found = std::ranges::find(motions_, start, &Shown::start);
+  if (found != motions_.end()) return static_cast<std::size_t>(found - motions_.begin());
+  motions_.push_back({start});
+  return motions_.size() - 1;
+}
+
+void ShotReader::read(TomlTable& table) {
+  Shot shot;
+  shot.place = table.place("");
+  shot.scene = film_;
+  const double length = table.required_number("length", limits::shot_length);
+  shot.scene.length = length;
+  const auto caption = table.value("caption", Field::Kind::text);
+  shot.scene.caption = caption ? caption->get<std::string>() : std::string();
+  shot.scene.motion.duration = read_scene(table, shot.scene, film_);
+  shot.fade = read_transition(table, "fade", length);
+  shot.move = read_transition(table, "move", length);
+  if (shot.move > 0 && !(shows_one_body(shot.scene) && shows_one_body(shots_.back().scene))) {
+    throw InvalidArgument(table.place("move"),
+                          "needs two shots of one body each, in the view 'wrench'");
+  }
+  shot.speed = read_speed(table, length, film_.film.speed);
+  if (shot.speed.fastest() > 0) shot.scene.film.speed = shot.speed.fastest();
+  motion_of_shot_.push_back(motion_of(shot.scene));
+  const auto start = table.value("start", Field::Kind::number);
+  double& end = motions_[motion_of_shot_.back()].end;
+  shot.start =
+      start ? limits::check(limits::shot_start, table.place("start"), start->get<double>()) : end;
+  end = shot.time_of(length);
+  shots_.push_back(std::move(shot));
+}
+
+std::vector<Shot> ShotReader::finish() {
+  for (std::size_t i = 0; i < shots_.size(); ++i) {
+    const bool last = i + 1 == shots_.size();
+    const double after = last ? 0 : std::max(shots_[i + 1].fade, shots_[i + 1].move);
+    double& needed = motions_[motion_of_shot_[i]].needed;
+    needed = std::max(needed, shots_[i].time_of(*shots_[i].scene.length + after));
+  }
+  for (std::size_t i = 0; i < shots_.size(); ++i) {
+    double& duration = shots_[i].scene.motion.duration;
+    duration = std::max(duration, motions_[motion_of_shot_[i]].needed);
+    if (duration == 0) duration = Motion().duration;  // a motion frozen at its start
+  }
+  return std::move(shots_);
+}
+
+}  // namespace
+
+void read_shots(TomlTable& file, Scene& film) {
+  ShotReader reader(film);
+  file.tables("shot", [&](TomlTable& table) { reader.read(table); });
+  film.shots = reader.finish();
+  if (film.shots.size() > limits::max_shots) {
+    throw InvalidArgument(film.shots[limits::max_shots].place,
+                          fmt::format("a film has at most {} shots", limits::max_shots));
+  }
+  const bool captioned = std::ranges::any_of(
+      film.shots, [](const Shot& shot) { return !shot.scene.caption->empty(); });
+  for (Shot& shot : film.shots) {
+    if (!captioned) shot.scene.caption.reset();
+  }
+}
+
+}  // namespace twrench::scene

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "timeline/timeline.h"
+
+namespace twrench::timeline {
+
+/// A frame of a film: a shot at one instant and, while the film goes over from the previous shot,
+/// that one too.
+struct FilmFrame {
+  /// Index of the shot; 0 in a film without shots.
+  std::size_t shot = 0;
+  /// The state in that shot.
+  FrameState state;
+  /// The state in the previous shot while that is still seen, or the camera still comes from it.
+  std::optional<FrameState> previous;
+  /// How much of the shot is seen over the previous one, 0 to 1.
+  double faded = 1.0;
+  /// How far the camera has come from the previous shot's to the shot's own, 0 to 1.
+  double moved = 1.0;
+};
+
+/// Returns the scene of the shot with that index: the film itself, if it has no shots.
+const scene::Scene& scene_of_shot(const scene::Scene& film, std::size_t shot);
+
+/// Returns the time in s of the motion that each frame of the film shows.
+std::vector<double> motion_times(const scene::Scene& film);
+
+/// Computes the motions of a film frame by frame, whether it has shots or not. A frame depends only
+/// on the film and the frame's number, not on which other frames are requested.
+class FilmTimeline {
+ public:
+  /// Integrates everything that `frames` (ascending numbers) need. Throws as trajectory() does.
+  FilmTimeline(const scene::Scene& film, const std::vector<int>& frames);
+
+  std::size_t size() const { return frames_.size(); }
+
+  /// Returns the frame with number frames[index].
+  FilmFrame frame(std::size_t index) const;
+
+  /// Returns the index of the shot to which it belongs; 0 in a film without shots.
+  std::size_t shot(std::size_t index) const { return frames_[index].own.shot; }
+
+  /// Returns the motions of a shot that any of the frames shows.
+  const std::vector<Solution>& solutions(std::size_t shot) const {
+    return timelines_.at(shot).solutions();
+  }
+
+ private:
+  /// A frame's place in a timeline.
+  struct Place {
+    std::size_t shot, index;
+  };
+  struct Frame {
+    Place own;
+    std::optional<Place> previous;
+    double faded, moved;
+  };
+
+  std::vector<Frame> frames_;
+  std::map<std::size_t, Timeline> timelines_;  ///< By the index of the shot.
+  std::vector<bool> caption_stays_;  ///< For each shot, whether the previous has the same caption.
+};
+
+}  // namespace twrench::timeline

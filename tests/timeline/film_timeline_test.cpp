@@ -1,0 +1,177 @@
+#include "timeline/film_timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "scene/scene.h"
+
+namespace twrench::timeline {
+namespace {
+
+scene::Scene story_of_three() {
+  return scene::parse_scene(R"(
+[body]
+moments = [3, 4, 5]
+[motion]
+omega = [0.05, 1, 0]
+method = "exact"
+[film]
+fps = 10
+speed = 3
+[overlay]
+show = ["trail"]
+[[shot]]
+length = 2
+caption = "One"
+[[shot]]
+length = 3
+fade = 1
+move = 2
+caption = "Two"
+speed = [[0, 3], [1, 1], [2, 0]]
+[[shot]]
+length = 1
+fade = 0.5
+caption = "Two"
+start = 30
+)",
+                            "story.toml");
+}
+
+std::vector<int> frames_of_all_shots(const scene::Scene& scene) {
+  std::vector<int> frames(static_cast<std::size_t>(scene.frame_count()));
+  std::iota(frames.begin(), frames.end(), 0);
+  return frames;
+}
+
+double motion_time(const FrameState& state) { return state.solutions[0].sample.t; }
+
+TEST(FilmTimeline, AFilmOfOneMotionIsThatOfItsTimeline) {
+  scene::Scene scene = story_of_three();
+  scene.shots.clear();
+  const std::vector<int> frames{0, 3, 7, 50};
+  const Timeline alone(scene, frames);
+  const FilmTimeline film(scene, frames);
+  ASSERT_EQ(film.size(), 4u);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const FilmFrame frame = film.frame(i);
+    EXPECT_EQ(frame.shot, 0u);
+    EXPECT_EQ(frame.faded, 1);
+    EXPECT_EQ(frame.moved, 1);
+    EXPECT_FALSE(frame.previous);
+    EXPECT_EQ(frame.state.frame, frames[i]);
+    EXPECT_EQ(frame.state.video_time, frames[i] / 10.0);
+    EXPECT_EQ(frame.state.solutions[0].sample.X, alone.frame_state(i).solutions[0].sample.X);
+  }
+}
+
+TEST(FilmTimeline, EachShotHasItsOwnClock) {
+  const scene::Scene scene = story_of_three();
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  ASSERT_EQ(film.size(), 60u);
+  EXPECT_EQ(film.frame(19).shot, 0u);
+  EXPECT_EQ(motion_time(film.frame(19).state), 1.9 * 3);
+  EXPECT_EQ(film.frame(20).shot, 1u);
+  EXPECT_EQ(film.frame(20).state.video_time, 0);
+  EXPECT_EQ(motion_time(film.frame(20).state), 6) << "goes on where the first ended";
+  EXPECT_DOUBLE_EQ(motion_time(film.frame(25).state), 6 + 0.5 * (3 + 2) / 2);
+  EXPECT_DOUBLE_EQ(motion_time(film.frame(45).state), 6 + 2 + 0.5) << "frozen";
+  EXPECT_EQ(motion_time(film.frame(49).state), motion_time(film.frame(45).state));
+  EXPECT_EQ(motion_time(film.frame(50).state), 30);
+}
+
+TEST(FilmTimeline, ThePreviousShotGoesOnWhileItIsSeen) {
+  const scene::Scene scene = story_of_three();
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  const FilmFrame first = film.frame(20);
+  EXPECT_EQ(first.faded, 0);
+  EXPECT_EQ(first.moved, 0);
+  ASSERT_TRUE(first.previous);
+  EXPECT_EQ(first.previous->video_time, 2);
+  EXPECT_EQ(motion_time(*first.previous), 6);
+  const FilmFrame middle = film.frame(25);
+  EXPECT_DOUBLE_EQ(middle.faded, 0.5);
+  EXPECT_DOUBLE_EQ(motion_time(*middle.previous), 7.5);
+  EXPECT_EQ(film.frame(30).faded, 1);
+  EXPECT_DOUBLE_EQ(film.frame(30).moved, 0.5) << "the camera still comes from there";
+  EXPECT_TRUE(film.frame(30).previous);
+  EXPECT_FALSE(film.frame(40).previous);
+}
+
+TEST(FilmTimeline, OneCaptionGoesBeforeAnotherComes) {
+  const scene::Scene scene = story_of_three();
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  for (int i = 20; i < 30; ++i) {
+    const FilmFrame frame = film.frame(static_cast<std::size_t>(i));
+    EXPECT_EQ(frame.state.caption_opacity * frame.previous->caption_opacity, 0) << i;
+  }
+  EXPECT_EQ(film.frame(20).previous->caption_opacity, 1);
+  EXPECT_EQ(film.frame(30).state.caption_opacity, 1);
+  EXPECT_EQ(film.frame(52).state.caption_opacity, 1) << "the same caption stays";
+  EXPECT_EQ(film.frame(52).previous->caption_opacity, 1);
+}
+
+TEST(FilmTimeline, AFrameDoesNotDependOnTheOthers) {
+  const scene::Scene scene = story_of_three();
+  const FilmTimeline whole(scene, frames_of_all_shots(scene));
+  const std::vector<int> numbers{0, 21, 29, 33, 47, 51, 59};
+  const FilmTimeline some(scene, numbers);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const FilmFrame a = some.frame(i);
+    const FilmFrame b = whole.frame(static_cast<std::size_t>(numbers[i]));
+    EXPECT_EQ(a.shot, b.shot);
+    EXPECT_EQ(some.shot(i), a.shot);
+    EXPECT_EQ(a.faded, b.faded);
+    EXPECT_EQ(a.moved, b.moved);
+    ASSERT_EQ(a.previous.has_value(), b.previous.has_value());
+    for (const auto& [one, other] :
+         {std::pair(&a.state, &b.state),
+          {a.previous ? &*a.previous : &a.state, b.previous ? &*b.previous : &b.state}}) {
+      EXPECT_EQ(one->frame, other->frame);
+      EXPECT_EQ(one->solutions[0].sample.X, other->solutions[0].sample.X);
+      ASSERT_EQ(one->solutions[0].trail.size(), other->solutions[0].trail.size());
+      for (std::size_t k = 0; k < one->solutions[0].trail.size(); ++k) {
+        EXPECT_EQ(one->solutions[0].trail[k].X, other->solutions[0].trail[k].X);
+      }
+    }
+  }
+}
+
+TEST(MotionTimes, AreThoseOfTheFrames) {
+  const scene::Scene scene = story_of_three();
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  const std::vector<double> times = motion_times(scene);
+  ASSERT_EQ(times.size(), 60u);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(times[i], motion_time(film.frame(i).state)) << i;
+  }
+}
+
+TEST(FilmTimeline, BlursOverTheMotionOfItsFrame) {
+  scene::Scene scene = story_of_three();
+  for (scene::Shot& shot : scene.shots) shot.scene.look.motion_blur = 2;
+  const FilmTimeline film(scene, {10, 49});
+  const motion::ExactMotion motion(film.solutions(0)[0].body);
+  EXPECT_EQ(film.frame(0).state.solutions[0].blur[0], motion.at(3 - 0.125 * 0.3).X);
+  const FilmFrame frozen = film.frame(1);
+  EXPECT_EQ(frozen.state.solutions[0].blur[0], frozen.state.solutions[0].sample.X);
+}
+
+TEST(FilmTimeline, ShowsMotionsFromDifferentStartsSideBySide) {
+  scene::Scene scene = story_of_three();
+  scene.shots.clear();
+  scene.overlay.compare_omega = {{0, 1, 0.01}, {1, 0, 0}, {0.5, 0.5, 0}};
+  const FilmTimeline film(scene, {5});
+  const auto& solutions = film.solutions(0);
+  ASSERT_EQ(solutions.size(), 3u);
+  EXPECT_EQ(solutions[0].name, "about y");
+  EXPECT_EQ(solutions[1].name, "about x");
+  EXPECT_EQ(solutions[2].name, "(0.5, 0.5, 0) rad/s");
+  EXPECT_EQ(solutions[1].body.omega(), Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(film.frame(0).state.solutions.size(), 3u);
+}
+
+}  // namespace
+}  // namespace twrench::timeline
