@@ -226,8 +226,8 @@ Values output_folders() {
 
 const std::map<std::string, Values>& known() {
   static const Words methods{"rk4", "rkmk4", "rkmk45", "exact", "euler", "rkf45", "suzuki4"};
-  static const Words features{"floor",  "axes,plane", "momentum",          "hud,components",
-                              "sphere", "poinsot",    "trail,omega,labels"};
+  static const Words features{"floor",  "axes,plane", "momentum",           "hud,components",
+                              "sphere", "poinsot",    "trail,omega,labels", "curve,method,drift"};
   static const std::map<std::string, Values> map{
       {"SCENE", scenes()},
       {"A", pictures()},

@@ -179,8 +179,9 @@ scene::CameraPath random_camera(Dice& dice) {
 
 scene::Overlay random_overlay(Dice& dice, const scene::Motion& motion) {
   using enum scene::Feature;
-  constexpr std::array all{floor, axes,       momentum, omega,   trail,  plane, labels,
-                           hud,   components, sphere,   poinsot, forces, tilt,  moments};
+  constexpr std::array all{floor,  axes,  momentum,   omega,  trail,   plane,
+                           labels, hud,   components, sphere, poinsot, curve,
+                           method, drift, forces,     tilt,   moments};
   scene::Overlay overlay;
   overlay.view =
       dice.pick(std::array{scene::View::wrench, scene::View::wrench, scene::View::momentum,

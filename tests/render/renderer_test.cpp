@@ -168,8 +168,8 @@ TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
 TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
   scene::Scene scene = t_wrench();
   using enum scene::Feature;
-  scene.overlay.show = {axes,  momentum, omega,   trail, plane,     labels,
-                        floor, sphere,   poinsot, hud,   components};
+  scene.overlay.show = {axes,   momentum, omega, trail,      plane, labels, floor,
+                        sphere, poinsot,  hud,   components, curve, method, drift};
   scene.title = "The Dzhanibekov effect";
   scene.motion.duration = 1;
   for (const auto& [width, height] : {std::pair(16, 16),

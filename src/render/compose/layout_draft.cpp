@@ -12,6 +12,7 @@ constexpr double safe_margin = 0.05;     // of a side: what television calls the
 constexpr double least_focus = 1.0 / 3;  // of the shorter side of its pane
 constexpr int least_inset = 72;          // px
 constexpr int least_curve = 40;          // px high, and twice as wide
+constexpr double least_rows = 9;         // em of the captions, of three rows of curves
 constexpr int least_components = 150;    // px wide: three curves of 40 px beside one another
 constexpr double least_heading = 12;     // em of the caption
 constexpr double least_named = 5;        // em, of a view that has room for labels
@@ -20,15 +21,6 @@ constexpr int longest = 3;
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
 int shorter(const image::Area& area) { return std::min(area.width, area.height); }
-
-bool holds_components(const image::Area& area) {
-  return area.width >= least_components &&
-         area.height >= (is_strip(area) ? least_inset : least_square);
-}
-
-bool holds_curve(const image::Area& area) {
-  return area.width >= 2 * least_curve && area.height >= least_curve;
-}
 
 }  // namespace
 
@@ -163,11 +155,14 @@ bool LayoutDraft::has_room_for_words() const {
                              [&](const image::Area& legend) { return room(legend, 8 * readout); });
 }
 
-bool LayoutDraft::has_room_for_plots() const {
-  const auto room = [&](const std::optional<image::Area>& area, auto holds) {
-    return !area || (is_safe(*area) && holds(*area));
-  };
-  return room(layout_.components, holds_components) && room(layout_.curve, holds_curve);
+bool LayoutDraft::holds_components(const image::Area& area) const {
+  const double rows = std::max<double>(least_square, least_rows * layout_.text.caption);
+  return is_safe(area) && area.width >= least_components &&
+         area.height >= (is_strip(area) ? least_inset : rows);
+}
+
+bool LayoutDraft::holds_curve(const image::Area& area) const {
+  return is_safe(area) && area.width >= 2 * least_curve && area.height >= least_curve;
 }
 
 bool LayoutDraft::has_room() const {
@@ -180,8 +175,9 @@ bool LayoutDraft::has_room() const {
   };
   return std::ranges::all_of(layout_.panes, enough) &&
          room(layout_.momentum, parts_[momentum_part]) &&
-         room(layout_.poinsot, parts_[poinsot_part]) && has_room_for_plots() &&
-         has_room_for_words();
+         room(layout_.poinsot, parts_[poinsot_part]) &&
+         (!layout_.components || holds_components(*layout_.components)) &&
+         (!layout_.curve || holds_curve(*layout_.curve)) && has_room_for_words();
 }
 
 std::optional<Layout> LayoutDraft::finish() {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "render/compose/cut.h"
@@ -47,8 +46,10 @@ class LayoutDraft {
   bool single() const { return solutions_ == 1; }
   bool shows_no_body() const;
   /// Whether the picture says in words what happens and what is seen.
-  bool explains() const { return !layout_.compact && overlay_.shows(scene::Feature::hud); }
-  std::vector<Inset> shown(std::span<const Inset> insets) const;
+  bool explains() const {
+    return !layout_.compact && parts_[readouts_part] && overlay_.shows(scene::Feature::hud);
+  }
+  std::vector<Inset> shown(std::vector<Inset> insets) const;
 
   void place_caption();
 
@@ -63,7 +64,7 @@ class LayoutDraft {
   void place_block();
   void place_in_line();
   void place_strips();
-  void place_description(image::Area& column);
+  void place_description(const image::Area& area);
   void place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets);
   void place_inset(Part part, image::Area cell);
 
@@ -78,7 +79,8 @@ class LayoutDraft {
 
   bool is_safe(const image::Area& area) const;
   bool has_room_for_words() const;
-  bool has_room_for_plots() const;
+  bool holds_components(const image::Area& area) const;
+  bool holds_curve(const image::Area& area) const;
   bool has_room() const;
 
   const scene::Scene& scene_;

@@ -9,18 +9,20 @@ namespace {
 
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 4.75;      // of nine in a row
-constexpr double curve_aspect = 2.1;
-constexpr double most_stretch = 1.5;      // of a plot, where there is more room
-constexpr double most_insets = 0.65;      // of a long picture
-constexpr double column_width = 0.27;     // of the picture's width
-constexpr double block_height = 0.27;     // of the picture's height
-constexpr double most_strip = 0.28;       // of the height of the panes of a comparison
-constexpr int least_column = 150;         // px
-constexpr double words_width = 28;        // em of the readouts, of the text in a long picture
-constexpr double readouts_width = 12;     // em, of time and flips in a row
-constexpr double drift_width = 7;         // em
-constexpr double least_description = 12;  // em of the readouts
-constexpr double letter_width = 0.52;     // em of the title, on average
+constexpr double curve_aspect = 1.9;
+constexpr double least_stretch = 0.85;     // of a plot beside squares, and
+constexpr double most_stretch = 1.5;       // of a plot, where there is more room
+constexpr double most_insets = 0.65;       // of a long picture
+constexpr double column_width = 0.27;      // of the picture's width
+constexpr double block_height = 0.27;      // of the picture's height
+constexpr double most_strip = 0.28;        // of the height of the panes of a comparison
+constexpr int least_column = 150;          // px
+constexpr double words_width = 28;         // em of the readouts, of the text in a long picture
+constexpr double readouts_width = 12;      // em, of time and flips in a row
+constexpr double drift_width = 7;          // em
+constexpr double least_description = 12;   // em of the readouts, the width of a description
+constexpr double description_line = 1.35;  // em
+constexpr double letter_width = 0.52;      // em of the title, on average
 
 int whole(double length) { return static_cast<int>(std::lround(length)); }
 
@@ -38,12 +40,9 @@ bool LayoutDraft::shows_no_body() const {
 }
 
 /// Returns those of the insets that are shown.
-std::vector<LayoutDraft::Inset> LayoutDraft::shown(std::span<const Inset> insets) const {
-  std::vector<Inset> result;
-  for (const Inset& inset : insets) {
-    if (parts_[inset.part]) result.push_back(inset);
-  }
-  return result;
+std::vector<LayoutDraft::Inset> LayoutDraft::shown(std::vector<Inset> insets) const {
+  std::erase_if(insets, [this](const Inset& inset) { return !parts_[inset.part]; });
+  return insets;
 }
 
 void LayoutDraft::place_words_and_insets() {
@@ -69,9 +68,9 @@ double LayoutDraft::title_height(int width) const {
   const std::string& text = scene_.title.empty() ? scene_.name : scene_.title;
   const double corner = single() ? 0 : 6 * readout;
   const double length = letter_width * title * static_cast<double>(characters(text));
-  const int lines = !overlay_.shows(scene::Feature::hud)          ? 0
-                    : length > width - corner && !layout_.compact ? 2
-                                                                  : 1;
+  const int lines = !overlay_.shows(scene::Feature::hud)                         ? 0
+                    : length > width - corner && (upright() || !layout_.compact) ? 2
+                                                                                 : 1;
   const bool method = single() && overlay_.shows(scene::Feature::method);
   return 1.2 * lines * title + (method ? 1.8 * caption : 0.0);
 }
@@ -104,18 +103,27 @@ void LayoutDraft::place_words(image::Area& column) {
   place_readouts(column);
 }
 
-/// Beside the body: the title, the insets or the description, the readouts.
+/// Beside the body: the title, the insets or the description, the readouts. Two views with plots
+/// below them share a row.
 void LayoutDraft::place_column() {
   const double width = std::min(column_width * picture_.width, 0.5 * picture_.height);
   image::Area column = cut_right(
       rest_, std::max(whole(width), std::min(least_column, picture_.width / 3)), 2 * gap_);
   place_words(layout_.compact ? rest_ : column);
-  if (shows_no_body()) return place_description(column);
-  const Inset insets[]{{momentum_part, 1},
-                       {poinsot_part, 1},
-                       {components_part, 1 / components_aspect},
-                       {curve_part, 1 / curve_aspect}};
-  place_insets(column, true, shown(insets));
+  if (shows_no_body()) {
+    return place_description(cut_top(
+        column, std::min(whole(12 * description_line * layout_.text.readout), column.height), 0));
+  }
+  std::vector<Inset> views = shown({{momentum_part, 1}, {poinsot_part, 1}});
+  const std::vector<Inset> plots =
+      shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
+  if (views.size() == 2 && !plots.empty()) {
+    const int square = (column.width - gap_) / 2 + heading_height();
+    place_insets(cut_top(column, std::min(square, column.height / 3), gap_), false, views);
+    views.clear();
+  }
+  views.insert(views.end(), plots.begin(), plots.end());
+  place_insets(column, true, views);
 }
 
 /// In an upright picture the title stands above the body, and below it the squares beside the plots
@@ -123,18 +131,21 @@ void LayoutDraft::place_column() {
 void LayoutDraft::place_block() {
   place_title(rest_);
   if (shows_no_body()) {
-    place_readouts(rest_);
-    return place_description(rest_);
+    const double lines = 6.2 * description_line * layout_.text.readout;
+    image::Area block = cut_bottom(rest_, whole(lines), 2 * gap_);
+    image::Area corner = cut_left(block, whole(block.width / 3.0), 2 * gap_);
+    place_readouts(corner);
+    return place_description(block);
   }
   if (layout_.compact) place_readouts(rest_);
-  const Inset views[]{{momentum_part, 1}, {poinsot_part, 1}};
-  const Inset plots[]{{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}};
-  const std::vector<Inset> squares = shown(views), curves = shown(plots);
+  const std::vector<Inset> squares = shown({{momentum_part, 1}, {poinsot_part, 1}});
+  const std::vector<Inset> plots =
+      shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
   const auto count = static_cast<int>(squares.size());
-  const double share = count == 0                          ? 0
-                       : curves.empty() && layout_.compact ? 1
-                       : count == 1                        ? 0.44
-                                                           : 0.6;
+  const double share = count == 0                         ? 0
+                       : plots.empty() && layout_.compact ? 1
+                       : count == 1                       ? 0.44
+                                                          : 0.6;
   const int width = whole(share * rest_.width);
   int height = whole(block_height * picture_.height);
   if (count > 0) height = std::min(height, (width + gap_) / count - gap_ + heading_height());
@@ -144,7 +155,7 @@ void LayoutDraft::place_block() {
     place_insets(cut_left(block, needed, 2 * gap_), false, squares);
   }
   if (!layout_.compact) place_readouts(block);
-  place_insets(block, true, curves);
+  place_insets(block, true, plots);
 }
 
 /// In a long picture: title and readouts at its left end, or at both of an upright one, and the
@@ -156,9 +167,8 @@ void LayoutDraft::place_in_line() {
   const double components = strip       ? strip_aspect
                             : upright() ? 1 / components_aspect
                                         : components_aspect;
-  const Inset all[]{
-      {momentum_part, 1}, {poinsot_part, 1}, {components_part, components}, {curve_part, curve}};
-  const std::vector<Inset> insets = shown(all);
+  const std::vector<Inset> insets = shown(
+      {{momentum_part, 1}, {poinsot_part, 1}, {components_part, components}, {curve_part, curve}});
   if (upright()) {
     place_words(rest_);
   } else if (parts_[title_part] || parts_[readouts_part]) {
@@ -186,29 +196,35 @@ void LayoutDraft::place_strips() {
   if (parts_[components_part]) layout_.components = strip(portrait ? 1.6 : 5);
 }
 
-void LayoutDraft::place_description(image::Area& column) {
+void LayoutDraft::place_description(const image::Area& area) {
   const double size = layout_.text.readout;
-  const double wanted = 8 * 1.35 * size * (upright() ? 0.6 : 1);
-  const int height = std::min(whole(wanted), column.height);
-  if (!explains() || column.width < least_description * size || height < 3 * size) return;
-  layout_.description = cut_top(column, height, gap_);
+  const bool holds =
+      area.width >= least_description * size && area.height >= 3 * description_line * size;
+  if (holds) layout_.description = area;
 }
 
-/// Places the insets in a line, smaller where it is too short; plots take more where it is longer,
-/// and the gaps the rest.
+/// Places the insets in a line. Where it is too short, first plots and then squares become smaller;
+/// where it is longer, plots take more, and the gaps the rest.
 void LayoutDraft::place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets) {
   if (insets.empty()) return;
   const int breadth = vertical ? area.width : area.height;
   const int length = vertical ? area.height : area.width;
   const int between = static_cast<int>(insets.size()) - 1;
-  double wanted = 0;
-  for (const Inset& inset : insets) wanted += inset.length * breadth;
-  const double scale = wanted > 0 ? (length - between * gap_) / wanted : 0;
+  double squares = 0, plots = 0;  // lengths wanted
+  for (const Inset& inset : insets) {
+    (is_square(inset.part) ? squares : plots) += inset.length * breadth;
+  }
+  const double room = length - between * gap_;
+  const double least_plots = squares > 0 ? least_stretch : 0;
+  const double plot_scale =
+      plots > 0 ? std::clamp((room - squares) / plots, least_plots, most_stretch) : 0;
+  const double square_scale =
+      squares > 0 ? std::clamp((room - plot_scale * plots) / squares, 0.0, 1.0) : 0;
   std::vector<int> lengths;
   int rest = length;
-  for (const auto& [part, share] : insets) {
-    const double stretch = std::min(scale, is_square(part) ? 1 : most_stretch);
-    lengths.push_back(static_cast<int>(stretch * share * breadth));
+  for (const Inset& inset : insets) {
+    const double scale = is_square(inset.part) ? square_scale : plot_scale;
+    lengths.push_back(static_cast<int>(scale * inset.length * breadth));
     rest -= lengths.back();
   }
   const int gap = between > 0 ? rest / between : 0;

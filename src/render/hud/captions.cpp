@@ -54,7 +54,7 @@ std::string curve(const scene::Body& body) {
 }
 
 std::string momentum_heading() { return "L, seen from the body"; }
-std::string poinsot_heading() { return "the inertia ellipsoid rolls"; }
+std::string poinsot_heading() { return "the ellipsoid rolls"; }
 
 std::string momentum(const timeline::Solution& solution, const PrincipalFrame& frame) {
   if (frame.direction.isZero(0.0)) return "The body is at rest: it has no angular momentum.";
@@ -103,7 +103,8 @@ Remark Remarks::at(const timeline::SolutionState& state) const {
   const bool flips = std::ranges::any_of(flip_times_, [&](double flip) {
     return std::abs(state.sample.t - flip) < flips_->interval / 2;
   });
-  return flips ? Remark{turns_over, share_of_flip(state.sample)} : Remark{};
+  const double share = flips ? share_of_flip(state.sample) : 0;
+  return share > 0 ? Remark{turns_over, share} : Remark{};
 }
 
 }  // namespace twrench::render::captions

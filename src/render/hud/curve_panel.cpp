@@ -13,7 +13,7 @@ namespace {
 
 // em
 constexpr double panel_padding = 0.8, caption_line = 1.5, scale_width = 1.9, times_line = 1.5;
-constexpr double least_width = 16, least_caption_height = 5, least_times_height = 8;
+constexpr double least_width = 16, least_caption_height = 5, least_times_height = 7;
 constexpr double flip_label_gap = 0.6;
 
 }  // namespace

@@ -51,7 +51,7 @@ class Figures {
   }
 
  private:
-  std::string text(double t) const { return hud_text::seconds(t, longest_, resolution_); }
+  std::string text(double t) const { return hud_text::seconds(t, resolution_); }
 
   double longest_;
   double resolution_;
@@ -175,7 +175,8 @@ scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
 Hud::Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
          const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors)
     : blocks_(Typesetter(scene, solutions, layout,
-                         {typeface, colors, layout.text, layout.compact, halo_for(scene.look)})
+                         {typeface, colors, layout.text, layout.compact,
+                          scene.look.transparent || scene.look.background})
                   .blocks()) {}
 
 std::vector<PendingLayer> Hud::draw(const timeline::FrameState& state) {

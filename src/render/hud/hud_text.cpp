@@ -9,7 +9,6 @@
 namespace twrench::render::hud_text {
 namespace {
 
-constexpr const char* figure_space = "\u2007";
 constexpr const char* thin_space = "\u2009";
 
 std::string raised(int exponent) {
@@ -28,25 +27,23 @@ std::string typographic(const std::string& number) {
   return number.substr(0, e) + "×10" + raised(std::stoi(number.substr(e + 1)));
 }
 
-/// Groups the digits before the decimal point by three if there are many, with spaces as wide as a
-/// digit.
+/// Groups the digits before the decimal point by three if there are many.
 std::string grouped(const std::string& number) {
   std::string text;
   const std::size_t whole = std::min(number.find('.'), number.size());
   for (std::size_t i = 0; i < number.size(); ++i) {
     if (whole > 4 && i > 0 && i < whole && (whole - i) % 3 == 0) text += thin_space;
-    text += number[i] == ' ' ? std::string(figure_space) : std::string(1, number[i]);
+    text += number[i];
   }
   return text;
 }
 
 }  // namespace
 
-std::string seconds(double t, double longest, double resolution) {
+std::string seconds(double t, double resolution) {
   const double wanted = std::ceil(-std::log10(resolution) - 1e-9);
   const auto decimals = static_cast<int>(std::clamp(wanted, 0.0, 3.0));
-  const std::size_t width = fmt::format("{:.{}f}", longest, decimals).size();
-  return grouped(fmt::format("{:{}.{}f}", t, width, decimals)) + " s";
+  return grouped(fmt::format("{:.{}f}", t, decimals)) + " s";
 }
 
 std::string error(double value) {

@@ -7,9 +7,8 @@
 // Formatting of numbers and names for the HUD, as UTF-8 for typeset().
 namespace twrench::render::hud_text {
 
-/// Formats seconds between 0 and `longest` with constant width: leading digits are padded with
-/// "\u2007". Shows as many decimals as `resolution` (in s) requires, at most three.
-std::string seconds(double t, double longest, double resolution);
+/// Formats seconds with as many decimals as `resolution` (in s) requires, at most three.
+std::string seconds(double t, double resolution);
 
 /// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁵" or "−0.034"; "0"
 /// for zero.

@@ -13,6 +13,8 @@ constexpr double block_gap = 1.3;         // em of the readout, between two of t
 constexpr double paragraph_line = 1.35;   // em
 constexpr double remark_size = 1.15;      // em of the readout
 constexpr double text_halo_width = 0.12;  // em
+constexpr double text_halo_opacity = 0.3;
+constexpr double panel_margin = 0.4;  // em of the caption, around the text
 
 double width_of(const std::string& text, const canvas::Font& font, double size) {
   return size * canvas::typeset(font, text).width;
@@ -170,9 +172,15 @@ void TextBlock::add_corner(Readout readout) {
 }
 
 void TextBlock::finish(const image::Area& picture) {
+  const int margin = static_cast<int>(std::ceil(panel_margin * style_.sizes.caption));
   const double reach = 0.3 * style_.sizes.title;  // of the halo, and of marks beyond their line
-  ground_ = layer_around(extent_, static_cast<int>(std::ceil(reach)), picture);
+  ground_ = layer_around(extent_, std::max(margin, static_cast<int>(std::ceil(reach))), picture);
   canvas::Canvas canvas(ground_.image, ground_.x, ground_.y);
+  if (style_.panels) {
+    const image::Area panel{extent_.x - margin, extent_.y - margin, extent_.width + 2 * margin,
+                            extent_.height + 2 * margin};
+    canvas.panel(panel, margin, {style_.colors.panel, style_.colors.panel_opacity});
+  }
   for (const auto& [line, size, at, ink] : texts_) draw_text(canvas, line, size, at, {ink});
   for (const auto& [area, color] : samples_) {
     canvas.rectangle(area.x, area.y, area.width, area.height, {color});
@@ -183,7 +191,7 @@ void TextBlock::draw_text(canvas::Canvas& canvas, const canvas::Line& line, doub
                           const canvas::Canvas::Point& at, const canvas::Canvas::Ink& ink,
                           canvas::Canvas::Align align) const {
   canvas.text_halo(line, size, at, text_halo_width * size,
-                   {style_.colors.panel, style_.halo * ink.opacity}, align);
+                   {style_.colors.panel, text_halo_opacity * ink.opacity}, align);
   canvas.text(line, size, at, ink, align);
 }
 
@@ -196,7 +204,7 @@ Layer TextBlock::draw(const timeline::FrameState& state) const {
   }
   for (const auto& [remark, size, at] : remarks_) {
     const auto [text, opacity] = remark(state);
-    if (text.empty() || opacity <= 0) continue;
+    if (text.empty()) continue;
     draw_text(canvas, canvas::typeset(style_.typeface.strong, text), size, at,
               {style_.colors.text, opacity});
   }

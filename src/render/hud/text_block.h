@@ -22,8 +22,8 @@ struct TextStyle {
   Layout::TextSizes sizes;
   /// Captions stand beside their readouts instead of above.
   bool compact;
-  /// Opacity of the halo around the letters.
-  double halo;
+  /// Whether a panel lies behind each block: on a background that can be anything.
+  bool panels;
 };
 
 /// A readout: a changing value with its caption.
@@ -43,8 +43,9 @@ struct Remark {
   double opacity = 1;
 };
 
-/// A text block; a halo around the letters keeps it legible on any background. Everything except
-/// remarks and the values of the readouts is drawn once.
+/// A text block. A thin halo around the letters, and a panel where the style has one, keep it
+/// legible whatever comes to lie behind it. Everything except remarks and the values of the
+/// readouts is drawn once.
 class TextBlock {
  public:
   /// Uses the part of `area` that the text needs, starting at its top left.
@@ -74,7 +75,7 @@ class TextBlock {
   /// Adds a readout without a caption in the top right corner; later lines leave room for it.
   void add_corner(Readout readout);
 
-  /// Completes the block. The halo may extend within `picture`.
+  /// Completes the block. Halo and panel may extend within `picture`.
   void finish(const image::Area& picture);
 
   Layer draw(const timeline::FrameState& state) const;

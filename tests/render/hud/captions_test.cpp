@@ -37,7 +37,9 @@ TEST(CurveCaption, SpeaksOfNoLegForOtherBodies) {
   // Two legs, of which neither can be meant.
   const auto leg = [](double x) { return cylinder(0.5, 3, {x, 0, 0}, Eigen::Vector3d::UnitX()); };
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {0, 0, 0}), leg(2), leg(-2)}, {}}));
-  EXPECT_TRUE(speaks_of_a_leg({{sphere(1, {0, 0, 0}), leg(2)}, {}}));
+  body::Part heavy = sphere(1, {0, 0, 0});
+  heavy.density = 50;
+  EXPECT_TRUE(speaks_of_a_leg({{heavy, leg(2)}, {}}));
 }
 
 Remark remark_at(const scene::Scene& scene, double t, double off_rotations = 0) {
@@ -57,8 +59,7 @@ TEST(Remarks, SayThatTheBodyTurnsOverAroundItsFlips) {
       EXPECT_EQ(remark_at(scene, flip + away).opacity, 1) << flip;
     }
     for (const double away : {-8.0, 8.0}) {
-      const Remark remark = remark_at(scene, flip + away);
-      EXPECT_TRUE(remark.text.empty() || remark.opacity == 0) << flip;
+      EXPECT_EQ(remark_at(scene, flip + away).text, "") << flip;
     }
   }
   EXPECT_GT(remark_at(scene, 11.815 - 4.5).opacity, 0) << "it comes and goes";
