@@ -168,7 +168,7 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
   add_plot(std::in_place_type<TiltPanel>, layout.tilt, tilt);
   add_plot(std::in_place_type<MomentsPanel>, layout.moments, moments);
   if (layout.forces) {
-    const TextStyle style{typeface, colors, layout.text, layout.compact, halo_for(scene.look)};
+    const TextStyle style{typeface, colors, layout.text, layout.compact, needs_panels(scene.look)};
     add(std::make_unique<ForceLegend>(scene, layout, style), forces);
     taken.push_back(*layout.forces);
   }

@@ -35,14 +35,18 @@ std::vector<double> seen_flips(const Solution& solution, double duration) {
   return search.times();
 }
 
-/// "about x" for the body's axis that is within about 18 degrees of omega, otherwise omega.
-std::string name_of(const Eigen::Vector3d& omega) {
+/// "x, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its moment of
+/// inertia; otherwise omega.
+std::string name_of(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia) {
   Eigen::Index axis = 0;
   constexpr double near = 0.95;
-  if (omega.cwiseAbs().maxCoeff(&axis) >= near * omega.norm() && !omega.isZero(0.0)) {
-    return std::string("about ") + "xyz"[axis];
+  if (omega.isZero(0.0) || omega.cwiseAbs().maxCoeff(&axis) < near * omega.norm()) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
   }
-  return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
+  const double moment = inertia(axis, axis);
+  const bool is_whole = moment >= 100 && moment < 1e6;
+  return fmt::format("{}, {} g cm²", "xyz"[axis],
+                     is_whole ? fmt::format("{:.0f}", moment) : fmt::format("{:.3g}", moment));
 }
 
 Solution solution_of(const scene::Scene& scene, const std::string& name, const std::string& method,
@@ -74,8 +78,9 @@ std::vector<Solution> solutions_of(const scene::Scene& scene) {
   for (const std::string& other : scene.overlay.compare) {
     solutions.push_back(solution_of(scene, other, other, omega));
   }
+  const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;
   for (const Eigen::Vector3d& other : scene.overlay.compare_omega) {
-    solutions.push_back(solution_of(scene, name_of(other), method, other));
+    solutions.push_back(solution_of(scene, name_of(other, inertia), method, other));
   }
   if (solutions.empty()) solutions.push_back(solution_of(scene, method, method, omega));
   return solutions;

@@ -44,7 +44,7 @@ struct Solution {
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
   /// What tells it apart from others side by side with it: its method, or the axis that it starts
-  /// about.
+  /// about and the moment of inertia about that.
   std::string name = {};
 };
 

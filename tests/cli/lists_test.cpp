@@ -27,7 +27,8 @@ TEST(Lists, ScenesOneALine) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "scenes");
   EXPECT_EQ(run.code, 0);
-  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk"}) {
+  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk",
+                           "explain", "explain-nb"}) {
     EXPECT_THAT(run.out, HasSubstr(name));
   }
 }

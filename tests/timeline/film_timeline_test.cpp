@@ -154,9 +154,9 @@ TEST(FilmTimeline, BlursOverTheMotionOfItsFrame) {
   for (scene::Shot& shot : scene.shots) shot.scene.look.motion_blur = 2;
   const FilmTimeline film(scene, {10, 49});
   const motion::ExactMotion motion(film.solutions(0)[0].body);
-  EXPECT_EQ(film.frame(0).state.solutions[0].blur[0], motion.at(3 - 0.125 * 0.3).X);
+  EXPECT_EQ(film.frame(0).state.solutions[0].blur[0].X, motion.at(3 - 0.125 * 0.3).X);
   const FilmFrame frozen = film.frame(1);
-  EXPECT_EQ(frozen.state.solutions[0].blur[0], frozen.state.solutions[0].sample.X);
+  EXPECT_EQ(frozen.state.solutions[0].blur[0].X, frozen.state.solutions[0].sample.X);
 }
 
 TEST(FilmTimeline, ShowsMotionsFromDifferentStartsSideBySide) {
@@ -166,8 +166,8 @@ TEST(FilmTimeline, ShowsMotionsFromDifferentStartsSideBySide) {
   const FilmTimeline film(scene, {5});
   const auto& solutions = film.solutions(0);
   ASSERT_EQ(solutions.size(), 3u);
-  EXPECT_EQ(solutions[0].name, "about y");
-  EXPECT_EQ(solutions[1].name, "about x");
+  EXPECT_EQ(solutions[0].name, "y, 4 g cm²");
+  EXPECT_EQ(solutions[1].name, "x, 3 g cm²");
   EXPECT_EQ(solutions[2].name, "(0.5, 0.5, 0) rad/s");
   EXPECT_EQ(solutions[1].body.omega(), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(film.frame(0).state.solutions.size(), 3u);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct Layout {
     image::Area area;  ///< As high as the most lines.
     double size;       ///< px per em, of which capitals are a 25th of the shorter side high.
     int most_lines;
+
+    /// Returns the width in em of the longest line: longer ones are hard to read.
+    double line_width() const { return std::min(area.width / size, 26.0); }
   };
 
   /// Panes of the body, one per motion. They tile the picture or, in the view `quad`, a quarter of

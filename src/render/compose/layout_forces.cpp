@@ -98,11 +98,10 @@ void Addition::place_legend() {
 }  // namespace
 
 Layout with_forces(Layout layout, const scene::Scene& scene) {
-  if (scene.overlay.view != scene::View::wrench) return layout;
-  const bool single = layout.panes.size() == 1;
+  if (scene.overlay.view != scene::View::wrench || layout.panes.size() != 1) return layout;
   Addition addition(layout, scene);
-  if (single || layout.curve || layout.components) addition.place_panels();
-  if (single) addition.place_legend();
+  addition.place_panels();
+  addition.place_legend();
   return layout;
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
-#include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "canvas/canvas.h"
@@ -22,25 +22,82 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// Fills one line after the other. A word wider than a line stands alone in it.
-std::vector<std::string> filled_lines(const canvas::Font& font,
-                                      const std::vector<std::string>& words, double width) {
-  std::vector<std::string> lines;
-  for (const std::string& word : words) {
-    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
-    if (!lines.empty() && canvas::typeset(font, longer).width <= width) {
-      lines.back() = longer;
-    } else {
-      lines.push_back(word);
-    }
+/// What speaks against ending a line with that word, of the mean of the squared shares of the
+/// lines.
+double reluctance(const std::string& word) {
+  constexpr double at_sentence = 0, at_comma = 0.02, elsewhere = 0.05;
+  switch (word.back()) {
+    case '.':
+    case '!':
+    case '?':
+    case ':':
+      return at_sentence;
+    case ',':
+    case ';':
+      return at_comma;
+    default:
+      return elsewhere;
   }
-  return lines;
 }
 
-double widest(const canvas::Font& font, const std::vector<std::string>& lines) {
-  double width = 0;
-  for (const std::string& line : lines) width = std::max(width, canvas::typeset(font, line).width);
-  return width;
+/// The best division of words into lines: of about the same length, and ending with a sentence or
+/// a comma rather than in the midst of one.
+class LineBreaker {
+ public:
+  LineBreaker(const canvas::Font& font, const std::vector<std::string>& words, double width)
+      : words_(words), width_(width) {
+    const double space = canvas::typeset(font, "n n").width - canvas::typeset(font, "nn").width;
+    for (const std::string& word : words) {
+      ends_.push_back(ends_.back() + canvas::typeset(font, word).width + space);
+    }
+    space_ = space;
+  }
+
+  /// Returns nothing if the words do not fit into that many lines.
+  std::optional<std::vector<std::string>> broken(int count) const;
+
+ private:
+  double width_of(std::size_t first, std::size_t end) const {
+    return ends_[end] - ends_[first] - space_;
+  }
+  double cost(std::size_t first, std::size_t end) const {
+    const double share = width_of(first, end) / (ends_.back() - space_);
+    return share * share + (end < words_.size() ? reluctance(words_[end - 1]) : 0);
+  }
+
+  const std::vector<std::string>& words_;
+  double width_, space_ = 0;
+  std::vector<double> ends_{0};  ///< In em, each with the space after its word.
+};
+
+std::optional<std::vector<std::string>> LineBreaker::broken(int count) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const std::size_t n = words_.size();
+  const auto lines = static_cast<std::size_t>(count);
+  // The least cost of the first words in so many lines, and where the last of these begins.
+  std::vector<std::vector<double>> least(lines + 1, std::vector<double>(n + 1, never));
+  std::vector<std::vector<std::size_t>> begin(lines + 1, std::vector<std::size_t>(n + 1, 0));
+  least[0][0] = 0;
+  for (std::size_t line = 1; line <= lines; ++line) {
+    for (std::size_t end = 1; end <= n; ++end) {
+      for (std::size_t first = end; first-- > 0 && width_of(first, end) <= width_;) {
+        const double sum = least[line - 1][first] + cost(first, end);
+        if (sum >= least[line][end]) continue;
+        least[line][end] = sum;
+        begin[line][end] = first;
+      }
+    }
+  }
+  if (least[lines][n] == never) return std::nullopt;
+  std::vector<std::string> result(lines);
+  for (std::size_t line = lines, end = n; line > 0; --line) {
+    const std::size_t first = begin[line][end];
+    for (std::size_t i = first; i < end; ++i) {
+      result[line - 1] += (i > first ? " " : "") + words_[i];
+    }
+    end = first;
+  }
+  return result;
 }
 
 }  // namespace
@@ -49,24 +106,19 @@ std::optional<std::vector<std::string>> broken_into_lines(const canvas::Font& fo
                                                           const std::string& text, double width,
                                                           int most) {
   const std::vector<std::string> words = words_of(text);
-  std::vector<std::string> lines = filled_lines(font, words, width);
-  const std::size_t count = lines.size();
-  if (count > static_cast<std::size_t>(most) || widest(font, lines) > width) return std::nullopt;
-  // As narrow as they may be without another line, and so about as long as one another.
-  constexpr double step = 0.5;  // em
-  while (count > 1) {
-    std::vector<std::string> narrower = filled_lines(font, words, widest(font, lines) - step);
-    if (narrower.size() > count || widest(font, narrower) >= widest(font, lines)) break;
-    lines = std::move(narrower);
+  if (words.empty()) return std::vector<std::string>{};
+  const LineBreaker breaker(font, words, width);
+  for (int count = 1; count <= most; ++count) {
+    if (auto lines = breaker.broken(count)) return lines;
   }
-  return lines;
+  return std::nullopt;
 }
 
 Caption::Caption(const std::string& text, const Layout::Caption& place,
                  const canvas::Typeface& typeface, const OverlayColors& colors) {
   const auto& [area, size, most] = place;
   canvas::require_characters(typeface.regular, text, "caption");
-  const auto lines = broken_into_lines(typeface.regular, text, area.width / size, most);
+  const auto lines = broken_into_lines(typeface.regular, text, place.line_width(), most);
   if (!lines) {
     throw InvalidArgument("caption",
                           fmt::format("needs more than {} lines in a picture of this shape", most),

@@ -66,7 +66,8 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   double x = area.x;
   for (const auto& [name, color, has_sample] : row) {
     if (has_sample) x = draw_sample(canvas, x, base - 0.34 * size, size, color);
-    canvas.text_halo(name, size, {x, base}, 0.12 * size, {style.colors.panel, style.halo});
+    canvas.text_halo(name, size, {x, base}, 0.12 * size,
+                     {style.colors.panel, style.panels ? 0.75 : 0.3});
     canvas.text(name, size, {x, base}, {color});
     x += (name.width + between_names) * size;
   }

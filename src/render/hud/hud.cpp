@@ -74,6 +74,7 @@ class Typesetter {
   void add_title();
   void add_readouts();
   void add_legend(std::size_t solution);
+  void add_moment(TextBlock& block, std::size_t solution);
   void add_remark(TextBlock& block, std::size_t solution);
   void add_description();
   void add_heading(const Layout::Pane& pane, const std::string& text);
@@ -132,9 +133,25 @@ void Typesetter::add_legend(std::size_t solution) {
   const bool plotted = layout_.components || layout_.curve;
   block.add_line(solutions_[solution].name, style_.typeface.strong, 0.85 * layout_.text.title,
                  style_.colors.text, plotted ? &curve : nullptr);
-  block.add_readouts({figures_.energy_drift(solution), Figures::orthogonality(solution),
-                      figures_.flips(solution)});
+  if (shows(scene::Feature::moments)) add_moment(block, solution);
+  std::vector<Readout> row;
+  if (scene_.overlay.compare_omega.empty()) {
+    row = {figures_.energy_drift(solution), Figures::orthogonality(solution)};
+  }
+  if (!row.empty() || shows(scene::Feature::hud)) row.push_back(figures_.flips(solution));
+  block.add_readouts(row);
   add_remark(block, solution);
+}
+
+/// Adds the moment of inertia about omega as a bar, in units of the body's greatest.
+void Typesetter::add_moment(TextBlock& block, std::size_t solution) {
+  const motion::FreeBody& body = solutions_[solution].body;
+  if (body.omega().isZero(0.0)) return;
+  const Eigen::Vector3d along = body.omega().normalized();
+  Eigen::Index axis = 0;
+  along.cwiseAbs().maxCoeff(&axis);
+  block.add_bar(along.dot(body.inertia() * along) / body.principal().moments[2],
+                style_.colors.axis[static_cast<std::size_t>(axis)]);
 }
 
 /// Small pictures have no room for it.
@@ -163,8 +180,8 @@ void Typesetter::add_heading(const Layout::Pane& pane, const std::string& text) 
 
 }  // namespace
 
-double halo_for(const scene::Look& look) {
-  return look.transparent || look.background ? 0.75 : 0.3;
+bool needs_panels(const scene::Look& look) {
+  return look.transparent || look.background.has_value();
 }
 
 scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
@@ -175,8 +192,7 @@ scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
 Hud::Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
          const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors)
     : blocks_(Typesetter(scene, solutions, layout,
-                         {typeface, colors, layout.text, layout.compact,
-                          scene.look.transparent || scene.look.background})
+                         {typeface, colors, layout.text, layout.compact, needs_panels(scene.look)})
                   .blocks()) {}
 
 std::vector<PendingLayer> Hud::draw(const timeline::FrameState& state) {

@@ -7,10 +7,8 @@
 
 namespace twrench::render {
 
-/// Returns the opacity of the halo around letters. Text is legible on the theme's own background;
-/// the halo is for what may come to lie behind it, and strong for a background that can be
-/// anything.
-double halo_for(const scene::Look& look);
+/// Returns whether the background can be anything, so that text needs a panel behind it.
+bool needs_panels(const scene::Look& look);
 
 /// Returns the colour that identifies a method in a comparison.
 scene::Color solution_color(const OverlayColors& colors, std::size_t solution);

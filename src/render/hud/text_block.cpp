@@ -12,6 +12,7 @@ constexpr double baseline = 0.95;         // em below the top of a line
 constexpr double block_gap = 1.3;         // em of the readout, between two of them
 constexpr double paragraph_line = 1.35;   // em
 constexpr double remark_size = 1.15;      // em of the readout
+constexpr double bar_height = 1.1;        // em of the readout
 constexpr double text_halo_width = 0.12;  // em
 constexpr double text_halo_opacity = 0.3;
 constexpr double panel_margin = 0.4;  // em of the caption, around the text
@@ -135,6 +136,17 @@ void TextBlock::place(const Readout& readout, double x, double y, double caption
   const canvas::Canvas::Point at{x, style_.compact ? base : y + baseline * caption};
   texts_.push_back({canvas::typeset(font, readout.caption), caption, at, style_.colors.dim});
   values_.push_back({readout.value, size, {x + caption_width, base}, canvas::Canvas::Align::left});
+}
+
+void TextBlock::add_bar(double share, const scene::Color& color) {
+  const double size = style_.sizes.readout;
+  if (!has_room_below(bar_height * size)) return;
+  const image::Area bar{area_.x, static_cast<int>(std::lround(y_ + 0.3 * size)),
+                        std::max(1, static_cast<int>(share * area_.width)),
+                        std::max(2, static_cast<int>(std::lround(0.4 * size)))};
+  samples_.push_back({bar, color});
+  extend(bar.x + bar.width, y_ + bar_height * size);
+  y_ += bar_height * size;
 }
 
 void TextBlock::add_readouts(const std::vector<Readout>& readouts) {

@@ -68,6 +68,9 @@ class TextBlock {
   void add_remark(const std::string& widest,
                   std::function<Remark(const timeline::FrameState&)> remark);
 
+  /// Adds a bar whose length is that share of the area's width.
+  void add_bar(double share, const scene::Color& color);
+
   /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
   /// there is not enough room.
   void add_readouts(const std::vector<Readout>& readouts);

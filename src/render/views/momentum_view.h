@@ -26,7 +26,6 @@ class MomentumView : public SolutionView {
   Eigen::Vector3d place_of(const motion::Sample& sample) const;
 
  private:
-  Camera own_camera(double video_time) const override;
   void add_sphere();
   void add_level(const motion::EnergyLevel& level, double width, const Ink& ink);
   void add_separatrix();

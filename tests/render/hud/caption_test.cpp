@@ -49,6 +49,9 @@ TEST(Caption, IsBrokenIntoFewLinesOfAboutTheSameLength) {
       EXPECT_NEAR(length, whole / count, 0.2 * whole / count) << line;
     }
   }
+  EXPECT_EQ(broken_into_lines(font, "It spins. And then it turns over", 12, 2),
+            (std::vector<std::string>{"It spins.", "And then it turns over"}))
+      << "between the sentences";
   EXPECT_FALSE(broken_into_lines(font, sentence, 0.4 * whole, 2)) << "too many";
   EXPECT_FALSE(broken_into_lines(font, "a unbreakableunbreakable", 4, 3)) << "too wide a word";
   EXPECT_EQ(broken_into_lines(font, " one\n two ", 20, 2), std::vector<std::string>{"one two"});
@@ -80,6 +83,22 @@ TEST(Caption, HasRoomThatNothingElseTakes) {
   }
   EXPECT_FALSE(compute_layout(film_of(1280, 720)).caption) << "without a caption";
   EXPECT_FALSE(compute_layout(captioned(160, 90)).caption) << "too small to be read";
+}
+
+TEST(Caption, OfTheBuiltInStoriesFitsPicturesOfAnyShape) {
+  for (const char* name : {"explain", "explain-nb"}) {
+    for (scene::Shot& shot : scene::load_scene(name).shots) {
+      for (const auto& [width, height] :
+           {std::pair(1280, 720), {720, 1280}, {800, 800}, {1000, 800}, {800, 1000}, {2400, 400}}) {
+        shot.scene.film.width = width;
+        shot.scene.film.height = height;
+        const auto place = compute_layout(shot.scene).caption.value();
+        EXPECT_TRUE(broken_into_lines(sans().regular, *shot.scene.caption, place.line_width(),
+                                      place.most_lines))
+            << width << "x" << height << ": " << *shot.scene.caption;
+      }
+    }
+  }
 }
 
 TEST(Caption, HasCapitalsAsHighAsA25thOfThePicture) {

@@ -16,7 +16,7 @@ scene::Scene with_forces(int width, int height, scene::Frame frame) {
 }
 
 std::vector<Layer> legend(const OverlayScene& all) {
-  const TextStyle style{all.typeface, all.colors, all.layout.text, all.layout.compact, 0.3};
+  const TextStyle style{all.typeface, all.colors, all.layout.text, all.layout.compact, false};
   return ForceLegend(all.scene, all.layout, style).static_layers();
 }
 
