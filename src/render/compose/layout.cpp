@@ -49,10 +49,13 @@ Layout compute_layout(const scene::Scene& scene) {
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {
-    if (auto layout = LayoutDraft(scene, parts).finish()) return with_forces(*layout, scene);
+    for (const Words words : {Words::with_insets, Words::with_body}) {
+      if (auto layout = LayoutDraft(scene, parts, words).finish())
+        return with_forces(*layout, scene);
+    }
     part = false;
   }
-  return with_forces(*LayoutDraft(scene, parts).finish(), scene);
+  return with_forces(*LayoutDraft(scene, parts, Words::with_body).finish(), scene);
 }
 
 }  // namespace twrench::render

@@ -24,10 +24,11 @@ int shorter(const image::Area& area) { return std::min(area.width, area.height);
 
 }  // namespace
 
-LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts)
+LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words)
     : scene_(scene),
       overlay_(scene.overlay),
       parts_(parts),
+      words_(words),
       picture_{0, 0, scene.film.width, scene.film.height},
       gap_(std::max(4, shorter(picture_) / 40)),
       rest_(picture_),
@@ -36,6 +37,7 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts)
   layout_.text = {std::max(12.0, 0.040 * side), std::max(10.0, 0.026 * side),
                   std::max(9.0, 0.0185 * side)};
   layout_.compact = side < 300;
+  if (layout_.compact) words_ = Words::with_body;
   const int x = static_cast<int>(std::ceil(safe_margin * picture_.width));
   const int y = static_cast<int>(std::ceil(safe_margin * picture_.height));
   safe_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};

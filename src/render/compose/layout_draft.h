@@ -25,11 +25,15 @@ using Parts = std::array<bool, part_count>;
 /// row.
 inline constexpr int least_square = 96;
 
+/// Where title and readouts stand in a picture that is not long: with the insets, so that the body
+/// is larger, or above and below the body, so that the insets have more room.
+enum class Words { with_insets, with_body };
+
 /// A layout in progress: pieces are cut from `rest_`, the free area, until the views take what is
 /// left.
 class LayoutDraft {
  public:
-  LayoutDraft(const scene::Scene& scene, const Parts& parts);
+  LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words);
 
   /// Returns nothing if something does not fit.
   std::optional<Layout> finish();
@@ -86,6 +90,7 @@ class LayoutDraft {
   const scene::Scene& scene_;
   const scene::Overlay& overlay_;
   Parts parts_;
+  Words words_;
   image::Area picture_;
   image::Area safe_;
   int gap_;

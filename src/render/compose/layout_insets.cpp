@@ -16,6 +16,7 @@ constexpr double most_insets = 0.65;       // of a long picture
 constexpr double column_width = 0.27;      // of the picture's width
 constexpr double block_height = 0.27;      // of the picture's height
 constexpr double most_strip = 0.28;        // of the height of the panes of a comparison
+constexpr int least_pair = 80;             // px, the side of each of two squares in a row
 constexpr int least_column = 150;          // px
 constexpr double words_width = 28;         // em of the readouts, of the text in a long picture
 constexpr double readouts_width = 12;      // em, of time and flips in a row
@@ -109,7 +110,8 @@ void LayoutDraft::place_column() {
   const double width = std::min(column_width * picture_.width, 0.5 * picture_.height);
   image::Area column = cut_right(
       rest_, std::max(whole(width), std::min(least_column, picture_.width / 3)), 2 * gap_);
-  place_words(layout_.compact ? rest_ : column);
+  const bool aside = words_ == Words::with_insets || shows_no_body();
+  place_words(aside ? column : rest_);
   if (shows_no_body()) {
     return place_description(cut_top(
         column, std::min(whole(12 * description_line * layout_.text.readout), column.height), 0));
@@ -117,9 +119,10 @@ void LayoutDraft::place_column() {
   std::vector<Inset> views = shown({{momentum_part, 1}, {poinsot_part, 1}});
   const std::vector<Inset> plots =
       shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
-  if (views.size() == 2 && !plots.empty()) {
-    const int square = (column.width - gap_) / 2 + heading_height();
-    place_insets(cut_top(column, std::min(square, column.height / 3), gap_), false, views);
+  const int side = (column.width - gap_) / 2;
+  if (views.size() == 2 && !plots.empty() && side >= least_pair) {
+    const int height = std::min(side + heading_height(), column.height / 3);
+    place_insets(cut_top(column, height, gap_), false, views);
     views.clear();
   }
   views.insert(views.end(), plots.begin(), plots.end());
@@ -137,15 +140,15 @@ void LayoutDraft::place_block() {
     place_readouts(corner);
     return place_description(block);
   }
-  if (layout_.compact) place_readouts(rest_);
+  if (words_ == Words::with_body) place_readouts(rest_);
   const std::vector<Inset> squares = shown({{momentum_part, 1}, {poinsot_part, 1}});
   const std::vector<Inset> plots =
       shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
   const auto count = static_cast<int>(squares.size());
-  const double share = count == 0                         ? 0
-                       : plots.empty() && layout_.compact ? 1
-                       : count == 1                       ? 0.44
-                                                          : 0.6;
+  const double share = count == 0                                    ? 0
+                       : plots.empty() && words_ == Words::with_body ? 1
+                       : count == 1                                  ? 0.44
+                                                                     : 0.6;
   const int width = whole(share * rest_.width);
   int height = whole(block_height * picture_.height);
   if (count > 0) height = std::min(height, (width + gap_) / count - gap_ + heading_height());
@@ -154,7 +157,7 @@ void LayoutDraft::place_block() {
     const int needed = std::min(width, count * (height - heading_height() + gap_) - gap_);
     place_insets(cut_left(block, needed, 2 * gap_), false, squares);
   }
-  if (!layout_.compact) place_readouts(block);
+  if (words_ == Words::with_insets) place_readouts(block);
   place_insets(block, true, plots);
 }
 

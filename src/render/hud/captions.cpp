@@ -50,7 +50,7 @@ bool has_leg(const scene::Body& body) {
 }  // namespace
 
 std::string curve(const scene::Body& body) {
-  return has_leg(body) ? "which way the leg points (x₁₁)" : "the body's x axis along space x (x₁₁)";
+  return has_leg(body) ? "which way the leg points" : "the body's x axis along space x";
 }
 
 std::string momentum_heading() { return "L, seen from the body"; }

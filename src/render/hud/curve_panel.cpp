@@ -56,7 +56,9 @@ void CurvePanel::place_plot(const image::Area& area) {
 void CurvePanel::draw_caption(const scene::Scene& scene, const image::Area& area) {
   const double padding = panel_padding * size_;
   const double room = (area.width - 2 * padding) / size_;
-  const canvas::Line line = canvas::typeset_within(font_, captions::curve(scene.body), room);
+  const std::string meaning = captions::curve(scene.body);
+  canvas::Line line = canvas::typeset(font_, fmt::format("{} ({})", meaning, name_of(plots_[0])));
+  if (line.width > room) line = canvas::typeset_within(font_, meaning, room);
   ground().text(line, size_, {area.x + padding, area.y + padding + 0.85 * size_}, {colors_.text});
 }
 
@@ -89,26 +91,35 @@ void CurvePanel::draw_arrow(double y, double direction) {
                     width, ink);
 }
 
-/// Ticks at the flips, with their times as far as those do not run into each other.
+/// Ticks at the flips, with their times: of all flips or, where those would run into each other, of
+/// every second one, every third and so on.
 void CurvePanel::label_flips(const std::vector<double>& times) {
   const Plot& plot = plots_[0];
   const double bottom = plot.area.y + plot.area.height;
-  canvas::Canvas canvas = ground();
-  double free = plot.area.x;
-  for (const double time : times) {
-    const double x = std::round(plot.x(time / duration_));
-    const double width = std::max(1.0, 0.1 * size_);
-    canvas.rectangle(x - width / 2, bottom - 0.5 * size_, width, 0.5 * size_, {colors_.text, 0.8});
-    const canvas::Line line = canvas::typeset(
+  const double tick = std::max(1.0, 0.1 * size_);
+  const auto text = [&](double time) {
+    return canvas::typeset(
         font_, time < 1000 ? fmt::format("{:.3g} s", time) : fmt::format("{:.0f} s", time));
+  };
+  const double widest = (text(times.back()).width + flip_label_gap) * size_;
+  const double covered = plot.x(times.back() / duration_) - plot.x(times.front() / duration_);
+  const double labels = std::max(1.0, covered / widest + 1);
+  const auto stride =
+      static_cast<std::size_t>(std::ceil(static_cast<double>(times.size()) / labels));
+  canvas::Canvas canvas = ground();
+  double free = plot.area.x;  // what lies to the left is taken
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double x = std::round(plot.x(times[i] / duration_));
+    canvas.rectangle(x - tick / 2, bottom - 0.5 * size_, tick, 0.5 * size_, {colors_.text, 0.8});
+    if (i % stride != 0) continue;
+    const canvas::Line line = text(times[i]);
     const double half = line.width * size_ / 2;
-    const double right = plot.area.x + plot.area.width;
-    const double centre =
-        std::clamp(x, plot.area.x + half, std::max(right - half, plot.area.x + half));
-    if (centre - half < free) continue;
+    const double last = std::max(plot.area.x + plot.area.width - half, plot.area.x + half);
+    const double centre = std::clamp(x, plot.area.x + half, last);
+    if (centre - half < free) continue;  // at an end of the plot
     canvas.text(line, size_, {centre, bottom + 1.15 * size_}, {colors_.dim},
                 canvas::Canvas::Align::centre);
-    free = centre + half + flip_label_gap * size_;
+    free = centre + half;
   }
 }
 
