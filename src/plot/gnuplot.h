@@ -22,10 +22,12 @@ struct Plot {
   std::string script;
 };
 
-/// The colours of Okabe and Ito, which are distinguishable with colour vision deficiency, without
-/// the yellow, which is too pale for lines on white.
-inline constexpr std::array<std::string_view, 7> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                         "#E69F00", "#56B4E9", "#000000"};
+/// Colours of curves on white, one for each method. They have a contrast of at least 3 (WCAG 2.1,
+/// 1.4.11); any two differ by 38 (CIE Lab), and by 17 for protan, deutan and tritan vision (Machado
+/// et al. 2009). None but black is so dark that it looks black in a thin line.
+inline constexpr std::array<std::string_view, 13> palette{
+    "#089DDD", "#B6310C", "#157A42", "#C247A6", "#C17B01", "#5267CC", "#000000",
+    "#FC2578", "#759086", "#C001FF", "#692C36", "#33496C", "#421CBC"};
 
 /// Returns the text as a quoted gnuplot string that reproduces it exactly.
 std::string gnuplot_string(std::string_view text);

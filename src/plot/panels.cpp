@@ -5,8 +5,7 @@
 namespace twrench::plot {
 
 std::string PanelGrid::place(int row, int column) const {
-  const double w = double(width - left - right - (columns - 1) * between_columns) / columns;
-  const double h = double(height - top - bottom - (rows - 1) * between_rows) / rows;
+  const double w = panel_width(), h = panel_height();
   const double x = left + column * (w + between_columns);
   const double y = bottom + (rows - 1 - row) * (h + between_rows);
   return fmt::format(

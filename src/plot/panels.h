@@ -16,6 +16,14 @@ struct PanelGrid {
   /// Gaps between panels in pixels.
   int between_columns, between_rows;
 
+  /// Return the size of a panel in pixels.
+  double panel_width() const {
+    return double(width - left - right - (columns - 1) * between_columns) / columns;
+  }
+  double panel_height() const {
+    return double(height - top - bottom - (rows - 1) * between_rows) / rows;
+  }
+
   /// Returns the commands that place the next plot there. Row 0 is at the top.
   std::string place(int row, int column) const;
 };

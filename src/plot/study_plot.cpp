@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "plot/panels.h"
 
@@ -42,10 +44,9 @@ std::string data(const study::Study& study) {
   return text;
 }
 
-/// The style of method `i`: colour, symbol and, after the colours repeat, dashes.
+/// The style of method `i`: colour and symbol.
 std::string style(std::size_t i, bool points) {
-  const std::string line = fmt::format(
-      "lw 1.5 dt {} lc rgb '{}'", i < palette.size() ? "1" : "(6,3)", palette[i % palette.size()]);
+  const std::string line = fmt::format("lw 1.5 lc rgb '{}'", palette[i % palette.size()]);
   if (!points) return "with lines " + line;
   return fmt::format("with linespoints {} pt {} ps 0.8", line, symbols[i % symbols.size()]);
 }
@@ -69,28 +70,105 @@ std::string key_entries(const study::Study& study) {
   return text;
 }
 
-/// Reference slopes of orders 1, 2 and 4: broad faint labelled lines behind the curves.
-std::string slopes(const study::Study& study) {
-  constexpr double highest = 3.0;
-  double finest = 1e300, coarsest = 0.0;
-  for (const study::MethodStudy& m : study.methods) {
-    if (!has_ladder(m)) continue;
-    for (const study::StudyRun& run : m.runs) {
-      finest = std::min(finest, run.step);
-      coarsest = std::max(coarsest, run.step);
+constexpr double lowest_error = 1e-15, highest_error = 10;
+
+/// The diagram of errors against step sizes, as far as it takes to find free places in it.
+class OrderDiagram {
+ public:
+  OrderDiagram(const study::Study& study, double width, double height)
+      : width_(width), height_(height) {
+    for (const study::MethodStudy& m : study.methods) {
+      if (!has_ladder(m)) continue;
+      for (const study::StudyRun& run : m.runs) {
+        finest_ = std::min(finest_, run.step);
+        coarsest_ = std::max(coarsest_, run.step);
+      }
+    }
+    for (const study::MethodStudy& m : study.methods) {
+      if (has_ladder(m)) add_curve(m.runs);
+    }
+    for (const int order : orders)
+      add_line(pixel(finest_, reference(finest_, order)),
+               pixel(coarsest_, reference(coarsest_, order)));
+  }
+
+  /// Reference slopes of orders 1, 2 and 4: broad faint lines behind the curves, each with a label
+  /// beside it where there is most room.
+  std::string slopes() {
+    std::string text = fmt::format("set xrange [{:.6g}:{:.6g}]\n", low(), high());
+    for (const int order : orders) {
+      const Eigen::Vector2d place = label_place(order);
+      taken_.push_back(place);
+      text += fmt::format(
+          "set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3} nohead back lw 5 lc rgb '#e4e4e4'\n"
+          "set label 'h{4}' at {5:.6g}, {6:.6g} center front textcolor rgb '#707070'\n",
+          finest_, reference(finest_, order), coarsest_, converging,
+          order == 1 ? "" : fmt::format("^{}", order), step(place.x()), error(place.y()));
+    }
+    return text;
+  }
+
+ private:
+  static constexpr std::array orders{1, 2, 4};
+  static constexpr double converging = 3;  // error at the coarsest step of all reference lines
+
+  double low() const { return finest_ / 1.4; }
+  double high() const { return coarsest_ * 1.4; }
+  double reference(double step, int order) const {
+    return converging * std::pow(step / coarsest_, order);
+  }
+  Eigen::Vector2d pixel(double step, double error) const {
+    return {width_ * std::log(step / low()) / std::log(high() / low()),
+            height_ * std::log(error / lowest_error) / std::log(highest_error / lowest_error)};
+  }
+  double step(double x) const { return low() * std::pow(high() / low(), x / width_); }
+  double error(double y) const {
+    return lowest_error * std::pow(highest_error / lowest_error, y / height_);
+  }
+
+  void add_line(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    constexpr int pieces = 40;
+    for (int i = 0; i <= pieces; ++i) taken_.emplace_back(from + (to - from) * i / pieces);
+  }
+  void add_curve(const std::vector<study::StudyRun>& runs) {
+    std::optional<Eigen::Vector2d> last;
+    for (const study::StudyRun& run : runs) {
+      if (!run.failure.empty() || !(run.early_error > 0.0)) continue;
+      const Eigen::Vector2d here = pixel(run.step, run.early_error);
+      add_line(last.value_or(here), here);
+      last = here;
     }
   }
-  std::string text = fmt::format("set xrange [{:.6g}:{:.6g}]\n", finest / 1.4, coarsest * 1.4);
-  for (const int order : {1, 2, 4}) {
-    const double height = highest * std::pow(finest / coarsest, order);
-    text += fmt::format(
-        "set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3} nohead back lw 5 lc rgb '#e4e4e4'\n"
-        "set label 'h{4}' at {0:.6g}, {1:.6g} left offset 0.3, 0.8 front "
-        "textcolor rgb '#707070'\n",
-        finest, height, coarsest, highest, order == 1 ? "" : fmt::format("^{}", order));
+
+  double room(const Eigen::Vector2d& place) const {
+    double room = std::min({place.x(), width_ - place.x(), place.y(), height_ - place.y()});
+    for (const Eigen::Vector2d& other : taken_) room = std::min(room, (other - place).norm());
+    return room;
   }
-  return text;
-}
+  Eigen::Vector2d label_place(int order) const {
+    constexpr double beside = 14;  // pixels
+    const Eigen::Vector2d from = pixel(finest_, reference(finest_, order));
+    const Eigen::Vector2d way = pixel(coarsest_, converging) - from;
+    const Eigen::Vector2d across = Eigen::Vector2d(-way.y(), way.x()).normalized();
+    Eigen::Vector2d best = from;
+    double most = -1;
+    for (double along = 0; along < 0.9; along += 0.01) {
+      for (const double side : {beside, -beside}) {
+        const Eigen::Vector2d place = from + along * way + side * across;
+        // The line itself is as far away as `beside`: anything beyond that is no better.
+        if (const double here = std::min(room(place), beside - 1); here > most) {
+          best = place;
+          most = here;
+        }
+      }
+    }
+    return best;
+  }
+
+  double width_, height_;  ///< In pixels.
+  double finest_ = 1e300, coarsest_ = 0;
+  std::vector<Eigen::Vector2d> taken_;
+};
 
 /// The methods' step sizes and tolerances in the drift diagram.
 std::string drift_title(const study::Study& study) {
@@ -150,9 +228,9 @@ Plot study_plot(const study::Study& study) {
       .append(
           "set format '10^{%T}'\n"
           "set logscale xy\n"
-          "set yrange [1e-15:10]\n"
           "set xlabel 'step h (s)'\n")
-      .append(slopes(study))
+      .append(fmt::format("set yrange [{}:{}]\n", lowest_error, highest_error))
+      .append(OrderDiagram(study, grid.panel_width(), grid.panel_height()).slopes())
       .append(fmt::format("set title 'Order'\n"
                           "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
                           study.early))
@@ -174,7 +252,7 @@ Plot study_plot(const study::Study& study) {
                           drift_range(study), study.duration,
                           gnuplot_string("Energy: " + drift_title(study))))
       .append(run_curves(study, "drift", "1:2", false))
-      .append(key_plot(key_entries(study), 6, 42.0 / plot.height) + "unset multiplot\n");
+      .append(key_plot(key_entries(study), 7, 42.0 / plot.height) + "unset multiplot\n");
   return plot;
 }
 

@@ -44,8 +44,11 @@ class SpaceViews : public testing::Test {
   }
 };
 
-TEST(TrailPoint, IsJustOutsideTheTipOfTheLeg) {
-  EXPECT_LT((trail_point(t_wrench()) - Vector3d(4.12, 0, 0)).norm(), 1e-12);
+TEST(TrailPoint, IsOutsideTheTipOfTheLegSoFarThatItsTrailPassesOverTheRim) {
+  const Vector3d point = trail_point(t_wrench());
+  EXPECT_LT((point - Vector3d(4.24, 0, 0)).norm(), 1e-12);
+  const Vector3d rim(4, 1, 0);
+  EXPECT_GT(point.norm(), rim.norm() + 0.1) << "with half the trail's width";
 }
 
 TEST(TrailPoint, IsTheScenesFromTheCentreOfMass) {
@@ -58,7 +61,7 @@ TEST(TrailPoint, IsTheScenesFromTheCentreOfMass) {
 TEST(TrailPoint, ExistsWhereAllEndsAreAlike) {
   scene::Scene scene = t_wrench();
   scene.body.parts = {{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
-  EXPECT_NEAR(trail_point(scene).norm(), 1.03, 1e-12);
+  EXPECT_NEAR(trail_point(scene).norm(), 1.06, 1e-12);
 }
 
 TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
@@ -116,22 +119,94 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
   }
 }
 
-TEST_F(SpaceViews, HideWhatIsBehindTheBody) {
+/// The largest difference of any channel of any pixel.
+int largest_difference(const image::Image& a, const image::Image& b) {
+  int largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
+  }
+  return largest;
+}
+
+TEST_F(SpaceViews, ShowFaintlyWhatIsBehindTheBody) {
   // Straight along L, which the leg then covers from behind.
   scene::Scene scene = with({scene::Feature::omega});
   scene.camera.azimuth = -std::numbers::pi / 2;
   scene.camera.elevation = 0;
-  const auto pictures = [&](bool omega) {
+  const auto picture = [&](bool omega, int samples) {
+    scene.look.samples = samples;
     scene.overlay.show.clear();
     if (omega) scene.overlay.show.insert(scene::Feature::omega);
     const timeline::Timeline timeline(scene, {0});
     BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
     return drawn_picture(view, timeline.frame_state(0));
   };
-  const image::Image with_omega = pictures(true), without = pictures(false);
-  EXPECT_EQ(with_omega.pixels, without.pixels);
-  scene.camera.azimuth = std::numbers::pi / 2;
-  EXPECT_NE(pictures(true).pixels, without.pixels);
+  for (const int samples : {1, 4}) {
+    const image::Image without = picture(false, samples);
+    const int behind = largest_difference(picture(true, samples), without);
+    EXPECT_GT(behind, 10) << "visible";
+    EXPECT_LT(behind, 90) << "but faint";
+    scene.camera.azimuth = std::numbers::pi / 2;
+    EXPECT_GT(largest_difference(picture(true, samples), picture(false, samples)), 120);
+    scene.camera.azimuth = -std::numbers::pi / 2;
+  }
+}
+
+// Where an arrow leaves the body's flank it must not end in a step, which would be jagged.
+TEST_F(SpaceViews, FadeArrowsWhereTheyEnterTheBody) {
+  scene::Scene scene = with({scene::Feature::momentum});
+  const timeline::Timeline timeline(scene, {71});
+  scene.overlay.show.clear();
+  BodyView bare(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  scene.overlay.show.insert(scene::Feature::momentum);
+  BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  const timeline::FrameState state = timeline.frame_state(0);
+  const image::Image picture = drawn_picture(view, state);
+  const Camera camera = view.camera(0);
+  const BodyOverlay overlay(scene, timeline.solutions()[0],
+                            bounding_radius(scene::visible_parts(scene.body)));
+  // Along the middle of L: how much of its colour, yellow, there is.
+  std::vector<double> yellow;
+  for (int i = 0; i <= 400; ++i) {
+    const Vector2d place = pixel_of(camera, pane.area, i / 400.0 * overlay.momentum_tip());
+    const auto x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
+    const std::uint8_t* p = &picture.pixels[static_cast<std::size_t>(4 * (y * picture.width + x))];
+    yellow.push_back(p[0] - p[2]);
+  }
+  EXPECT_LT(yellow[40], 60) << "deep inside";
+  EXPECT_GT(yellow[200], 100) << "outside";
+  double steepest = 0;
+  for (std::size_t i = 40; i + 3 < 240; ++i) {
+    steepest = std::max(steepest, yellow[i + 3] - yellow[i]);
+  }
+  EXPECT_LT(steepest, 0.6 * (yellow[200] - yellow[40])) << "between neighbouring pixels";
+}
+
+TEST_F(SpaceViews, PutADotWhereTheTrailsPointIs) {
+  scene::Scene scene = with({scene::Feature::trail});
+  const timeline::Timeline timeline(scene, {105});
+  BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
+  const timeline::FrameState state = timeline.frame_state(0);
+  const image::Image picture = drawn_picture(view, state);
+  const Vector2d place =
+      pixel_of(view.camera(0), pane.area, state.solutions[0].sample.X * trail_point(scene));
+  const auto luminance = [&](const Vector2d& at) {
+    const auto x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+    return picture.pixels[static_cast<std::size_t>(4 * (y * picture.width + x))];
+  };
+  EXPECT_GT(luminance(place), 240) << "white";
+  // All around it, but for where the trail comes from, the halo is dark.
+  int dark = 0;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 16;
+    double least = 255;
+    for (double reach = 1; reach < 4; reach += 0.25) {
+      least = std::min<double>(
+          least, luminance(place + reach * Vector2d(std::cos(angle), std::sin(angle))));
+    }
+    dark += least < 90 ? 1 : 0;
+  }
+  EXPECT_GE(dark, 11);
 }
 
 TEST_F(SpaceViews, PutTheMomentumOnItsSphereAndLevel) {

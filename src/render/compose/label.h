@@ -19,6 +19,9 @@ struct Label {
   Eigen::Vector2d away;
   /// Colour of the text.
   scene::Color color;
+  /// Where the object begins, in pixels too: other labels stay clear of it from there to the
+  /// anchor.
+  std::optional<Eigen::Vector2d> root = {};
 };
 
 /// Returns the label at the end of an object that extends from `from` to `to` in space, for a

@@ -8,8 +8,9 @@
 
 namespace twrench::render {
 
-/// Draws labels next to what they name, moved as little as possible where text or another label is
-/// in the way.
+/// Draws labels next to what they name, moved as little as possible where text, another label or
+/// another named object is in the way; a thin line leads to a label that was moved far. As objects
+/// move continuously, so do labels among them.
 class LabelPainter {
  public:
   /// `size` is in px per em; `halo` is the colour around each letter that keeps it legible on any
@@ -24,9 +25,13 @@ class LabelPainter {
  private:
   struct Box {
     double x, y, width, height;
+    Eigen::Vector2d middle() const { return {x + width / 2, y + height / 2}; }
   };
 
+  Box beside_objects(Box box, const std::vector<Label>& labels, const Label& own) const;
   Box placed(Box box, const std::vector<Box>& taken) const;
+  Layer painted(const Label& label, const canvas::Line& line, const Box& box, double moved) const;
+  void lead_to(const Box& box, const Label& label, double opacity, canvas::Canvas& canvas) const;
 
   const canvas::Font& font_;
   double size_;

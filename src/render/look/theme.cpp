@@ -13,48 +13,49 @@ scene::Color mixed(const scene::Color& a, const scene::Color& b, double share) {
   return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
-/// The axes' colours for the columns; rows from near `first` to near `last`.
+/// The axes' colours for the columns; rows from nearest to `end` to the axes' colours themselves.
 std::array<scene::Color, 9> curves(const std::array<scene::Color, 3>& axis,
-                                   const scene::Color& first, const scene::Color& last) {
+                                   const scene::Color& end) {
   std::array<scene::Color, 9> result{};
-  for (std::size_t column = 0; column < 3; ++column) {
-    result[column] = mixed(axis[column], first, 0.3);
-    result[3 + column] = axis[column];
-    result[6 + column] = mixed(axis[column], last, 0.18);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      result[3 * row + column] = mixed(axis[column], end, 0.4 - 0.2 * static_cast<double>(row));
+    }
   }
   return result;
 }
 
 // The distinguishing colours started as those of Okabe and Ito ("Color Universal Design", 2008).
-// Subject to the contrast that text needs, they were moved to maximise the smallest difference
-// between any two for normal, protan, deutan and tritan vision (Machado et al. 2009).
+// Subject to the contrast that text needs on a panel over any background, they were moved to
+// maximise the smallest difference between any two for normal, protan, deutan and tritan vision
+// (Machado et al. 2009), also where an arrow is in shade, at 0.65 of its colour.
 
 OverlayColors on_dark() {
-  const std::array<scene::Color, 3> axis{{{213, 114, 53}, {9, 213, 139}, {85, 139, 247}}};
+  const std::array<scene::Color, 3> axis{{{243, 82, 49}, {0, 248, 151}, {118, 124, 255}}};
   return {.text = {245, 247, 250},
           .dim = {216, 220, 228},
           .panel = {14, 16, 21},
-          .panel_opacity = 0.8,
+          .panel_opacity = 0.92,
           .axis = axis,
-          .momentum = {236, 213, 74},
-          .omega = {255, 149, 225},
+          .momentum = {255, 216, 39},
+          .omega = {247, 120, 201},
           .trail = {255, 255, 255},
-          .plane = {131, 146, 157},
-          .curve = curves(axis, {255, 255, 255}, {0, 0, 0})};
+          .plane = {116, 126, 132},
+          .curve = curves(axis, {255, 255, 255})};
 }
 
 OverlayColors on_paper() {
-  const std::array<scene::Color, 3> axis{{{185, 73, 15}, {1, 125, 89}, {0, 42, 205}}};
+  const std::array<scene::Color, 3> axis{{{199, 43, 5}, {0, 118, 100}, {32, 7, 231}}};
   return {.text = {16, 18, 22},
           .dim = {70, 74, 82},
           .panel = {255, 255, 255},
-          .panel_opacity = 0.78,
+          .panel_opacity = 0.92,
           .axis = axis,
-          .momentum = {102, 24, 0},
-          .omega = {132, 21, 143},
+          .momentum = {114, 0, 0},
+          .omega = {143, 56, 178},
           .trail = {0, 0, 0},
-          .plane = {103, 93, 121},
-          .curve = curves(axis, {0, 0, 0}, {255, 255, 255})};
+          .plane = {76, 58, 103},
+          .curve = curves(axis, {0, 0, 0})};
 }
 
 constexpr scene::Color steel{184, 188, 196};

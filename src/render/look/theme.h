@@ -8,10 +8,9 @@
 
 namespace twrench::render {
 
-/// The colours of overlays. Text in `text` or `dim` is legible anywhere on the theme's background
-/// and on a panel; the distinguishing colours are legible as text on a panel and, except in the
-/// brightest pool of light, on the background: the contrast is at least 4.5 (WCAG 2.1, 1.4.3). They
-/// are distinguishable with every type of colour vision.
+/// The colours of overlays. All are legible as text on a panel over any background, and `text` and
+/// `dim` anywhere on the theme's background too: the contrast is at least 4.5 (WCAG 2.1, 1.4.3).
+/// They are distinguishable with every type of colour vision.
 struct OverlayColors {
   /// Text.
   scene::Color text;

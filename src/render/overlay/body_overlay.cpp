@@ -124,27 +124,41 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
   }
 }
 
+/// The line that a point leaves behind, with a dot where the point is now, on a halo that keeps
+/// them visible against anything.
 template <typename Place>
-void BodyOverlay::draw_fading(const timeline::SolutionState& instant, double width,
-                              const scene::Color& color, Place place, DrawList& translucent) const {
-  std::vector<DrawList::Point> line;
+void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
+                             const scene::Color& color, Place place, DrawList& translucent) const {
+  constexpr double halo = 0.4, least_halo = 1;  // on each side: widths of the line, pixels
+  constexpr double dot = 1.15;                  // radius in widths of the line
+  std::vector<DrawList::Point> line, around;
   for (const motion::Sample& sample : instant.trail) {
     const double age = instant.trail_age(sample, trail_length_);
+    const double opacity = 0.9 * std::pow(1 - age, 1.4);
     const Vector3d point = place(sample);
-    line.push_back({point,
-                    width * radius_ * (1 - 0.6 * age) * translucent.pixels(point),
-                    {color, 0.9 * std::pow(1 - age, 1.4)}});
+    const double across = width * radius_ * (1 - 0.6 * age) * translucent.pixels(point);
+    line.push_back({point, across, {color, opacity}});
+    around.push_back(
+        {point, across + 2 * std::max(halo * across, least_halo), {colors_.panel, opacity}});
   }
+  translucent.line(around);
   translucent.line(line);
+  if (line.empty()) return;
+  // The dot stands for a ball, whose near side is what arrows through it do not hide.
+  const Vector3d& now = line.back().place;
+  const Vector3d near = now + dot * width * radius_ * (translucent.eye() - now).normalized();
+  const double size = line.back().width;
+  translucent.dot(near, dot * size + std::max(halo * size, least_halo), {colors_.panel, 0.9});
+  translucent.dot(near, dot * size, {color, 1});
 }
 
 void BodyOverlay::draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const {
   if (shows_plane_ && shows_omega_) {
-    draw_fading(
+    draw_track(
         instant, 0.6 * trail_width_, colors_.omega,
         [&](const motion::Sample& sample) { return omega_tip(sample); }, translucent);
   }
-  draw_fading(
+  draw_track(
       instant, trail_width_, colors_.trail,
       [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; },
       translucent);

@@ -18,8 +18,6 @@ using Eigen::Vector4d;
 
 constexpr std::uint32_t around_disc = 96;
 
-const glm::vec3 everywhere(0, 0, 1e6F);  // edge of items that are not lines
-
 glm::vec4 paint_of(const Ink& ink) {
   const double scale = ink.opacity / 255;
   const Vector4d p(scale * ink.color.red, scale * ink.color.green, scale * ink.color.blue,
@@ -34,13 +32,25 @@ Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
   static const Vector3d key = Vector3d(0.45, 0.75, 0.5).normalized();
   static const Vector3d fill = Vector3d(-0.8, 0.1, 0.6).normalized();
   const double light =
-      0.52 + 0.45 * std::max(normal.dot(key), 0.0) + 0.18 * std::max(normal.dot(fill), 0.0);
+      0.72 + 0.3 * std::max(normal.dot(key), 0.0) + 0.12 * std::max(normal.dot(fill), 0.0);
   const double gleam = 0.35 * std::pow(std::max(normal.dot((key + to_eye).normalized()), 0.0), 40);
   const auto channel = [&](int value) {
     const double base = std::min(light * value, 255.0);
     return static_cast<int>(std::lround(base + gleam * (255 - base)));
   };
   return {{channel(ink.color.red), channel(ink.color.green), channel(ink.color.blue)}, ink.opacity};
+}
+
+/// Returns the ink that looks like `top` over `ground`.
+Ink over(const Ink& top, const Ink& ground) {
+  const double behind = (1 - top.opacity) * ground.opacity, opacity = top.opacity + behind;
+  if (!(opacity > 0)) return {top.color, 0};
+  const auto channel = [&](int of_top, int of_ground) {
+    return static_cast<int>(std::lround((top.opacity * of_top + behind * of_ground) / opacity));
+  };
+  return {{channel(top.color.red, ground.color.red), channel(top.color.green, ground.color.green),
+           channel(top.color.blue, ground.color.blue)},
+          opacity};
 }
 
 }  // namespace
@@ -51,10 +61,15 @@ void DrawList::begin(const Camera& camera, const image::Area& pane) {
   eye_ = -camera_from_space_.transpose() * camera.view.col(3).head<3>();
   half_size_ = 0.5 * Vector2d(pane.width, pane.height);
   scale_ = camera.projection(1, 1) * half_size_.y();
+  // At depth w, z in clip space is const * w + P23: the derivative of P23 / w, times w, for a
+  // pixel, which is w / scale_ long there.
+  clip_z_nearer_ = camera.projection(2, 3) / scale_;
   vertices_.clear();
   things_.clear();
-  indices_.clear();
-  edge_quad_indices_.clear();
+  for (Triangles* triangles : {&items_, &outlines_}) {
+    triangles->faces.clear();
+    triangles->edge_quads.clear();
+  }
 }
 
 Vector4d DrawList::clip(const Vector3d& place) const {
@@ -72,94 +87,19 @@ std::uint32_t DrawList::add(const Vector4d& clip, const Ink& ink, const glm::vec
   return static_cast<std::uint32_t>(vertices_.size() - 1);
 }
 
-std::uint32_t DrawList::add_lit(const Vector3d& place, const Vector3d& normal, const Ink& ink) {
+std::uint32_t DrawList::add_lit(const Vector3d& place, const Vector3d& normal, const Ink& ink,
+                                const Ink& ground) {
   const Vector3d to_eye = camera_from_space_ * (eye_ - place).normalized();
-  return add(clip(place), lit(ink, camera_from_space_ * normal, to_eye), everywhere);
+  return add(clip(place), over(lit(ink, camera_from_space_ * normal, to_eye), ground), no_edge);
 }
 
-void DrawList::band(std::uint32_t first, std::uint32_t second, std::uint32_t count) {
+void DrawList::band(std::uint32_t first, std::uint32_t second, std::uint32_t count,
+                    std::vector<std::uint32_t>& indices) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t next = (i + 1) % count;
-    indices_.insert(indices_.end(),
-                    {first + i, first + next, second + i, second + i, first + next, second + next});
+    indices.insert(indices.end(),
+                   {first + i, first + next, second + i, second + i, first + next, second + next});
   }
-}
-
-/// Whether the line may go straight from `last`, which it left along `heading`, past `here`: it
-/// deviates from the arc by a sagitta of length * angle / 8, and its colour hardly changes.
-bool DrawList::may_skip(const Projected& last, const Vector2d& heading, const Projected& here,
-                        const Projected& next) {
-  constexpr double least_step = 0.5, most_astray = 0.1, most_change = 0.08;  // px, px, opacity
-  const Vector2d way = here.pixel - last.pixel, onward = next.pixel - here.pixel;
-  if (way.norm() < least_step) return true;
-  const double sine = heading.x() * onward.y() - heading.y() * onward.x();
-  return heading.dot(onward) > 0 && way.norm() * std::abs(sine) < 8 * most_astray * onward.norm() &&
-         std::abs(here.point->ink.opacity - last.point->ink.opacity) < most_change;
-}
-
-void DrawList::line(std::span<const Point> points) {
-  begin_thing();
-  run_.clear();
-  for (const Point& point : points) {
-    const Vector4d c = clip(point.place);
-    if (c.w() > 1e-6 * std::abs(c.z())) {
-      run_.push_back({&point, c, half_size_.cwiseProduct(c.head<2>()) / c.w()});
-    } else {
-      add_run();
-    }
-  }
-  add_run();
-}
-
-void DrawList::add_run() {
-  const Projected* last = nullptr;
-  Vector2d heading(1, 0), across(0, 1);
-  for (std::size_t i = 0; i < run_.size(); ++i) {
-    const Projected& here = run_[i];
-    const Projected& next = run_[std::min(i + 1, run_.size() - 1)];
-    if (last != nullptr && i + 1 < run_.size() && may_skip(*last, heading, here, next)) continue;
-    // The direction at a point is that from the previous to the next one.
-    const Vector2d along = next.pixel - run_[i > 0 ? i - 1 : 0].pixel;
-    if (along.norm() > 1e-3) across = Vector2d(-along.y(), along.x()).normalized();
-    add_ends(here, across);
-    if (last != nullptr) {
-      const auto n = static_cast<std::uint32_t>(vertices_.size());
-      indices_.insert(indices_.end(), {n - 4, n - 3, n - 2, n - 2, n - 3, n - 1});
-    }
-    heading = (next.pixel - here.pixel).stableNormalized();
-    last = &here;
-  }
-  run_.clear();
-}
-
-/// Adds the two sides of a line at a point.
-void DrawList::add_ends(const Projected& here, const Vector2d& across) {
-  const double width = here.point->width, half = 0.5 * std::max(width, 1.0);
-  const Ink& ink = here.point->ink;
-  for (const double side : {1.0, -1.0}) {
-    const double half_extent =
-        side * (half + 1);  // the ramp's half pixel, and half a pixel of margin
-    Vector4d corner = here.clip;
-    corner.head<2>() += (half_extent * corner.w() * across).cwiseQuotient(half_size_);
-    add(corner, {ink.color, ink.opacity * std::min(width, 1.0)},
-        {static_cast<float>(half_extent), 0, static_cast<float>(half)});
-  }
-}
-
-void DrawList::dot(const Vector3d& place, double radius, const Ink& ink) {
-  const Vector4d c = clip(place);
-  if (!(c.w() > 1e-6 * std::abs(c.z()))) return;
-  begin_thing();
-  const double half_extent = radius + 1;
-  const auto n = static_cast<std::uint32_t>(vertices_.size());
-  for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
-    Vector4d corner = c;
-    corner.head<2>() += (half_extent * c.w() * Vector2d(x, y)).cwiseQuotient(half_size_);
-    const auto r = static_cast<float>(half_extent);
-    add(corner, ink,
-        {r * static_cast<float>(x), r * static_cast<float>(y), static_cast<float>(radius)});
-  }
-  indices_.insert(indices_.end(), {n, n + 1, n + 2, n + 2, n + 1, n + 3});
 }
 
 Vector2d DrawList::pixel(std::uint32_t vertex) const {
@@ -196,18 +136,19 @@ void DrawList::disc(const Vector3d& centre, const Vector3d& normal, double radiu
                     const Ink& middle, const Ink& rim) {
   begin_thing();
   const Matrix3d frame = body::frame_with_z_along(normal);
-  const std::uint32_t hub = add(clip(centre), middle, everywhere);
+  const std::uint32_t hub = add(clip(centre), middle, no_edge);
   for (std::uint32_t i = 0; i < around_disc; ++i) {
     const double angle = 2 * std::numbers::pi * i / around_disc;
     const Vector3d out = frame * Vector3d(std::cos(angle), std::sin(angle), 0);
-    add(clip(centre + radius * out), rim, everywhere);
-    indices_.insert(indices_.end(), {hub, hub + 1 + i, hub + 1 + (i + 1) % around_disc});
+    add(clip(centre + radius * out), rim, no_edge);
+    items_.faces.insert(items_.faces.end(), {hub, hub + 1 + i, hub + 1 + (i + 1) % around_disc});
   }
 }
 
 /// On the unit sphere the near side is a cap about the direction to the eye at distance d, up to
 /// the angle whose cosine is 1 / d.
-void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim) {
+void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim,
+                         const Ink& ground) {
   const Vector3d eye = space_from_unit.inverse() * eye_;
   if (!(eye.norm() > 1)) return;
   begin_thing();
@@ -228,9 +169,9 @@ void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double
       const Vector3d place = space_from_unit * unit;
       const double facing = std::clamp(normal.dot((eye_ - place).normalized()), 0.0, 1.0);
       const double glass = std::pow(1 - facing, 3);
-      add_lit(place, normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass});
+      add_lit(place, normal, {ink.color, ink.opacity + (rim - ink.opacity) * glass}, ground);
     }
-    if (i > 0) band(first + i * around, first + (i - 1) * around, around);
+    if (i > 0) band(first + i * around, first + (i - 1) * around, around, items_.faces);
   }
   soften_rim(first + rings * around, around);
 }
@@ -243,7 +184,7 @@ void DrawList::soften_rim(std::uint32_t first, std::uint32_t count) {
   const auto is_behind = [](const Vertex& vertex) { return vertex.clip.w <= 0; };
   if (inside.w() <= 0 || std::ranges::any_of(rim, is_behind)) return;
   for (std::uint32_t i = 0; i < count; ++i) {
-    add_edge_quad(first + i, first + (i + 1) % count, inside, indices_);
+    add_edge_quad(first + i, first + (i + 1) % count, inside, items_.faces);
   }
   const auto edge_quads = first + count;
   for (std::uint32_t i = 0; i < count; ++i)

@@ -26,7 +26,7 @@ struct Ink {
 ///
 /// All edges are antialiased without multisampling. Opaque items are shrunk by half a pixel, and
 /// edge quads one pixel wide along their silhouettes are drawn when all other opaque items are
-/// done.
+/// done. Arrows have a dark or white outline, so that they stand out from whatever is behind them.
 class DrawList {
  public:
   /// A vertex, with members in the order of the vertex shader's attributes.
@@ -38,6 +38,8 @@ class DrawList {
     /// For lines and dots: distance from the centre line in pixels, and half the width.
     glm::vec3 edge;
   };
+  /// The edge of items that are no lines.
+  static constexpr glm::vec3 no_edge{0, 0, 1e6F};
 
   /// A point of a line.
   struct Point {
@@ -49,17 +51,25 @@ class DrawList {
     Ink ink;
   };
 
+  /// Triangles, as indices of vertices.
+  struct Triangles {
+    /// Faces; those of arrows are anticlockwise seen from outside.
+    std::vector<std::uint32_t> faces;
+    /// Edge quads along the silhouettes of arrows.
+    std::vector<std::uint32_t> edge_quads;
+  };
+
   /// Clears the list; later items are seen by `camera`, whose picture fills `pane`.
   void begin(const Camera& camera, const image::Area& pane);
 
-  /// Adds an antialiased line that faces the eye.
+  /// Adds an antialiased line that faces the eye, with round ends if it is not closed.
   void line(std::span<const Point> points);
 
   /// Adds an antialiased dot; `radius` in pixels.
   void dot(const Eigen::Vector3d& place, double radius, const Ink& ink);
 
-  /// Adds an opaque, shaded arrow with a shaft of `radius` cm. An arrow shorter than its head
-  /// consists of the head only.
+  /// Adds an opaque, shaded and outlined arrow with a shaft of `radius` cm. An arrow shorter than
+  /// its head consists of the head only.
   void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, const Ink& ink);
 
   /// Adds a flat disc whose colour changes from `middle` to `rim`.
@@ -67,8 +77,10 @@ class DrawList {
             const Ink& middle, const Ink& rim);
 
   /// Adds the near side of the ellipsoid about the origin that `space_from_unit` maps the unit
-  /// sphere to, shaded; its opacity rises to `rim` at the silhouette, as for a glass shell.
-  void ellipsoid(const Eigen::Matrix3d& space_from_unit, const Ink& ink, double rim);
+  /// sphere to, shaded; its opacity rises to `rim` at the silhouette, as for a glass shell. Behind
+  /// the glass there is `ground`, not shaded.
+  void ellipsoid(const Eigen::Matrix3d& space_from_unit, const Ink& ink, double rim,
+                 const Ink& ground = {{}, 0});
 
   /// Returns the size in pixels of a unit length at `place`; 0 behind the eye.
   double pixels(const Eigen::Vector3d& place) const;
@@ -79,11 +91,16 @@ class DrawList {
   /// Adds the screen areas of all items.
   void add_to(ScreenArea& area) const;
 
+  /// Returns what to add to z in clip space for items to be that many pixels nearer to the eye.
+  double clip_z_nearer(double pixels) const { return clip_z_nearer_ * pixels; }
+
   /// Return the triangles of all items.
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  const std::vector<std::uint32_t>& indices() const { return items_.faces; }
   /// Returns the indices of the edge quads of arrows.
-  const std::vector<std::uint32_t>& edge_quad_indices() const { return edge_quad_indices_; }
+  const std::vector<std::uint32_t>& edge_quad_indices() const { return items_.edge_quads; }
+  /// Returns arrows slightly larger than the arrows: their far sides are the arrows' outlines.
+  const Triangles& outlines() const { return outlines_; }
 
  private:
   /// A point of a line in front of the eye.
@@ -98,18 +115,25 @@ class DrawList {
   /// Starts a new item.
   void begin_thing() { things_.push_back(vertices_.size()); }
   void add_run();
-  void add_ends(const Projected& here, const Eigen::Vector2d& across);
+  void add_end(const Projected& here, const Eigen::Vector2d& across, double forwards);
+  void add_sides(const Projected& here, const Eigen::Vector2d& across,
+                 const Eigen::Vector2d& beyond = Eigen::Vector2d::Zero());
+  void join_sides();
   Eigen::Vector4d clip(const Eigen::Vector3d& place) const;
   std::uint32_t add(const Eigen::Vector4d& clip, const Ink& ink, const glm::vec3& edge);
-  std::uint32_t add_lit(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
-                        const Ink& ink);
+  std::uint32_t add_lit(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, const Ink& ink,
+                        const Ink& ground = {{}, 0});
   /// Adds a band of triangles between two consecutive rings of vertices.
-  void band(std::uint32_t first, std::uint32_t second, std::uint32_t count);
+  static void band(std::uint32_t first, std::uint32_t second, std::uint32_t count,
+                   std::vector<std::uint32_t>& indices);
   struct Cone;
-  void cone(const Cone& cone, const Ink& ink);
-  void base(const Cone& cone, const Ink& ink);
-  void add_side_edge_quads(const Cone& cone, const Ink& ink);
-  void add_rim_edge_quads(const Cone& cone, const Ink& ink);
+  void side(const Cone& cone, Triangles& triangles);
+  void base(const Cone& cone, Triangles& triangles);
+  void dome(const Cone& stem, Triangles& triangles);
+  std::uint32_t add_on(const Cone& cone, const Eigen::Vector3d& place,
+                       const Eigen::Vector3d& normal);
+  void add_side_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices);
+  void add_rim_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices);
   /// Adds an edge quad along the edge from `first` to `second`, existing vertices, on the side
   /// opposite `inside`.
   void add_edge_quad(std::uint32_t first, std::uint32_t second, const Eigen::Vector4d& inside,
@@ -124,10 +148,11 @@ class DrawList {
   Eigen::Vector3d eye_;
   Eigen::Vector2d half_size_;   ///< Of the pane, in pixels.
   double scale_;                ///< Pixels per unit length at distance 1.
+  double clip_z_nearer_;        ///< For one pixel.
   std::vector<Projected> run_;  ///< Visible part of the line being added.
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> things_;  ///< First vertex of each item.
-  std::vector<std::uint32_t> indices_, edge_quad_indices_;
+  Triangles items_, outlines_;
 };
 
 }  // namespace twrench::render

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/look/material.h"
 #include "render/overlay/draw_list.h"
 
 namespace twrench::render {
@@ -17,6 +18,17 @@ using Eigen::Vector4d;
 
 constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii of its shaft
 constexpr std::uint32_t around_arrow = 28;
+constexpr double outline_width = 0.3, least_outline = 1;  // radii of the shaft, pixels
+constexpr double outline_opacity = 0.9;
+
+/// Returns black or white, whichever has the higher contrast (WCAG 2.1, "contrast ratio").
+scene::Color contrasting(const scene::Color& color) {
+  const double luminance = 0.2126 * linear_from_srgb(color.red) +
+                           0.7152 * linear_from_srgb(color.green) +
+                           0.0722 * linear_from_srgb(color.blue);
+  constexpr double even = 0.179;  // (even + 0.05)^2 = 0.05 * 1.05
+  return luminance > even ? scene::Color{8, 9, 12} : scene::Color{255, 255, 255};
+}
 
 }  // namespace
 
@@ -26,6 +38,8 @@ struct DrawList::Cone {
   Vector3d from;  ///< centre of its base
   double length;
   double base, top;  ///< radii
+  Ink ink;
+  bool shaded;
 
   Vector3d at(double angle, double height, double radius) const {
     return from + frame * Vector3d(radius * std::cos(angle), radius * std::sin(angle), height);
@@ -35,38 +49,69 @@ struct DrawList::Cone {
     const Vector3d n(length * std::cos(angle), length * std::sin(angle), base - top);
     return frame * n.normalized();
   }
+  /// The cone whose faces lie that far outside of this one's.
+  Cone grown(double by, const Ink& flat) const {
+    const double slant = std::hypot(length, base - top);
+    const double wider = by * slant / length, slope = by * (base - top) / length;
+    return {frame,
+            from - by * frame.col(2),
+            length + 2 * by,
+            base + wider + slope,
+            top + wider - slope,
+            flat,
+            false};
+  }
 };
 
-void DrawList::cone(const Cone& cone, const Ink& ink) {
+std::uint32_t DrawList::add_on(const Cone& cone, const Vector3d& place, const Vector3d& normal) {
+  return cone.shaded ? add_lit(place, normal, cone.ink) : add(clip(place), cone.ink, no_edge);
+}
+
+void DrawList::side(const Cone& cone, Triangles& triangles) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   for (const auto& [height, radius] : {std::pair(0.0, cone.base), {cone.length, cone.top}}) {
     const double scale = pixels(cone.from + height * cone.frame.col(2));
     const double shrunk = std::max(radius - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
     for (std::uint32_t i = 0; i < around_arrow; ++i) {
       const double angle = 2 * std::numbers::pi * i / around_arrow;
-      add_lit(cone.at(angle, height, shrunk), cone.normal(angle), ink);
+      add_on(cone, cone.at(angle, height, shrunk), cone.normal(angle));
     }
   }
-  band(first, first + around_arrow, around_arrow);
-  add_side_edge_quads(cone, ink);
+  band(first, first + around_arrow, around_arrow, triangles.faces);
+  add_side_edge_quads(cone, triangles.edge_quads);
 }
 
 /// The base of a cone, seen from outside.
-void DrawList::base(const Cone& cone, const Ink& ink) {
+void DrawList::base(const Cone& cone, Triangles& triangles) {
   const double scale = pixels(cone.from);
   const double shrunk = std::max(cone.base - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
-  const std::uint32_t middle = add_lit(cone.from, -cone.frame.col(2), ink);
+  const std::uint32_t middle = add_on(cone, cone.from, -cone.frame.col(2));
   for (std::uint32_t i = 0; i < around_arrow; ++i) {
     const double angle = 2 * std::numbers::pi * i / around_arrow;
-    add_lit(cone.at(angle, 0, shrunk), -cone.frame.col(2), ink);
-    indices_.insert(indices_.end(), {middle, middle + 1 + i, middle + 1 + (i + 1) % around_arrow});
+    add_on(cone, cone.at(angle, 0, shrunk), -cone.frame.col(2));
+    triangles.faces.insert(triangles.faces.end(),
+                           {middle, middle + 1 + (i + 1) % around_arrow, middle + 1 + i});
   }
-  add_rim_edge_quads(cone, ink);
+  add_rim_edge_quads(cone, triangles.edge_quads);
+}
+
+/// The round end of an arrow's stem.
+void DrawList::dome(const Cone& stem, Triangles& triangles) {
+  constexpr double steps = 3;
+  const auto angle = [](double step) { return 0.5 * std::numbers::pi * step / steps; };
+  for (int i = 0; i < steps; ++i) {
+    Cone zone = stem;
+    zone.from -= stem.base * std::cos(angle(i)) * stem.frame.col(2);
+    zone.length = stem.base * (std::cos(angle(i)) - std::cos(angle(i + 1)));
+    zone.base = stem.base * std::sin(angle(i));
+    zone.top = stem.base * std::sin(angle(i + 1));
+    side(zone, triangles);
+  }
 }
 
 /// The silhouette of the side consists of the two lines whose normal n is perpendicular to the line
 /// of sight: n . (eye - p) = 0, in the cone's frame cos(a) e_x + sin(a) e_y = base - slope e_z.
-void DrawList::add_side_edge_quads(const Cone& cone, const Ink& ink) {
+void DrawList::add_side_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices) {
   const Vector3d eye = cone.frame.transpose() * (eye_ - cone.from);
   const double slope = (cone.base - cone.top) / cone.length;
   const double cosine = (cone.base - slope * eye.z()) / std::hypot(eye.x(), eye.y());
@@ -75,14 +120,14 @@ void DrawList::add_side_edge_quads(const Cone& cone, const Ink& ink) {
   for (const double sign : {-1.0, 1.0}) {
     const double angle = std::atan2(eye.y(), eye.x()) + sign * std::acos(cosine);
     const Vector3d normal = cone.normal(angle);
-    const std::uint32_t low = add_lit(cone.at(angle, 0, cone.base), normal, ink);
-    const std::uint32_t high = add_lit(cone.at(angle, cone.length, cone.top), normal, ink);
-    add_edge_quad(low, high, inside, edge_quad_indices_);
+    const std::uint32_t low = add_on(cone, cone.at(angle, 0, cone.base), normal);
+    const std::uint32_t high = add_on(cone, cone.at(angle, cone.length, cone.top), normal);
+    add_edge_quad(low, high, inside, indices);
   }
 }
 
 /// The rim of the base is part of the silhouette if exactly one of base and side is visible.
-void DrawList::add_rim_edge_quads(const Cone& cone, const Ink& ink) {
+void DrawList::add_rim_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices) {
   const Vector3d& axis = cone.frame.col(2);
   const bool base_seen = axis.dot(eye_ - cone.from) < 0;
   const Vector4d inside = clip(cone.from);
@@ -93,9 +138,9 @@ void DrawList::add_rim_edge_quads(const Cone& cone, const Ink& ink) {
     const Vector3d place = cone.at(angle, 0, cone.base);
     if ((normal.dot(eye_ - place) > 0) == base_seen) continue;
     const Vector3d shown = base_seen ? Vector3d(-axis) : normal;
-    const std::uint32_t first = add_lit(place, shown, ink);
-    const std::uint32_t second = add_lit(cone.at(next, 0, cone.base), shown, ink);
-    add_edge_quad(first, second, inside, edge_quad_indices_);
+    const std::uint32_t first = add_on(cone, place, shown);
+    const std::uint32_t second = add_on(cone, cone.at(next, 0, cone.base), shown);
+    add_edge_quad(first, second, inside, indices);
   }
 }
 
@@ -106,10 +151,22 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
   const double scale = std::min(1.0, length / (head_length * radius));
   const double head = head_length * radius * scale, shaft = length - head;
   const Matrix3d frame = body::frame_with_z_along(to - from);
-  const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0};
-  if (shaft > 0) cone({frame, from, shaft, radius, radius}, ink);
-  cone(tip, ink);
-  base(tip, ink);
+  const Cone stem{frame, from, shaft, radius, radius, ink, true};
+  const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0, ink,
+                 true};
+  if (shaft > 0) {
+    dome(stem, items_);
+    side(stem, items_);
+  }
+  side(tip, items_);
+  base(tip, items_);
+  const double size = pixels(tip.from);
+  if (!(size > 0)) return;
+  const double width = scale * std::max(outline_width * radius, least_outline / size);
+  const Ink outline{contrasting(ink.color), outline_opacity * ink.opacity};
+  if (shaft > 0) side(stem.grown(width, outline), outlines_);
+  side(tip.grown(width, outline), outlines_);
+  base(tip.grown(width, outline), outlines_);
 }
 
 }  // namespace twrench::render

@@ -33,21 +33,55 @@ DrawListPass::DrawListPass(const gl::Functions& gl)
                       {edge_attribute, 3, offsetof(DrawList::Vertex, edge)}});
 }
 
+void DrawListPass::draw_ghosts(const DrawList& list) const {
+  constexpr double faintest = 0.25;
+  draw(list, list.indices(), {.faces = Faces::near, .hidden = true, .opacity = faintest});
+  draw(list, list.edge_quad_indices(), {.hidden = true, .opacity = faintest});
+  // Moved towards the eye by less and less, so that it adds up to more and more in front.
+  constexpr int steps = 6;
+  constexpr double deepest = 8;  // pixels
+  const auto shown = [](int step) { return faintest + (1 - faintest) * step / (steps + 1); };
+  for (int step = 1; step <= steps; ++step) {
+    const double nearer = deepest * (steps + 1 - step) / steps;
+    draw(list, list.indices(),
+         {.faces = Faces::near,
+          .opacity = (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
+          .clip_z = list.clip_z_nearer(nearer)});
+  }
+}
+
+void DrawListPass::draw_opaque(const DrawList& list) const {
+  draw(list, list.indices(), {.writes_depth = true});
+  draw(list, list.outlines().faces, {.faces = Faces::far});
+}
+
+void DrawListPass::draw_edge_quads(const DrawList& list) const {
+  draw(list, list.outlines().edge_quads, {});
+  draw(list, list.edge_quad_indices(), {});
+}
+
 void DrawListPass::draw(const DrawList& list, const std::vector<std::uint32_t>& indices,
-                        GLboolean hides) const {
+                        const Mode& mode) const {
   if (indices.empty()) return;
   program_.use();
+  program_.set("opacity", static_cast<float>(mode.opacity));
+  program_.set("clip_z", static_cast<float>(mode.clip_z));
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl::upload(*gl_, GL_ARRAY_BUFFER, list.vertices(), GL_STREAM_DRAW);
   gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, indices, GL_STREAM_DRAW);
   gl_->Enable(GL_DEPTH_TEST);
-  gl_->Disable(GL_CULL_FACE);
+  gl_->DepthFunc(mode.hidden ? GL_GREATER : GL_LESS);
+  gl_->DepthMask(mode.writes_depth ? GL_TRUE : GL_FALSE);
+  mode.faces == Faces::all ? gl_->Disable(GL_CULL_FACE) : gl_->Enable(GL_CULL_FACE);
+  gl_->FrontFace(mode.faces == Faces::far ? GL_CW : GL_CCW);
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl_->DepthMask(hides);
   gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  gl_->DepthFunc(GL_LESS);
   gl_->DepthMask(GL_TRUE);
+  gl_->FrontFace(GL_CCW);
+  gl_->Disable(GL_CULL_FACE);
   gl_->Disable(GL_BLEND);
 }
 

@@ -11,19 +11,35 @@ class DrawListPass {
  public:
   explicit DrawListPass(const gl::Functions& gl);
 
-  /// Draws opaque items with depth test and depth writes. Draw their edge quads when all of them
-  /// are done.
-  void draw_opaque(const DrawList& list) const { draw(list, list.indices(), GL_TRUE); }
-  void draw_edge_quads(const DrawList& list) const {
-    draw(list, list.edge_quad_indices(), GL_FALSE);
-  }
+  /// Draws faintly what the body, which must be the only thing drawn so far, hides of opaque
+  /// items. They fade as they enter it.
+  void draw_ghosts(const DrawList& list) const;
+
+  /// Draws opaque items with depth test and depth writes, and their outlines. Draw their edge quads
+  /// when all of them are done.
+  void draw_opaque(const DrawList& list) const;
+  void draw_edge_quads(const DrawList& list) const;
 
   /// Draws translucent items, such as lines and glass: opaque items hide them, and they blend in
   /// order.
-  void draw_translucent(const DrawList& list) const { draw(list, list.indices(), GL_FALSE); }
+  void draw_translucent(const DrawList& list) const { draw(list, list.indices(), {}); }
 
  private:
-  void draw(const DrawList& list, const std::vector<std::uint32_t>& indices, GLboolean hides) const;
+  enum class Faces { all, near, far };
+
+  /// How triangles are drawn.
+  struct Mode {
+    Faces faces = Faces::all;
+    bool writes_depth = false;
+    /// Whether only what is behind other things is drawn, instead of what is in front.
+    bool hidden = false;
+    double opacity = 1;
+    /// Added to z in clip space.
+    double clip_z = 0;
+  };
+
+  void draw(const DrawList& list, const std::vector<std::uint32_t>& indices,
+            const Mode& mode) const;
 
   const gl::Functions* gl_;
   gl::Program program_;

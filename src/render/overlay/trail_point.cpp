@@ -43,7 +43,9 @@ Vector3d trail_point(const scene::Scene& scene) {
   if (scene.overlay.trail_point) {
     return *scene.overlay.trail_point - scene::mass_properties(scene.body).centre_of_mass;
   }
-  constexpr double same = 1e-6, outside = 1.03;
+  // The trail lies on a sphere about the centre of mass, with room for the rim of an end that is up
+  // to a third as wide as it is far away. A nearer trail would dive into the end's face.
+  constexpr double same = 1e-6, outside = 1.06;
   std::vector<Vector3d> ends = ends_of(scene::visible_parts(scene.body));
   std::ranges::stable_sort(ends, std::greater<>(), [](const Vector3d& v) { return v.norm(); });
   const auto alone = [&](std::size_t i) {

@@ -192,9 +192,11 @@ std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d
   framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
   if (multisampled_) {
     body_.draw(camera, X);
+    draw_list_pass_.draw_ghosts(opaque_);
     draw_list_pass_.draw_opaque(opaque_);
   } else {
     body_.draw_shrunk(camera, X, pane_.area);
+    draw_list_pass_.draw_ghosts(opaque_);
     draw_list_pass_.draw_opaque(opaque_);
     body_.draw_edge_quads(camera, X);
   }

@@ -87,7 +87,8 @@ void MomentumView::add_sphere() {
     pad_.opaque.arrow(0.98 * axis, axis_end * axis, 0.016,
                       {frame_.colors[static_cast<std::size_t>(i)]});
   }
-  pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75);
+  pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75,
+                             {colors_.panel, colors_.panel_opacity});
   for (const motion::EnergyLevel& level : motion::level_family(body_.principal().moments, levels)) {
     add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
   }

@@ -156,7 +156,10 @@ std::vector<PendingLayer> PoinsotView::draw(const timeline::FrameState& state) {
   const timeline::SolutionState& instant = state_in(state);
   pad_.begin(camera(state.video_time));
   const Matrix3d view_from_unit = ellipsoid(instant.sample.X);
-  pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9);
+  const Ink ground{colors_.panel, colors_.panel_opacity};
+  const Vector3d up = Vector3d::UnitY();
+  if (!at_rest()) pad_.translucent.disc(up, up, plane_radius_, ground, ground);
+  pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9, ground);
   add_grid(view_from_unit);
   if (!at_rest()) {
     add_polhode(instant.sample.X);

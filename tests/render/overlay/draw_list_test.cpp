@@ -58,9 +58,104 @@ TEST_F(DrawListTest, AnArrowOfNoLengthIsNothingAndAShortOneAllHead) {
 
 TEST_F(DrawListTest, ALineIsAsWideAsItSaysWithRoomForItsRamp) {
   list.line(std::array<DrawList::Point, 2>{{{{-1, 0, 0}, 4, red}, {{1, 0, 0}, 4, red}}});
-  ASSERT_EQ(list.vertices().size(), 4);
-  EXPECT_NEAR((pixel(list.vertices()[0]) - pixel(list.vertices()[1])).norm(), 6, 1e-3);
-  EXPECT_EQ(list.vertices()[0].edge.z, 2);
+  ASSERT_EQ(list.vertices().size(), 8);
+  for (const std::size_t i : {0, 2, 4, 6}) {
+    const DrawList::Vertex &left = list.vertices()[i], &right = list.vertices()[i + 1];
+    EXPECT_NEAR((pixel(left) - pixel(right)).norm(), 6, 1e-3);
+    EXPECT_EQ(left.edge.z, 2);
+  }
+}
+
+TEST_F(DrawListTest, ALinesEndsAreRoundUnlessItIsClosed) {
+  const std::array<DrawList::Point, 3> bend{
+      {{{-1, 0, 0}, 4, red}, {{0, 0.3, 0}, 4, red}, {{1, 0, 0}, 4, red}}};
+  list.line(bend);
+  const auto middle = [&](std::size_t i) -> Vector2d {
+    return 0.5 * (pixel(list.vertices()[i]) + pixel(list.vertices()[i + 1]));
+  };
+  ASSERT_EQ(list.vertices().size(), 10);
+  EXPECT_NEAR((middle(0) - middle(2)).norm(), 3, 1e-3) << "half the width and the ramp's margin";
+  EXPECT_NEAR((middle(8) - middle(6)).norm(), 3, 1e-3);
+  for (const std::size_t i : {0, 1, 8, 9}) EXPECT_EQ(list.vertices()[i].edge.y, 3);
+  for (std::size_t i = 2; i < 8; ++i) EXPECT_EQ(list.vertices()[i].edge.y, 0);
+  list.begin(camera(), list_pane);
+  std::vector<DrawList::Point> circle;
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 40;
+    circle.push_back({{std::cos(angle), std::sin(angle), 0}, 4, red});
+  }
+  list.line(circle);
+  for (const auto& vertex : list.vertices()) EXPECT_EQ(vertex.edge.y, 0) << "on a closed line";
+}
+
+TEST_F(DrawListTest, ALineTurnsSharplyAroundARoundCorner) {
+  const Vector3d corner(0, 1, 0);
+  list.line(std::array<DrawList::Point, 3>{
+      {{{-0.2, 0, 0}, 4, red}, {corner, 4, red}, {{0.2, 0, 0}, 4, red}}});
+  const Vector2d place = pixel_of(camera(), list_pane, corner);
+  double beyond = 0;
+  for (const auto& v : list.vertices()) {
+    if (v.edge.y > 0) beyond = std::max(beyond, place.y() - pixel(v).y());
+  }
+  EXPECT_GT(beyond, 2) << "the tip is as round as an end";
+}
+
+TEST_F(DrawListTest, TellsHowMuchNearerAPixelIs) {
+  for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(0.5, -0.4, 1)}) {
+    const Vector3d nearer = place + (list.eye() - place).normalized() / list.pixels(place);
+    const Eigen::Matrix4d clip_from_space = camera().projection * camera().view;
+    const Eigen::Vector4d before = clip_from_space * place.homogeneous(),
+                          after = clip_from_space * nearer.homogeneous();
+    const double moved = before.w() * (after.z() / after.w() - before.z() / before.w());
+    EXPECT_NEAR(list.clip_z_nearer(1), moved, 0.02 * std::abs(moved));
+  }
+}
+
+/// Twice the area in pixels, positive where seen from the side from which it is anticlockwise.
+double turn(const DrawList& list, const std::vector<std::uint32_t>& faces, std::size_t i) {
+  const Vector2d a = pixel(list.vertices()[faces[i]]);
+  const Vector2d ab = pixel(list.vertices()[faces[i + 1]]) - a,
+                 ac = pixel(list.vertices()[faces[i + 2]]) - a;
+  return ac.x() * ab.y() - ab.x() * ac.y();  // y points down
+}
+
+TEST_F(DrawListTest, FacesOfArrowsAreAnticlockwiseFromOutside) {
+  // A head alone: towards the eye its base is hidden and its side is seen, and vice versa.
+  for (const double sign : {1.0, -1.0}) {
+    list.begin(camera(), list_pane);
+    list.arrow(Vector3d::Zero(), sign * 0.1 * list.eye().normalized(), 0.3, red);
+    const auto& faces = list.indices();
+    double seen = 0;
+    for (std::size_t i = 0; i < faces.size(); i += 3) {
+      seen += turn(list, faces, i) > 0 ? 1 : 0;
+    }
+    const double around = 28;
+    EXPECT_EQ(seen, around) << (sign > 0 ? "the side" : "the base");
+  }
+}
+
+TEST_F(DrawListTest, ArrowsHaveAnOutlineOfTheOppositeLightness) {
+  const auto outline = [&](const scene::Color& color) {
+    list.begin(camera(), list_pane);
+    list.arrow({-1, 0, 0}, {1, 0, 0}, 0.02, {color});
+    EXPECT_FALSE(list.outlines().faces.empty());
+    return list.vertices()[list.outlines().faces[0]].paint;
+  };
+  EXPECT_GT(outline({20, 20, 120}).x, 0.8F) << "white around dark blue";
+  EXPECT_LT(outline({255, 216, 39}).x, 0.1F) << "black around yellow";
+  // At least a pixel wide, on both sides.
+  double lowest = 1e9, highest = -1e9, low = 1e9, high = -1e9;
+  const auto extend = [&](const std::vector<std::uint32_t>& faces, double& from, double& to) {
+    for (const std::uint32_t i : faces) {
+      const Vector2d place = pixel(list.vertices()[i]);
+      from = std::min(from, place.y());
+      to = std::max(to, place.y());
+    }
+  };
+  extend(list.indices(), lowest, highest);
+  extend(list.outlines().faces, low, high);
+  EXPECT_LT(low, lowest - 0.9);
+  EXPECT_GT(high, highest + 0.9);
 }
 
 TEST_F(DrawListTest, ALineThinnerThanAPixelIsFainterInstead) {
@@ -102,8 +197,8 @@ TEST_F(DrawListTest, BreaksALineBehindTheEye) {
                                             {2 * eye, 2, red},
                                             {{1, 0, 0}, 2, red},
                                             {{1, 1, 0}, 2, red}}});
-  EXPECT_EQ(list.vertices().size(), 8);
-  EXPECT_EQ(list.indices().size(), 12);
+  EXPECT_EQ(list.vertices().size(), 16);
+  EXPECT_EQ(list.indices().size(), 36);
 }
 
 TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {

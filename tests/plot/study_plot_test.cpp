@@ -1,0 +1,79 @@
+#include "plot/study_plot.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+#include <set>
+
+namespace twrench::plot {
+namespace {
+
+/// Every method with steps, with errors as its order and coefficients near 1 make them.
+study::Study study_of_all() {
+  study::Study study{20, 10, {}, {}, {}};
+  double coefficient = 1;
+  for (const motion::Method& method : motion::methods()) {
+    if (method.exact()) continue;
+    study::MethodStudy m{&method, {}, method.order, {}};
+    coefficient *= 1.1;
+    for (double step = 0.0015; step < 0.3; step *= 2) {
+      study::StudyRun run;
+      run.step = step;
+      run.early_error = std::max(1e-13, coefficient * std::pow(step, method.order.value_or(4)));
+      run.error = 2 * run.early_error;
+      run.cpu_seconds = 1e-4 / step;
+      run.drift_in_time.assign(20, run.error);
+      m.runs.push_back(run);
+    }
+    m.order = 4;
+    study.methods.push_back(m);
+  }
+  return study;
+}
+
+std::vector<std::smatch> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  return {std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator()};
+}
+
+TEST(StudyPlot, GivesEveryMethodAColourAndASymbolOfItsOwn) {
+  const study::Study study = study_of_all();
+  ASSERT_GE(study.methods.size(), 11U);
+  const std::string script = study_plot(study).script;
+  std::set<std::string> colors, symbols;
+  for (const std::smatch& entry :
+       matches(script, "keyentry with linespoints lw 1.5 lc rgb '(#[0-9A-F]+)' pt (\\d+)")) {
+    EXPECT_TRUE(colors.insert(entry[1]).second) << entry[1];
+    EXPECT_TRUE(symbols.insert(entry[2]).second) << entry[2];
+  }
+  EXPECT_EQ(colors.size(), study.methods.size());
+}
+
+TEST(StudyPlot, PutsTheLabelsOfSlopesWhereThereAreNoMarkers) {
+  const study::Study study = study_of_all();
+  const Plot plot = study_plot(study);
+  const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
+  const double low = std::stod(ranges.at(0)[1]), high = std::stod(ranges.at(0)[2]);
+  const double width = 372, height = 412;  // of the panel in pixels
+  const auto pixel = [&](double step, double error) {
+    return std::pair(width * std::log(step / low) / std::log(high / low),
+                     height * std::log(error / 1e-15) / std::log(1e16));
+  };
+  const auto labels = matches(plot.script, "set label 'h[^']*' at ([^,]+), ([^ ]+) center");
+  ASSERT_EQ(labels.size(), 3U);
+  for (const std::smatch& label : labels) {
+    const auto [x, y] = pixel(std::stod(label[1]), std::stod(label[2]));
+    EXPECT_TRUE(x > 10 && x < width - 10 && y > 10 && y < height - 10) << label[0];
+    for (const study::MethodStudy& m : study.methods) {
+      for (const study::StudyRun& run : m.runs) {
+        const auto [u, v] = pixel(run.step, run.early_error);
+        EXPECT_GT(std::hypot(u - x, v - y), 11) << label[0] << " at " << m.method->name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace twrench::plot
