@@ -7,6 +7,7 @@ flat in vec3 stage_eye;
 in float coverage;
 flat in vec4 bulge;
 flat in float scale;
+flat in float most_variance;
 
 out vec4 color;
 
@@ -28,6 +29,8 @@ void main() {
   float along = dot(stage_normal, bulge.xyz);
   float t = sqrt(max(along * along + 1.0 - dot(stage_normal, stage_normal), 0.0)) - along;
   vec3 n = stage_normal + t * bulge.xyz;
+  vec3 brushed = around * inversesqrt(max(dot(around, around), 1e-12));
+  n += 0.3 * brushing * scratch() * brushed;
   vec3 place = stage_position + t * bulge.w * towards_eye;
   vec3 to_eye = normalize(towards_eye);
   // Limited near grazing angles: the last half pixel of a silhouette, where the mirrored direction
@@ -42,18 +45,19 @@ void main() {
 
   // Normals that vary within a pixel widen the lobe; otherwise thin bevels would sparkle (Tokuyoshi
   // and Kaplanyan, "Improved Geometric Specular Antialiasing", I3D 2019).
-  vec3 turn_x = dFdx(n);
-  vec3 turn_y = dFdy(n);
+  vec3 turn_x = dFdx(stage_normal);
+  vec3 turn_y = dFdy(stage_normal);
   float alpha = roughness * roughness;
-  float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.18);
+  float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), most_variance);
   // Reflection doubles the angle of the half vector, hence the factor.
   float width_squared = 4.0 * (alpha * alpha + variance);
 
-  // An occluder shows the room's light, dimmed by one more reflection.
-  float shade = shaded(place, mirrored, width_squared);
-  vec3 incoming = incoming_radiance(place, mirrored, width_squared);
-  vec3 reflected = mix(incoming, 0.5 * reflectance * room(mirrored), shade);
-  vec3 light = reflected * environment_brdf(n_v) + scattered(place, n);
+  // The scratches scatter light across them: a slope of the surface there turns the mirrored
+  // direction by this.
+  vec3 stretch = 2.0 * brushing * (n_v * brushed + dot(brushed, to_eye) * n);
+  vec3 incoming = incoming_radiance(place, mirrored, width_squared, stretch);
+  vec3 reflected = occluded(incoming, place, mirrored, width_squared);
+  vec3 light = painted(reflected * environment_brdf(n_v) + scattered(place, n), n);
   light *= contact_shadow(place);
   color = coverage * contact_coverage(place, to_eye, scale) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
 }

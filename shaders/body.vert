@@ -12,7 +12,11 @@ uniform vec3 picture;  // half its size in pixels, and the pixels of an offset o
 uniform vec3 eye;
 // Depth offset towards the eye in pixels, over a part that this one touches.
 uniform float part_lift;
-uniform float part_radius;  // stage; radius of curvature near the silhouette
+// Stage: radius of curvature near the silhouette; the same for a round outline, else 0; that of a
+// cylinder's rims, else 0.
+uniform vec3 part_radii;
+// The position across a cylinder's axis in its radii, from body axes; 0 for other shapes.
+uniform vec4 across_from_body[2];
 uniform vec3 side_axis;  // stage, unit vector: of the cylinder whose side this is; else 0
 
 out vec3 stage_position;
@@ -21,6 +25,9 @@ flat out vec3 stage_eye;  // cheaper per pixel than a uniform
 out float coverage;  // 1 on the body, falling to 0 across an edge quad
 flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
 flat out float scale;  // pixels per unit length
+flat out float most_variance;  // of the normal within a pixel
+out vec2 across;  // see brush.glsl
+out vec3 around;
 
 void main() {
   stage_position = stage_from_body * position;
@@ -28,28 +35,48 @@ void main() {
   coverage = 1.0 - max(offset, 0.0);
   vec4 place = clip_from_stage * vec4(stage_position, 1.0);
   vec4 onward = clip_from_stage * vec4(stage_normal, 0.0);
-  vec2 across = (onward.xy * place.w - place.xy * onward.w) * picture.xy;  // pixels, any length
-  across *= inversesqrt(max(dot(across, across), 1e-12));
-  place.xy += offset * picture.z * place.w * across / picture.xy;
-  gl_Position = place;
-
+  vec2 outward = (onward.xy * place.w - place.xy * onward.w) * picture.xy;  // pixels, any length
+  outward *= inversesqrt(max(dot(outward, outward), 1e-12));
   stage_eye = eye;
   vec3 towards_eye = eye - stage_position;
   vec3 to_eye = normalize(towards_eye);
+  vec3 n = normalize(stage_normal);
+  // On a round shape, the vertices of the silhouette are moved to the outline: on a circle of radius
+  // r a point with the cosine c between normal and line of sight lies r c^2 / 2 inside.
+  vec3 radii = part_radii * clip_from_stage[1][1] * picture.y / place.w;  // pixels
+  float inside = abs(offset) < 1.0 ? 0.0 : min(0.5 * radii.y * dot(n, to_eye) * dot(n, to_eye), 1.0);
+  place.xy += (offset + 2.0 * inside) * picture.z * place.w * outward / picture.xy;
+  gl_Position = place;
+
   float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
   scale = 1.0 / max(pixel, 1e-6);
   vec4 lifted = clip_from_stage * vec4(stage_position + part_lift * pixel * to_eye, 1.0);
   gl_Position.z = lifted.z * place.w / lifted.w;
 
-  vec3 n = normalize(stage_normal);
   vec3 across_axis = towards_eye - dot(side_axis, towards_eye) * side_axis;
-  bulge = vec4(across_axis, dot(side_axis, side_axis) * part_radius) *
+  bulge = vec4(across_axis, dot(side_axis, side_axis) * part_radii.x) *
           inversesqrt(max(dot(across_axis, across_axis), 1e-6));
+  // The strips at a cylinder's outline may be much narrower than a pixel, so that the normals at
+  // their ends say nothing; its curvature does.
+  float turn = bulge.w > 0.0 ? pixel / (0.15 * part_radii.x) : 1.0;
+  most_variance = min(0.5 * turn * turn, 0.25);
+
+  across = vec2(dot(across_from_body[0], vec4(position, 1.0)),
+                dot(across_from_body[1], vec4(position, 1.0)));
+  around = stage_normal_from_body *
+           (across.x * across_from_body[1].xyz - across.y * across_from_body[0].xyz);
+  vec3 radial = stage_normal_from_body *
+                (across.x * across_from_body[0].xyz + across.y * across_from_body[1].xyz);
+  radial *= inversesqrt(max(dot(radial, radial), 1e-12));
 
   // Shrunk by s pixels, it shows the surface there, where on a circle of radius r the cosine
-  // between normal and line of sight is sqrt(2 s / r).
-  float radius = part_radius * clip_from_stage[1][1] * picture.y / place.w;
-  float facing = sqrt(max(-2.0 * offset * picture.z / max(radius, 1.0), 0.0));
+  // between normal and line of sight is sqrt(2 s / r). A rim curves so sharply that its outermost
+  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within.
+  // The strips of a cylinder's side turn by up to 2 sqrt(0.3 / r).
+  bool on_rim = dot(n, radial) < 0.99 || dot(radial, to_eye) < -sqrt(0.35 / max(radii.x, 1.0));
+  float radius = on_rim && part_radii.z > 0.0 ? radii.z : radii.x;
+  float within = radius == radii.x ? max(-offset, 0.0) : abs(offset);
+  float facing = sqrt(min(2.0 * within * picture.z / max(radius, 1.0), 0.8));
   stage_normal = n;
   if (offset * picture.z != 0.0) {
     stage_normal = normalize(n + max(facing - dot(n, to_eye), 0.0) * to_eye);

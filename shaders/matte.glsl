@@ -1,4 +1,4 @@
 // The diffuse (Lambertian) term of a body that is not entirely metal.
 vec3 scattered(vec3 place, vec3 normal) {
-  return diffuse * incoming_radiance(place, normal, 1.0) * (1.0 - shaded(place, normal, 1.0));
+  return diffuse * occluded(incoming_radiance(place, normal, 1.0, vec3(0.0)), place, normal, 1.0);
 }

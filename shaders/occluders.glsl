@@ -13,22 +13,28 @@ float square_to_axis(int i, vec3 place, float s) {
   return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
 }
 
-// The occlusion, 0 to 1, of a lobe about `direction` at `place` by capsule i, from the angle by
-// which the direction misses it.
-float hidden_by(int i, vec3 place, vec3 direction, float width_squared) {
+// The light from `direction` at `place` behind capsule i: where the capsule hides the lobe, to the
+// degree by which the direction hits it, it shows the room's light once more reflected.
+vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_squared) {
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;
-  // The point of the axis closest to the ray: the foot of the common normal of two lines.
+  float radius = neighbour_end[i].w;
+  // The point of the axis closest to the ray: the foot of the common normal of two lines. A ray that
+  // leads away from the axis is closest to it at its start.
   float along = dot(axis, direction);
-  float end_ahead = dot(to_end, direction);
-  float s = clamp((along * end_ahead - dot(axis, to_end)) /
-                      max(neighbour_size[i].x - along * along, 1e-4), 0.0, 1.0);
+  float foot = -dot(axis, to_end) * neighbour_size[i].y;
+  float approach = max(dot(to_end + foot * axis, direction), 0.0);
+  float s = clamp(foot + along * approach / (1.05 * neighbour_size[i].x - along * along), 0.0, 1.0);
   float square = square_to_axis(i, place, s);
-  float ahead = end_ahead + s * along;
-  float aside = sqrt(max(square - ahead * max(ahead, 0.0), 0.0));
+  float ahead = dot(to_end, direction) + s * along;
+  float aside_squared = max(square - ahead * max(ahead, 0.0), 0.0);
   // Behind `place`, the effect decreases with distance.
-  float miss = aside - (neighbour_end[i].w + min(ahead, 0.0));
-  return 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
+  float miss = sqrt(aside_squared) - (radius + min(ahead, 0.0));
+  float hidden = 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
+  // The normal where the ray enters the capsule, of length `radius`.
+  float depth = ahead - sqrt(max(radius * radius - aside_squared, 0.0));
+  vec3 normal = depth * direction - (to_end + s * axis);
+  return mix(incoming, reflectance * ambient_radiance(normal * neighbour_size[i].z), hidden);
 }
 
 // The contact shadow: the fraction of light that remains close to where another part begins.
@@ -38,7 +44,7 @@ float contact_shadow(vec3 place) {
     vec3 to_end = neighbour_end[i].xyz - place;
     float s = clamp(-dot(neighbour_axis[i].xyz, to_end) * neighbour_size[i].y, 0.0, 1.0);
     float gap = sqrt(square_to_axis(i, place, s)) * neighbour_size[i].z - 1.0;
-    left *= 1.0 - 0.45 * exp2(-9.0 * max(gap, 0.0));
+    left *= 1.0 - 0.12 * exp2(-9.0 * max(gap, 0.0));
   }
   return left;
 }
@@ -65,10 +71,10 @@ float contact_coverage(vec3 place, vec3 to_eye, float scale) {
   return outside;
 }
 
-float shaded(vec3 place, vec3 direction, float width_squared) {
-  float open = 1.0;
+// The light from `direction` at `place`, of which `incoming` arrives where no occluder hides it.
+vec3 occluded(vec3 incoming, vec3 place, vec3 direction, float width_squared) {
   for (int i = 0; i < occluder_count; ++i) {
-    open *= 1.0 - hidden_by(i, place, direction, width_squared);
+    incoming = behind(i, incoming, place, direction, width_squared);
   }
-  return 1.0 - open;
+  return incoming;
 }

@@ -198,7 +198,7 @@ const std::vector<Field>& fields() {
           {"look", "samples", "N", "MSAA samples per pixel; 1 = analytic edge antialiasing"},
           whole_within(limits::samples), [](auto& s) -> auto& { return s.look.samples; }),
       complete<integer>(
-          {"look", "motion_blur", "N", "poses averaged per frame; 1 = no motion blur"},
+          {"look", "motion_blur", "N", "poses averaged per frame, at least; 1 = no motion blur"},
           whole_within(limits::motion_blur), [](auto& s) -> auto& { return s.look.motion_blur; }),
       background({"look", "background", "COLOR",
                   "background: #rrggbb, #rgb, black, gray, white or transparent", "the theme's"}),

@@ -59,7 +59,7 @@ struct Look {
   Theme theme = Theme::studio;
   /// MSAA samples per pixel; 1 = analytic edge antialiasing.
   int samples = 1;
-  /// Poses averaged per frame; 1 = no motion blur.
+  /// Poses averaged per frame, or more if the speed needs them; 1 = no motion blur.
   int motion_blur = 1;
   /// Whether there is no background: alpha is then the coverage of what is drawn.
   bool transparent = false;

@@ -6,16 +6,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/limits.h"
+
 namespace twrench::timeline {
 namespace {
 
+constexpr double most_poses = scene::limits::motion_blur.high;
 constexpr int whole_intervals = 1200;  // Finer than a curve across a wide panel can show.
+
+/// Time in s of motion during which the shutter is open: half of that between two frames.
+double shutter(double interval) { return 0.5 * interval; }
 
 /// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
 /// 2000.
 double step_of_trail(const scene::Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
   return length / std::clamp(points, 50.0, 2000.0);
+}
+
+/// Poses averaged in a frame that is `interval` s of motion from the next: as many as the scene
+/// asks for, or more if the body turns so fast that they would be seen one by one, as a comb. 0
+/// without motion blur.
+int blur_poses(const scene::Scene& scene, double interval) {
+  const int least = scene.look.motion_blur;
+  if (least == 1) return 0;
+  constexpr double farthest = 3;  // pixels between two poses at the edge of the picture
+  const double angle = scene.motion.omega.norm() * shutter(interval);
+  const double path = angle * 0.5 * std::min(scene.film.width, scene.film.height);
+  return std::max(least, static_cast<int>(std::min(std::ceil(path / farthest), most_poses)));
 }
 
 /// Nothing if the body does not turn over.
@@ -115,6 +133,10 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames)
       frames_(frames.begin(), frames.end()),
       trail_length_(trail_length(scene)),
       grid_step_(step_of_trail(scene, trail_length_)) {
+  for (const FrameTime& frame : frames_) {
+    const std::size_t before = blur_ends_.empty() ? 0 : blur_ends_.back();
+    blur_ends_.push_back(before + static_cast<std::size_t>(blur_poses(scene, frame.interval)));
+  }
   if (scene.overlay.shows(scene::Feature::trail)) {
     std::int64_t next = 0;
     for (const auto& [frame, video_time, t, interval] : frames_) {
@@ -133,12 +155,11 @@ Timeline::Record Timeline::record(const Solution& solution) const {
     return motion::integrate(solution.body, *solution.method, solution.control, times).samples;
   };
   std::vector<double> own, blurred, grid;
-  const int count = scene_.look.motion_blur;
   for (const FrameTime& frame : frames_) {
     own.push_back(frame.t);
-    const double open = 0.5 * frame.interval;
-    for (int i = 0; count > 1 && i < count; ++i) {
-      blurred.push_back(frame.t + open * ((i + 0.5) / count - 0.5));
+    const int count = blur_poses(scene_, frame.interval);
+    for (int i = 0; i < count; ++i) {
+      blurred.push_back(frame.t + shutter(frame.interval) * ((i + 0.5) / count - 0.5));
     }
   }
   for (const std::int64_t number : grid_numbers_) {
@@ -177,9 +198,9 @@ FrameState Timeline::frame_state(std::size_t index) const {
         static_cast<std::size_t>(std::ranges::upper_bound(solution.flip_times, instant.sample.t) -
                                  solution.flip_times.begin());
     if (scene_.overlay.shows(scene::Feature::trail)) instant.trail = trail(record, index);
-    const auto count = static_cast<std::size_t>(scene_.look.motion_blur);
-    for (std::size_t k = 0; count > 1 && k < count; ++k) {
-      instant.blur.push_back(record.blur[index * count + k]);
+    const std::size_t first = index == 0 ? 0 : blur_ends_[index - 1];
+    for (std::size_t k = first; k < blur_ends_[index]; ++k) {
+      instant.blur.push_back(record.blur[k]);
     }
     state.solutions.push_back(std::move(instant));
   }

@@ -107,7 +107,7 @@ class Timeline {
   /// trails.
   struct Record {
     std::vector<motion::Sample> frames;
-    std::vector<motion::Sample> blur;  ///< scene_.look.motion_blur samples per frame.
+    std::vector<motion::Sample> blur;  ///< Those of frame i end before blur_ends_[i].
     std::vector<motion::Sample> grid;  ///< Samples at grid_step_ times grid_numbers_.
   };
 
@@ -118,6 +118,7 @@ class Timeline {
   std::vector<FrameTime> frames_;
   double trail_length_;
   double grid_step_;                        ///< Spacing in s.
+  std::vector<std::size_t> blur_ends_;      ///< Of each frame's blurred poses; see Record.
   std::vector<std::int64_t> grid_numbers_;  ///< Ascending.
   std::vector<Solution> solutions_;
   std::vector<Record> records_;

@@ -110,8 +110,9 @@ class Legibility : public testing::TestWithParam<Look> {
     scene.overlay.show = std::move(features);
     const timeline::Timeline timeline(scene, {frame});
     Renderer renderer(*context, scene, timeline.solutions());
-    camera = renderer.camera(0);
-    return renderer.draw(timeline.frame_state(0)).image;
+    const timeline::FrameState state = timeline.frame_state(0);
+    camera = renderer.camera(state);
+    return renderer.draw(state).image;
   }
 
   /// The backgrounds over which a frame is composited: one if it has its own.

@@ -105,13 +105,14 @@ TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
 }
 
 TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
-  // A cylinder that rotates about its own axis looks the same.
+  // A box that has turned half way looks the same.
   scene::Scene scene = t_wrench();
-  scene.body.parts = {cylinder(1, 6, {0, 0, 0}, Vector3d::UnitY())};
+  scene.body.parts = {{body::Box{{2, 6, 3}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
   PoseRenderer renderer(*context, scene);
-  const image::Image still = renderer.draw(Matrix3d::Identity());
-  EXPECT_LT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitY()))), 0.25);
-  EXPECT_GT(mean_difference(still, renderer.draw(turned(1.1, Vector3d::UnitX()))), 2);
+  const Matrix3d X = turned(0.4, {1, 2, 3});
+  const image::Image still = renderer.draw(X);
+  EXPECT_LT(mean_difference(still, renderer.draw(X * turned(std::numbers::pi, {0, 1, 0}))), 0.25);
+  EXPECT_GT(mean_difference(still, renderer.draw(turned(1.1, {0, 1, 0}) * X)), 2);
 }
 
 TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {

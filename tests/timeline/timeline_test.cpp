@@ -109,6 +109,27 @@ TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
   EXPECT_EQ(instant.blur[1].X, motion.at(10 + 0.0125).X);
 }
 
+// A comb of poses is seen when they are farther apart than a few pixels.
+TEST(Timeline, BlursWithAsManyPosesAsTheSpeedNeeds) {
+  scene::Scene scene = turning_over();
+  scene.film.width = 1920;
+  scene.film.height = 1080;
+  scene.look.motion_blur = 4;
+  const auto poses = [&](double speed) {
+    scene.film.speed = speed;
+    return Timeline(scene, frame_times(scene.film, {100})).frame_state(0).solutions[0].blur;
+  };
+  EXPECT_EQ(poses(0.5).size(), 4U);
+  const std::vector<motion::Sample> fast = poses(60);
+  for (std::size_t i = 1; i < fast.size(); ++i) {
+    const Eigen::Matrix3d turn = fast[i - 1].X.transpose() * fast[i].X;
+    EXPECT_LT(540 * std::acos((turn.trace() - 1) / 2), 3.5) << "pixels at the picture's edge";
+  }
+  EXPECT_EQ(poses(600).size(), 256U);
+  scene.look.motion_blur = 1;
+  EXPECT_TRUE(poses(60).empty());
+}
+
 TEST(Timeline, ShowsEachComparedMethodsOwnDrift) {
   scene::Scene scene = turning_over();
   scene.overlay.compare = {"lie-euler", "exact"};

@@ -12,6 +12,7 @@
 #include "embedded/shaders.h"
 #include "gl/vertices.h"
 #include "render/body/facets.h"
+#include "render/body/revolution.h"
 #include "render/body/shader_constants.h"
 #include "render/space/glm_from_eigen.h"
 
@@ -32,10 +33,16 @@ std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
   return most;
 }
 
-std::vector<float> part_radii(std::span<const body::Part> parts, double unit) {
-  std::vector<float> radii;
-  for (const body::Part& part : parts)
-    radii.push_back(static_cast<float>(capsule_of(part).radius / unit));
+/// See the uniform part_radii in body.vert.
+std::vector<glm::vec3> part_radii(std::span<const body::Part> parts, const Mesh& mesh,
+                                  double unit) {
+  std::vector<glm::vec3> radii;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double radius = capsule_of(parts[i]).radius;
+    const bool is_round = std::holds_alternative<body::Ellipsoid>(parts[i].shape);
+    const double rim = mesh.sides[i] ? mesh.sides[i]->bevel : 0;
+    radii.push_back(glm_from_eigen((Vector3d(radius, is_round ? radius : 0, rim) / unit).eval()));
+  }
   return radii;
 }
 
@@ -46,6 +53,34 @@ std::vector<std::size_t> side_begins(const Mesh& mesh) {
     begins.push_back(mesh.sides[part] ? mesh.sides[part]->begin : mesh.part_ends[part]);
   }
   return begins;
+}
+
+/// The rows of the matrix that maps (position, 1) in body axes, cm, to the position across an axis,
+/// the z axis of `frame` through `centre`, in units of `radius`.
+AcrossFromBody across_axis(const Matrix3d& frame, const Vector3d& centre, double radius) {
+  AcrossFromBody rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Vector3d row = frame.col(static_cast<Eigen::Index>(i)) / radius;
+    rows[i] = glm::vec4(glm_from_eigen(row), static_cast<float>(-row.dot(centre)));
+  }
+  return rows;
+}
+
+/// For each part, across the axis of a body of revolution, which all share, or else a cylinder's
+/// own; 0 for other shapes.
+std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts, double radius) {
+  if (const auto axis = axis_of_revolution(parts)) {
+    const AcrossFromBody all =
+        across_axis(body::frame_with_z_along(*axis), Vector3d::Zero(), radius);
+    return std::vector(parts.size(), all);
+  }
+  std::vector<AcrossFromBody> result;
+  for (const body::Part& part : parts) {
+    const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
+    result.push_back(cylinder ? across_axis(part.body_from_part, part.position, cylinder->radius)
+                              : AcrossFromBody{});
+  }
+  return result;
 }
 
 /// Unit vectors in body axes; 0 for parts that are not cylinders.
@@ -63,7 +98,7 @@ bool scatters(const Material& material) { return material.diffuse != glm::vec3(0
 /// Whether the body has a diffuse term is compiled in, not tested at each pixel: llvmpipe executes
 /// both branches of an if, and the second doubles the work.
 gl::Program body_program(const gl::Functions& gl, const Material& material, const Studio& studio,
-                         std::size_t occluder_count) {
+                         std::size_t occluder_count, bool marked) {
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
@@ -73,9 +108,11 @@ gl::Program body_program(const gl::Functions& gl, const Material& material, cons
   const std::array vertex{gl::ShaderFile{"constants", constants},
                           file(alone ? "unoccluded.vert" : "occluders.vert"), file("body.vert")};
   const std::array fragment{gl::ShaderFile{"constants", constants},
-                            file(alone ? "unoccluded.glsl" : "occluders.glsl"),
                             file("studio.glsl"),
+                            file(alone ? "unoccluded.glsl" : "occluders.glsl"),
                             file("tone.glsl"),
+                            file("brush.glsl"),
+                            file(marked ? "marked.glsl" : "unmarked.glsl"),
                             file(scatters(material) ? "matte.glsl" : "metal.glsl"),
                             file("body.frag")};
   return {gl, vertex, fragment};
@@ -108,9 +145,11 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, d
       side_begins_(side_begins(mesh_)),
       occluders_(find_occluders(parts, max_occluders)),
       occluder_count_(most_of_any(occluders_)),
-      part_radii_(part_radii(parts, radius)),
+      part_radii_(part_radii(parts, mesh_, radius)),
       part_axes_(part_axes(parts)),
-      program_(body_program(gl, material, studio, occluder_count_)),
+      across_from_body_(across_from_body(parts, radius)),
+      program_(body_program(gl, material, studio, occluder_count_,
+                            axis_of_revolution(parts).has_value())),
       array_(gl),
       edge_quad_array_(gl),
       vertices_(gl),
@@ -236,7 +275,8 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
     set_occluders(occluders_[part], stage_from_body, lift > 0);
     const bool meets = std::ranges::any_of(occluders_[part], &Capsule::meets);
     program_.set("part_lift", meets ? static_cast<float>(lift) : 0.0F);
-    program_.set("part_radius", part_radii_[part]);
+    program_.set("part_radii", part_radii_[part]);
+    program_.set("across_from_body", across_from_body_[part]);
     draw_to(ranges.side_begins[part], Vector3d::Zero());
     draw_to(ranges.part_ends[part], part_axes_[part]);
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <glm/vec4.hpp>
 #include <optional>
 
 #include "gl/handle.h"
@@ -17,6 +19,9 @@ namespace twrench::render {
 
 /// Attribute locations of the members of Vertex and EdgeQuadVertex in the body's vertex shader.
 enum BodyAttribute : GLuint { position_attribute = 0, normal_attribute = 1, offset_attribute = 2 };
+
+/// The matrix across_from_body of the body's vertex shader, by rows.
+using AcrossFromBody = std::array<glm::vec4, 2>;
 
 /// Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and
 /// its bounding radius scaled to 1. Colour is premultiplied, with alpha 1 on the body.
@@ -61,9 +66,10 @@ class BodyPass {
   std::vector<std::size_t> side_begins_;         // In the mesh's indices.
   std::vector<std::vector<Capsule>> occluders_;  // occluders of each part
   std::size_t occluder_count_;                   // largest number of occluders of a part
-  std::vector<float> part_radii_;                // in stage coordinates
+  std::vector<glm::vec3> part_radii_;            // in stage coordinates
   // Unit vectors in body axes; 0 for parts that are not cylinders.
   std::vector<Eigen::Vector3d> part_axes_;
+  std::vector<AcrossFromBody> across_from_body_;  // of each part
   gl::Program program_;
   gl::VertexArray array_, edge_quad_array_;
   gl::Buffer vertices_, indices_, visible_indices_, offsets_;

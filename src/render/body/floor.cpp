@@ -20,8 +20,9 @@ using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 180;
 constexpr double floor_gap =
-    0.06;                         // between the floor and the space that the body sweeps, in radii
-constexpr double pool = 1.3;      // in radii: where the light has fallen to a quarter
+    0.06;                     // between the floor and the space that the body sweeps, in radii
+constexpr double pool = 0.8;  // in radii: half its width, where the light has fallen to a quarter
+constexpr double pool_depth = 2;  // times its width, away from the eye, as a gleam is drawn out
 constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
 // Between the spheres of a part: the shadow of a wire is invisible.
 constexpr double most_gaps = 60;
@@ -30,6 +31,19 @@ constexpr double most_gaps = 60;
 double falloff(double distance) {
   const double share = 1 / (1 + distance * distance);
   return share * share;
+}
+
+/// Clouds in the polish of the floor, 0 to 1, at places given in radii from the pool's middle:
+/// waves of several lengths in all directions.
+ArrayXf clouds(const ArrayXf& x, const ArrayXf& z) {
+  constexpr int waves = 8;
+  ArrayXf sum = ArrayXf::Zero(x.size());
+  for (int i = 0; i < waves; ++i) {
+    const float frequency = 7.0F + 2.5F * static_cast<float>(i);  // rad per radius
+    const float angle = 2.4F * static_cast<float>(i);             // the golden angle
+    sum += (frequency * (std::cos(angle) * x + std::sin(angle) * z) + angle).sin();
+  }
+  return (0.5F + sum / waves).max(0).min(1);
 }
 
 /// Filters with (1 2 1) / 4 along `count` cells that are `stride` apart.
@@ -127,13 +141,16 @@ float Floor::fade(double x, double y) const {
 Layer Floor::light(const Camera& camera) const {
   Layer layer{{pane_.width, pane_.height, 4}, pane_.x, pane_.y};
   const Matrix3d floor_from_pane = floor_from_grid(camera, pane_.width, pane_.height);
+  const Eigen::Vector2d right(camera.view(0, 0), camera.view(0, 2));
+  const Eigen::Vector2d away(right.y() / pool_depth, -right.x() / pool_depth);
   const Eigen::Array3d color(style_.light.red, style_.light.green, style_.light.blue);
   std::uint8_t* out = layer.image.pixels.data();
   for (int y = 0; y < pane_.height; ++y) {
     for (int x = 0; x < pane_.width; ++x, out += 4) {
       const Vector3d place = floor_from_pane * Vector3d(x + 0.5, y + 0.5, 1);
       if (place.z() <= 0) continue;
-      const double share = falloff(place.head<2>().norm() / (pool * place.z())) *
+      const double distance = std::hypot(right.dot(place.head<2>()), away.dot(place.head<2>()));
+      const double share = falloff(distance / (pool * place.z())) *
                            fade((x + 0.5) / pane_.width, (y + 0.5) / pane_.height);
       for (int c = 0; c < 3; ++c) {
         out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + dither(x, y));
@@ -211,13 +228,16 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Are
       const ArrayXf cosine_squared = centre.y() * centre.y() / squared;
       open *= (1 - 5 * cosine_squared.square() * (1 - (1 - r * r / squared).sqrt())).max(0);
     }
-    const auto pool_squared = static_cast<float>(pool * pool);
-    const ArrayXf reflected = static_cast<float>(style_.reflection) *
-                              (closeness > 0).cast<float>() /
-                              (1 + (x.square() + z.square()) / pool_squared).square();
+    constexpr float faded = 1.3F;  // in radii from the middle: to a quarter
+    const ArrayXf near =
+        (closeness > 0).cast<float>() / (1 + (x.square() + z.square()) / (faded * faded)).square();
+    const ArrayXf reflected = static_cast<float>(style_.reflection) * near;
+    ArrayXf left = ArrayXf::Ones(area.width);
+    if (style_.clouds > 0) left -= static_cast<float>(style_.clouds) * near * clouds(x, z);
     Cell* cell = row_of(y, area.width);
     for (int i = 0; i < area.width; ++i) {
-      const float shadow = 255 * static_cast<float>(style_.shadow) * (1 - open[i]);
+      const float lit = 1 - static_cast<float>(style_.shadow) * (1 - open[i]);
+      const float shadow = 255 * (1 - left[i] * lit);
       cell[i] *= reflected[i];
       cell[i][3] += (1 - cell[i][3] / 255) * shadow;
       cell[i] *= fade((area.x + i + 0.5) / columns_, (area.y + y + 0.5) / rows_);

@@ -13,8 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double bevel_share = 0.04, widest_bevel_share = 0.12;  // of half the smallest dimension
-constexpr double least_bevel = 12;                               // in tolerances
+// Shares of half the smallest dimension.
+constexpr double rim_share = 0.04, edge_share = 0.08, widest_bevel_share = 0.12;
+constexpr double least_bevel = 12;  // in tolerances
 constexpr double quarter = std::numbers::pi / 2;
 
 // Minimum number of chords per quarter turn, however small the picture: normals are interpolated
@@ -30,8 +31,8 @@ int chords_of_quarter(double radius, double tolerance, int least) {
   return std::max(least, static_cast<int>(std::ceil(quarter / (2 * half_angle))));
 }
 
-double bevel_of(double half, double tolerance) {
-  return std::max(bevel_share * half, std::min(least_bevel * tolerance, widest_bevel_share * half));
+double bevel_of(double half, double share, double tolerance) {
+  return std::max(share * half, std::min(least_bevel * tolerance, widest_bevel_share * half));
 }
 
 struct SurfacePoint {
@@ -61,8 +62,12 @@ std::vector<double> bevel_latitudes(double end, int chords) {
   return end < 0 ? evenly_spaced(-quarter, 0, chords) : evenly_spaced(0, quarter, chords);
 }
 
+double rim_bevel(const body::Cylinder& cylinder, double tolerance) {
+  return bevel_of(std::min(cylinder.radius, cylinder.length / 2), rim_share, tolerance);
+}
+
 Rings rings_of(const body::Cylinder& cylinder, double tolerance) {
-  const double bevel = bevel_of(std::min(cylinder.radius, cylinder.length / 2), tolerance);
+  const double bevel = rim_bevel(cylinder, tolerance);
   const double inner_radius = cylinder.radius - bevel;
   const double inner_height = cylinder.length / 2 - bevel;
   const int around = 4 * chords_of_quarter(cylinder.radius, tolerance, least_of_body);
@@ -85,7 +90,7 @@ Rings rings_of(const body::Cylinder& cylinder, double tolerance) {
 /// A box with rounded edges is a sphere of the bevel's radius, cut into octants that are moved
 /// apart to the corners of an inner box.
 Rings rings_of(const body::Box& box, double tolerance) {
-  const double bevel = bevel_of(box.size.minCoeff() / 2, tolerance);
+  const double bevel = bevel_of(box.size.minCoeff() / 2, edge_share, tolerance);
   const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
   const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
   Rings rings;
@@ -153,8 +158,8 @@ class MeshBuilder {
   }
 
   /// The same for the side of a cylinder, which is added last.
-  void join_side(std::uint32_t low, std::uint32_t high, std::uint32_t count) {
-    side_ = {low, high, count, mesh_.indices.size()};
+  void join_side(std::uint32_t low, std::uint32_t high, std::uint32_t count, double bevel) {
+    side_ = {low, high, count, mesh_.indices.size(), bevel};
     join(low, high, count);
   }
 
@@ -188,12 +193,14 @@ Mesh part_mesh(const body::Part& part, double tolerance) {
   }
   mesh.fill_ring(last_ring, count, false);
   mesh.fill_ring(0, count, true);
-  const bool is_cylinder = std::holds_alternative<body::Cylinder>(part.shape);
-  const std::uint32_t side = is_cylinder ? (last_ring - count) / 2 : last_ring;
+  const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
+  const std::uint32_t side = cylinder != nullptr ? (last_ring - count) / 2 : last_ring;
   for (std::uint32_t low = 0; low < last_ring; low += count) {
     if (low != side) mesh.join(low, low + count, count);
   }
-  if (is_cylinder) mesh.join_side(side, side + count, count);
+  if (cylinder != nullptr) {
+    mesh.join_side(side, side + count, count, rim_bevel(*cylinder, tolerance));
+  }
   return mesh.finish();
 }
 

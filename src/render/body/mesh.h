@@ -22,6 +22,7 @@ struct CylinderSide {
   std::uint32_t low, high;  ///< First vertex of each ring, counter-clockwise as seen from the top.
   std::uint32_t count;      ///< Number of vertices of a ring, and of strips.
   std::size_t begin;        ///< In indices; from here to the end of its part.
+  double bevel;             ///< Radius of the rounded rims, cm.
 };
 
 /// Triangles, three indices each, counter-clockwise as seen from outside.
@@ -39,10 +40,10 @@ struct Mesh {
 };
 
 /// Returns the closed surface of a part in body axes. The rims of cylinders and edges of boxes have
-/// a small rounded bevel to catch a highlight: 4 % of the smallest half dimension, or 12 tolerances
-/// but at most 12 %, because a narrower line would look dashed. All other vertices lie on the exact
-/// shape, and the facets between them deviate from it by at most `tolerance` cm. Much finer facets
-/// are expensive: thin triangles rasterise poorly.
+/// a small rounded bevel to catch a highlight: 4 % (boxes: 8 %) of the smallest half dimension, or
+/// 12 tolerances but at most 12 %, because a narrower line would look dashed. All other vertices
+/// lie on the exact shape, and the facets between them deviate from it by at most `tolerance` cm.
+/// Much finer facets are expensive: thin triangles rasterise poorly.
 Mesh part_mesh(const body::Part& part, double tolerance);
 
 /// Returns the meshes of all parts merged into one.

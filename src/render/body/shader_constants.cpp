@@ -17,6 +17,9 @@ std::string glsl(const glm::vec2& v) { return fmt::format("vec2({:#.9g}, {:#.9g}
 std::string glsl(const glm::vec3& v) {
   return fmt::format("vec3({:#.9g}, {:#.9g}, {:#.9g})", v.x, v.y, v.z);
 }
+std::string glsl(const glm::mat3& m) {
+  return fmt::format("mat3({}, {}, {})", glsl(m[0]), glsl(m[1]), glsl(m[2]));
+}
 
 template <typename Value>
 std::string constant(const char* type, const char* name, const Value& value) {
@@ -37,11 +40,15 @@ std::string of_lights(const char* type, const char* name, const Studio& studio, 
 std::string shader_constants(const Material& material, const Studio& studio) {
   using glm::length, glm::normalize;
   using Light = const AreaLight&;
+  const AmbientLight ambient = ambient_light(studio);
   return constant("vec3", "diffuse", material.diffuse) +
          constant("vec3", "reflectance", material.reflectance) +
          constant("float", "roughness", material.roughness) +
+         constant("float", "brushing", material.brushing) +
          constant("vec3", "room_above", studio.above) +
          constant("vec3", "room_below", studio.below) +
+         constant("vec3", "ambient_mean", ambient.mean) +
+         constant("mat3", "ambient_slope", ambient.slope) +
          fmt::format("const int light_count = {};\n", Studio::light_count) +
          of_lights("vec3", "light_centre", studio, [](Light l) { return l.centre; }) +
          of_lights("vec3", "light_across", studio, [](Light l) { return normalize(l.across); }) +

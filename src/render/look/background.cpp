@@ -24,8 +24,8 @@ double smooth_step(double low, double high, double x) {
 /// 0 at the top to 1.
 struct ColumnTerms {
   ColumnTerms(const Backdrop& backdrop, double u)
-      : droop(0.10 * u * u), vignette(1 - backdrop.vignette * u * u) {}
-  double droop, vignette;
+      : droop(0.10 * u * u), darkening(backdrop.vignette * u * u) {}
+  double droop, darkening;
 };
 
 Array3d array_of(const scene::Color& color) {
@@ -90,9 +90,10 @@ image::Image background(const scene::Look& look, int width, int height) {
     for (int x = 0; x < width; ++x) {
       const ColumnTerms& column = columns[static_cast<std::size_t>(x)];
       const double depth = smooth_step(0.15, 0.85, v - column.droop);
-      const Array3d color = (above + depth * (below - above)) * column.vignette;
+      const Array3d color = above + depth * (below - above);
       const double offset = 0.5 + static_cast<double>(dither(x, y));
-      for (const double value : color) *out++ = static_cast<std::uint8_t>(value + offset);
+      const double darker = column.darkening * color[1];  // the same in all channels
+      for (const double value : color) *out++ = static_cast<std::uint8_t>(value - darker + offset);
     }
   }
   add_stars(image, backdrop.stars);

@@ -21,8 +21,10 @@ Material material(const scene::Look& look) {
   constexpr double dielectric = 0.04;  // F0 of a refractive index of 1.5
   const Eigen::Vector3d reflectance =
       metallic * color + (1 - metallic) * Eigen::Vector3d::Constant(dielectric);
+  const double roughness = look.roughness.value_or(style.roughness);
+  constexpr double brushed = 0.73;  // the finer the brush, the smoother what it leaves
   return {glm_from_eigen(((1 - metallic) * color).eval()), glm_from_eigen(reflectance),
-          static_cast<float>(look.roughness.value_or(style.roughness))};
+          static_cast<float>(metallic * brushed * roughness), static_cast<float>(roughness)};
 }
 
 }  // namespace twrench::render

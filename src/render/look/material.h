@@ -15,6 +15,9 @@ struct Material {
   glm::vec3 diffuse;
   /// Linear reflectance at normal incidence: F0 of Schlick's Fresnel term.
   glm::vec3 reflectance;
+  /// Standard deviation of the slopes of the scratches that brushing leaves, across them;
+  /// 0 for paint.
+  float brushing;
   /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
   float roughness;
 };

@@ -1,6 +1,8 @@
 #include "render/look/studio.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
 
 namespace twrench::render {
 namespace {
@@ -15,16 +17,33 @@ AreaLight facing_body(const glm::vec3& centre, float width, float height,
 
 }  // namespace
 
+AmbientLight ambient_light(const Studio& studio) {
+  // The integrals of the room's radiance in studio.glsl over the sphere, alone and times y.
+  AmbientLight light{(2.0F * studio.above + studio.below) / 3.0F, glm::mat3(0)};
+  light.slope[1] = (studio.above - studio.below) / 3.0F;
+  for (const AreaLight& each : studio.lights) {
+    const float distance = glm::length(each.centre);
+    const float solid_angle =
+        4 * glm::length(each.across) * glm::length(each.along) / (distance * distance);
+    const glm::vec3 share = solid_angle / (4 * std::numbers::pi_v<float>)*each.radiance;
+    light.mean += share;
+    // A cosine keeps 2/3 of the first moment, and all of the mean.
+    light.slope += 2.0F * glm::outerProduct(share, each.centre / distance);
+  }
+  return light;
+}
+
 Studio dark_studio() {
-  const glm::vec3 warm(1.0F, 0.96F, 0.91F);
-  const glm::vec3 cool(0.86F, 0.93F, 1.0F);
-  return {{facing_body({2.4F, 1.9F, 1.7F}, 1.9F, 3.8F, 5.6F * warm),
-           facing_body({-2.5F, -0.7F, 1.9F}, 1.5F, 3.4F, 2.2F * cool),
-           facing_body({-0.8F, 3.1F, 1.0F}, 3.8F, 1.4F, 4.5F * warm),
-           facing_body({-2.6F, 1.4F, -2.2F}, 0.9F, 3.2F, 6.0F * cool),
-           facing_body({1.7F, -1.5F, -2.6F}, 4.2F, 0.9F, 4.0F * cool)},
-          {0.035F, 0.037F, 0.042F},
-          {0.17F, 0.174F, 0.185F}};
+  const glm::vec3 warm(1.05F, 0.97F, 0.86F);
+  const glm::vec3 neutral(1.03F, 1.0F, 0.95F);
+  const glm::vec3 cool(0.93F, 0.99F, 1.06F);
+  return {{facing_body({3.69F, 4.17F, 2.3F}, 3.66F, 2.53F, 12.0F * warm),
+           facing_body({-1.99F, 0.02F, 1.09F}, 1.21F, 1.68F, 3.0F * cool),
+           facing_body({-0.19F, 1.82F, 1.58F}, 1.37F, 2.29F, 2.12F * neutral),
+           facing_body({0.21F, 2.17F, -0.87F}, 0.67F, 0.51F, 21.2F * neutral),
+           facing_body({-0.39F, 2.17F, -2.8F}, 1.24F, 1.38F, 3.7F * neutral)},
+          {0.045F, 0.046F, 0.051F},
+          {0.118F, 0.120F, 0.131F}};
 }
 
 Studio white_studio() {

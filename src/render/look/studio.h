@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace twrench::render {
@@ -30,6 +31,17 @@ struct Studio {
   /// Linear radiance of the room from below.
   glm::vec3 below;
 };
+
+/// The radiance of the studio, blurred so far that it varies linearly with the direction: mean +
+/// slope * direction.
+struct AmbientLight {
+  glm::vec3 mean;
+  glm::mat3 slope;
+};
+
+/// Returns the ambient light at the body's centre: the mean of the radiance over all directions,
+/// and its slope as the clamped cosine of a diffuse surface sees it.
+AmbientLight ambient_light(const Studio& studio);
 
 /// Returns the dark studio: a large key light, a cool fill, an overhead light and two rim lights.
 Studio dark_studio();

@@ -63,29 +63,29 @@ constexpr scene::Color steel{184, 188, 196};
 ThemeStyle studio() {
   return {.metal = steel,
           .metallic = 1,
-          .roughness = 0.34,
+          .roughness = 0.25,
           .studio = dark_studio(),
-          .backdrop = {{9, 10, 13}, {46, 49, 57}, 0.22, 0},
-          .floor = FloorStyle{{44, 44, 44}, 0.7, 0.16},
+          .backdrop = {{10, 13, 21}, {52, 55, 63}, 0.16, 0},
+          .floor = FloorStyle{{41, 41, 41}, 0.5, 0.16, 0.14},
           .overlay = on_dark()};
 }
 
 ThemeStyle paper() {
   return {.metal = {168, 172, 180},
           .metallic = 1,
-          .roughness = 0.34,
+          .roughness = 0.25,
           .studio = white_studio(),
-          .backdrop = {{250, 250, 249}, {236, 236, 234}, 0.02, 0},
-          .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10},
+          .backdrop = {{250, 250, 248}, {237, 237, 235}, 0.02, 0},
+          .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10, 0.03},
           .overlay = on_paper()};
 }
 
 ThemeStyle space() {
   return {.metal = steel,
           .metallic = 1,
-          .roughness = 0.34,
+          .roughness = 0.25,
           .studio = sunlight(),
-          .backdrop = {{3, 4, 7}, {7, 9, 15}, 0.2, 420},
+          .backdrop = {{3, 4, 8}, {8, 9, 13}, 0.2, 420},
           .floor = std::nullopt,
           .overlay = on_dark()};
 }

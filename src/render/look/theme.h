@@ -35,7 +35,9 @@ struct OverlayColors {
   std::array<scene::Color, 9> curve;
 };
 
-/// The background: a vertical gradient, and stars.
+/// The background: a vertical gradient, and stars. Its colours, and so all between them, have the
+/// same differences between their channels: the 8-bit chroma planes of a video would turn a hue that
+/// varies with the brightness into visible contours.
 struct Backdrop {
   /// Colour at the top of the picture.
   scene::Color above;
@@ -49,13 +51,15 @@ struct Backdrop {
 
 /// The floor of a theme.
 struct FloorStyle {
-  /// Light added in the middle of the pool. It is gray because on a dark floor the 8-bit chroma
-  /// planes of a video would turn changes of hue into visible contours.
+  /// Light added in the middle of the pool. It is gray, so that the background keeps its hue.
   scene::Color light;
   /// Fraction of the light that the deepest shadow removes, 0 to 1.
   double shadow;
   /// Visible fraction of the body's mirror image, 0 to 1.
   double reflection;
+  /// Fraction of the light that the darkest clouds in its polish remove, 0 to 1. They show under a
+  /// moving camera that the floor stands still.
+  double clouds;
 };
 
 /// Everything that a theme determines.

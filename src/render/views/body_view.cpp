@@ -93,14 +93,15 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
 
 /// Adds the floor or, for a camera that goes along with a turning frame, the stars.
 void BodyView::add_surroundings(const gl::Functions& gl, const scene::Scene& scene) {
-  const ThemeStyle& style = style_of(scene.look.theme);
+  std::optional<FloorStyle> floor = style_of(scene.look.theme).floor;
   if (frame_ != scene::Frame::space) {
     if (!scene.look.transparent) stars_.emplace(scene);
-  } else if (style.floor && !scene.look.transparent && scene.camera.elevation >= 0) {
-    const image::Area picture{0, 0, framebuffer_.width(), framebuffer_.height()};
-    floor_.emplace(gl, framebuffer_.read_mode(), *style.floor, pane_.area, picture,
-                   scene::visible_parts(scene.body), radius_);
+  } else if (floor && !scene.look.transparent && scene.camera.elevation >= 0) {
     floor_lit_ = !scene.look.background;
+    if (!floor_lit_ || scene.camera.orbit == 0) floor->clouds = 0;
+    const image::Area picture{0, 0, framebuffer_.width(), framebuffer_.height()};
+    floor_.emplace(gl, framebuffer_.read_mode(), *floor, pane_.area, picture,
+                   scene::visible_parts(scene.body), radius_);
   }
 }
 

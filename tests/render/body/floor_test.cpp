@@ -102,6 +102,29 @@ TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
   for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
 }
 
+// Lights and shadow go along with the camera and the body; the floor does not.
+TEST_F(FloorTest, IsSeenToStandStillUnderAMovingCamera) {
+  scene::Scene scene = t_wrench(320, 180);
+  scene.body.parts = {{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
+  scene.motion.omega.setZero();
+  const auto beside = [&](double azimuth, double orbit) {
+    scene.camera.azimuth = azimuth;
+    scene.camera.orbit = orbit;
+    const std::vector<int> light = change(scene, Matrix3d::Identity());
+    std::vector<int> result;
+    for (int row = 150; row < 180; ++row) {
+      std::copy_n(light.begin() + 320 * row, 110, std::back_inserter(result));
+    }
+    return result;
+  };
+  EXPECT_EQ(beside(0, 0), beside(0.5, 0)) << "a still camera";
+  const std::vector<int> here = beside(0, 0.1), there = beside(0.5, 0.1);
+  int differing = 0;
+  for (std::size_t i = 0; i < here.size(); ++i)
+    differing += std::abs(here[i] - there[i]) > 1 ? 1 : 0;
+  EXPECT_GT(differing, 500);
+}
+
 TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   const Matrix3d Id = Matrix3d::Identity();
   scene::Scene below = t_wrench(160, 90);

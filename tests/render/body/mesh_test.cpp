@@ -29,20 +29,23 @@ struct Case {
 void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 
 constexpr double mesh_tolerance = 5e-4;
-constexpr double bevel = 0.04;  // of all cases: their smallest half dimension is 1
+// Of all cases, whose smallest half dimension is 1.
+constexpr double rim_bevel = 0.04;
+constexpr double edge_bevel = 0.08;  // of boxes
 
 /// Pappus: a bevel removes from a sharp rim a ring whose section is a square minus a quarter disc.
 Case rounded_cylinder() {
   const double radius = 1;
   const double length = 8;
-  const double square = bevel * bevel;
+  const double square = rim_bevel * rim_bevel;
   const double disc = pi * square / 4;
-  const double inner = radius - bevel;
-  const double lost = 2 * pi * (square * (inner + bevel / 2) - disc * inner - square * bevel / 3);
-  const double arc = pi / 2 * bevel;
+  const double inner = radius - rim_bevel;
+  const double lost =
+      2 * pi * (square * (inner + rim_bevel / 2) - disc * inner - square * rim_bevel / 3);
+  const double arc = pi / 2 * rim_bevel;
   const double cap = pi * inner * inner;
-  const double rim = 2 * pi * arc * (inner + 2 / pi * bevel);
-  const double side = 2 * pi * radius * (length - 2 * bevel);
+  const double rim = 2 * pi * arc * (inner + 2 / pi * rim_bevel);
+  const double side = 2 * pi * radius * (length - 2 * rim_bevel);
   return {"cylinder", body::Cylinder{radius, length}, pi * radius * radius * length - 2 * lost,
           2 * (cap + rim) + side};
 }
@@ -50,13 +53,13 @@ Case rounded_cylinder() {
 /// Steiner: a box grown by the bevel on all sides.
 Case rounded_box() {
   const Vector3d size(2, 3, 4);
-  const Vector3d inner = size.array() - 2 * bevel;
+  const Vector3d inner = size.array() - 2 * edge_bevel;
   const double faces = 2 * (inner.x() * inner.y() + inner.y() * inner.z() + inner.z() * inner.x());
   const double edges = 4 * inner.sum();
   return {"box", body::Box{size},
-          inner.prod() + bevel * faces + pi / 4 * bevel * bevel * edges +
-              4 * pi / 3 * bevel * bevel * bevel,
-          faces + pi / 2 * bevel * edges + 4 * pi * bevel * bevel};
+          inner.prod() + edge_bevel * faces + pi / 4 * edge_bevel * edge_bevel * edges +
+              4 * pi / 3 * edge_bevel * edge_bevel * edge_bevel,
+          faces + pi / 2 * edge_bevel * edges + 4 * pi * edge_bevel * edge_bevel};
 }
 
 Case prolate_ellipsoid() {
@@ -134,7 +137,7 @@ TEST_P(PartMesh, StaysInsideTheShapesBoundingSphere) {
     farthest = std::max(farthest, (vector(vertex.position) - part.position).norm());
   }
   EXPECT_LE(farthest, body::bounding_radius(part.shape) + 1e-5);
-  EXPECT_GE(farthest, body::bounding_radius(part.shape) - bevel);
+  EXPECT_GE(farthest, body::bounding_radius(part.shape) - edge_bevel);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PartMesh,

@@ -14,19 +14,20 @@ using Eigen::Vector2d;
 
 constexpr double em = 24;
 const scene::Color yellow{255, 216, 39}, pink{247, 120, 201};
-const image::Area picture{0, 0, 640, 360};
-const Vector2d centre(200, 180);
+const image::Area whole_picture{0, 0, 640, 360};
+const Vector2d arrow_start(200, 180);
 
 /// L to the right, and omega at that angle in rad above it, shorter.
 std::vector<Label> labels_at(double angle) {
   const Vector2d way(std::cos(angle), -std::sin(angle));
-  return {{"L", {520, 180}, {1, 0}, yellow, centre}, {"ω", centre + 240 * way, way, pink, centre}};
+  return {{"L", {520, 180}, {1, 0}, yellow, arrow_start},
+          {"ω", arrow_start + 240 * way, way, pink, arrow_start}};
 }
 
 class LabelPainterTest : public testing::Test {
  protected:
   canvas::Typeface typeface = canvas::load_typeface("sans");
-  LabelPainter painter{typeface.regular, em, {14, 16, 21}, picture, {}};
+  LabelPainter painter{typeface.regular, em, {14, 16, 21}, whole_picture, {}};
 
   static bool is_ink(const Layer& layer, int x, int y, const scene::Color& ink) {
     const std::uint8_t* p =
@@ -67,8 +68,9 @@ TEST_F(LabelPainterTest, KeepsALabelOffAnArrowThatItsOwnNearlyAlignsWith) {
     const image::Area letter = letters(painter.paint(labels_at(angle))[1], pink);
     const bool above = letter.y + letter.height<180 - 0.2 * em, below = letter.y> 180 + 0.2 * em;
     EXPECT_TRUE(above || below) << angle;
-    if (angle > -0.055)
+    if (angle > -0.055) {
       EXPECT_TRUE(above) << angle << ": it does not change sides while it is near";
+    }
   }
 }
 
@@ -111,8 +113,8 @@ TEST_F(LabelPainterTest, LeadsToALabelThatWasMoved) {
 }
 
 TEST_F(LabelPainterTest, StaysInThePictureAndOutOfWhatIsTaken) {
-  const LabelPainter full(typeface.regular, em, {14, 16, 21}, picture, {{500, 0, 140, 360}});
-  const Layer layer = full.paint({{"L", {505, 180}, {1, 0}, yellow, centre}})[0];
+  const LabelPainter full(typeface.regular, em, {14, 16, 21}, whole_picture, {{500, 0, 140, 360}});
+  const Layer layer = full.paint({{"L", {505, 180}, {1, 0}, yellow, arrow_start}})[0];
   EXPECT_LE(layer.x + layer.image.width, 501 + 8) << "its leader may end at the tip";
   const image::Area letter = letters(layer, yellow);
   EXPECT_LE(letter.x + letter.width, 500);

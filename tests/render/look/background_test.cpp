@@ -47,6 +47,22 @@ TEST(Background, HasNoBands) {
   EXPECT_LT(equal, 6);
 }
 
+// A video keeps 8 bits of chroma: a hue that varied with the brightness would come out in patches.
+TEST(Background, HasTheSameHueEverywhere) {
+  for (const scene::Theme theme : {scene::Theme::studio, scene::Theme::paper}) {
+    scene::Look look;
+    look.theme = theme;
+    const image::Image image = background(look, 640, 360);
+    const std::uint8_t* const first = image.pixels.data();
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      const std::uint8_t* const p = first + i;
+      if (p[0] - p[1] != first[0] - first[1] || p[2] - p[1] != first[2] - first[1]) ++other;
+    }
+    EXPECT_LE(other, image.pixels.size() / 3 / 1000) << "but for a few pixels, by rounding";
+  }
+}
+
 TEST(Background, HasTheSameStarsInEverySize) {
   scene::Look look;
   look.theme = scene::Theme::space;

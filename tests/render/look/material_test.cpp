@@ -23,6 +23,7 @@ TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
   EXPECT_NEAR(metal.reflectance.y, 0.2158605, 1e-6);
   EXPECT_EQ(metal.reflectance.z, 0);
   EXPECT_NEAR(metal.roughness, 0.3, 1e-6);
+  EXPECT_GT(metal.brushing, 0.1F);
 }
 
 TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
@@ -33,6 +34,7 @@ TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
   EXPECT_NEAR(plastic.diffuse.y, 0.2158605, 1e-6);
   EXPECT_NEAR(plastic.reflectance.x, 0.04, 1e-6);
   EXPECT_NEAR(plastic.reflectance.z, 0.04, 1e-6);
+  EXPECT_EQ(plastic.brushing, 0);
 }
 
 }  // namespace

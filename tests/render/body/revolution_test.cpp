@@ -1,0 +1,51 @@
+#include "render/body/revolution.h"
+
+#include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+
+#include <vector>
+
+#include "render/t_wrench.h"
+
+namespace twrench::render {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const Vector3d slanted = Vector3d(1, 2, -2) / 3;
+
+body::Part ellipsoid(const Vector3d& radii, const Vector3d& position) {
+  return {body::Ellipsoid{radii}, 1.0, position, body::frame_with_z_along(slanted)};
+}
+
+void expect_axis(const std::vector<body::Part>& parts) {
+  const auto axis = axis_of_revolution(parts);
+  ASSERT_TRUE(axis.has_value());
+  EXPECT_NEAR(std::abs(axis->dot(slanted)), 1, 1e-9);
+}
+
+TEST(AxisOfRevolution, IsThatOfOnePart) {
+  expect_axis({cylinder(1, 2, {0, 0, 0}, slanted)});
+  expect_axis({ellipsoid({2, 2, 1}, {0, 0, 0})});
+  EXPECT_TRUE(axis_of_revolution(std::vector{ellipsoid({2, 2, 2}, {0, 0, 0})}).has_value());
+}
+
+TEST(AxisOfRevolution, IsSharedByAllParts) {
+  expect_axis({cylinder(3, 1, 2 * slanted, slanted), cylinder(1, 5, -slanted, -slanted),
+               ellipsoid({2, 2, 1}, {0, 0, 0})});
+  expect_axis({ellipsoid({1, 1, 1}, 3 * slanted), ellipsoid({2, 2, 2}, -slanted)});
+}
+
+TEST(AxisOfRevolution, IsNotThereForBodiesThatShowHowTheyTurn) {
+  const std::vector<std::vector<body::Part>> bodies{
+      t_wrench().body.parts,
+      {{body::Box{{2, 2, 3}}, 1.0, {0, 0, 0}, Matrix3d::Identity()}},
+      {ellipsoid({1, 2, 3}, {0, 0, 0})},
+      {cylinder(1, 2, {0.01, 0, 0}, Vector3d::UnitY())},  // beside the axis of the rotation
+      {cylinder(1, 2, slanted, slanted), cylinder(1, 2, -slanted, Vector3d::UnitX())}};
+  for (const auto& parts : bodies) EXPECT_FALSE(axis_of_revolution(parts).has_value());
+}
+
+}  // namespace
+}  // namespace twrench::render
