@@ -45,8 +45,8 @@ void main() {
 
   // Normals that vary within a pixel widen the lobe; otherwise thin bevels would sparkle (Tokuyoshi
   // and Kaplanyan, "Improved Geometric Specular Antialiasing", I3D 2019).
-  vec3 turn_x = dFdx(stage_normal);
-  vec3 turn_y = dFdy(stage_normal);
+  vec3 turn_x = dFdx(n);
+  vec3 turn_y = dFdy(n);
   float alpha = roughness * roughness;
   float variance = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), most_variance);
   // Reflection doubles the angle of the half vector, hence the factor.

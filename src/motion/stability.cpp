@@ -1,5 +1,6 @@
 #include <twrench/motion/stability.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,7 @@ Stability stability(const Vector3d& moments, int axis, double omega) {
 
 Tilt::Tilt(const FreeBody& body)
     : moments_(body.principal().moments),
+      axes_(body.principal().axes),
       momentum_from_omega_(body.principal().axes.transpose() * body.inertia()),
       start_(momentum_from_omega_ * body.omega()) {
   start_.cwiseAbs().maxCoeff(&axis_);
@@ -33,6 +35,12 @@ double Tilt::of(const Sample& sample) const {
   const Vector3d m = momentum_from_omega_ * sample.omega;
   const double across = std::hypot(m[(axis_ + 1) % 3], m[(axis_ + 2) % 3]);
   return std::atan2(across, std::abs(m[axis_]));
+}
+
+Vector3d Tilt::direction(const Sample& sample) const {
+  const Vector3d m = momentum_from_omega_ * sample.omega;
+  const Vector3d nearer_end = std::copysign(1.0, m[axis_]) * Vector3d::Unit(axis_);
+  return axes_ * m.cross(nearer_end).stableNormalized();
 }
 
 std::optional<Tilt::Growth> Tilt::growth() const {

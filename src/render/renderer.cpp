@@ -19,6 +19,7 @@
 #include "render/hud/hud.h"
 #include "render/hud/moments_panel.h"
 #include "render/hud/tilt_panel.h"
+#include "render/hud/torque_readouts.h"
 #include "render/look/background.h"
 #include "render/look/emphasis.h"
 #include "render/look/theme.h"
@@ -33,7 +34,8 @@ using namespace std::chrono_literals;
 
 image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
-  return background(scene.look, scene.film.width, scene.film.height);
+  return background(scene.look, scene.film.width, scene.film.height,
+                    scene.camera.frame == scene::Frame::space);
 }
 
 PendingLayer dimmed(PendingLayer pending) {
@@ -167,10 +169,14 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
   add_plot(std::in_place_type<CurvePanel>, layout.curve, curve);
   add_plot(std::in_place_type<TiltPanel>, layout.tilt, tilt);
   add_plot(std::in_place_type<MomentsPanel>, layout.moments, moments);
+  const TextStyle style{typeface, colors, layout.text, layout.compact, needs_panels(scene.look)};
   if (layout.forces) {
-    const TextStyle style{typeface, colors, layout.text, layout.compact, needs_panels(scene.look)};
     add(std::make_unique<ForceLegend>(scene, layout, style), forces);
     taken.push_back(*layout.forces);
+  }
+  if (layout.torques) {
+    add(std::make_unique<TorqueReadouts>(scene, solutions, layout, style), forces);
+    taken.push_back(*layout.torques);
   }
   auto text = std::make_unique<Hud>(scene, solutions, layout, typeface, colors);
   std::ranges::copy(text->extents(), std::back_inserter(taken));

@@ -68,4 +68,16 @@ std::vector<body::Part> visible_parts(const Body& body) {
   return parts;
 }
 
+std::vector<PartGroup> part_groups(const Body& body) {
+  std::vector<PartGroup> groups;
+  for (std::size_t i = 0; i < visible_parts(body).size(); ++i) {
+    const bool is_named = i < body.part_names.size() && !body.part_names[i].empty();
+    const std::string name = is_named ? body.part_names[i] : fmt::format("part {}", i + 1);
+    auto group = std::ranges::find(groups, name, &PartGroup::name);
+    if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});
+    group->parts.push_back(i);
+  }
+  return groups;
+}
+
 }  // namespace twrench::scene

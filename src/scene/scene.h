@@ -23,6 +23,8 @@ struct Body {
   std::vector<body::Part> parts;
   /// Principal moments of inertia about the body's x, y and z axes, in g cm^2.
   std::optional<Eigen::Vector3d> moments;
+  /// The names of the parts, in their order, as far as they are given; others are empty.
+  std::vector<std::string> part_names = {};
 };
 
 /// The initial condition and how the motion is computed.
@@ -222,6 +224,17 @@ body::MassProperties mass_properties(const Body& body);
 /// Returns the parts to draw, relative to the centre of mass: the body's own, or the equimomental
 /// box.
 std::vector<body::Part> visible_parts(const Body& body);
+
+/// Parts of a body with the same name.
+struct PartGroup {
+  /// Their name; "part 3" for one without.
+  std::string name;
+  /// Their indices in visible_parts().
+  std::vector<std::size_t> parts;
+};
+
+/// Returns the parts of a body by their names, in the order in which these first appear.
+std::vector<PartGroup> part_groups(const Body& body);
 
 /// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();

@@ -23,17 +23,20 @@ ordered_json shape_json(const body::Ellipsoid& e) {
   return {{"shape", "ellipsoid"}, {"radii", numbers(e.radii)}};
 }
 
-ordered_json part_json(const body::Part& part) {
+ordered_json part_json(const body::Part& part, const std::string& name) {
   ordered_json json = std::visit([](const auto& shape) { return shape_json(shape); }, part.shape);
+  if (!name.empty()) json["name"] = name;
   json["density"] = part.density;
   json["position"] = numbers(part.position);
   json["rotation"] = numbers(so3::log(part.body_from_part));
   return json;
 }
 
-ordered_json parts_json(const std::vector<body::Part>& parts) {
+ordered_json parts_json(const Body& body) {
   ordered_json json = ordered_json::array();
-  for (const body::Part& part : parts) json.push_back(part_json(part));
+  for (std::size_t i = 0; i < body.parts.size(); ++i) {
+    json.push_back(part_json(body.parts[i], i < body.part_names.size() ? body.part_names[i] : ""));
+  }
   return json;
 }
 
@@ -45,7 +48,7 @@ ordered_json& table_in(ordered_json& json, const std::string& name) {
 
 ordered_json body_json(const Body& body) {
   ordered_json json = ordered_json::object();
-  if (!body.parts.empty()) json["part"] = parts_json(body.parts);
+  if (!body.parts.empty()) json["part"] = parts_json(body);
   if (body.moments) json["body"] = {{"moments", numbers(*body.moments)}};
   return json;
 }

@@ -54,6 +54,8 @@ Body read_body(TomlTable& file) {
       throw InvalidArgument(part.place("shape"),
                             fmt::format("a body has at most {} parts", limits::max_parts));
     }
+    const auto name = part.value("name", Field::Kind::text);
+    body.part_names.push_back(name ? name->get<std::string>() : "");
     body.parts.push_back(read_part(part));
   });
   file.table("body", [&](TomlTable& table) {

@@ -81,11 +81,15 @@ double intersection_over_union(const image::Image& drawn, const nlohmann::json& 
   return static_cast<double>(both) / either;
 }
 
-TEST(Silhouette, IsWhereRaysFindTheCylinders) {
+class Silhouette : public testing::TestWithParam<const char*> {};
+
+TEST_P(Silhouette, IsWhereRaysFindTheCylinders) {
   const ScratchFolder folder;
-  const Outcome run = run_twrench(folder,
-                                  "render --bare --background transparent --size 640x360 "
-                                  "--frames 0-959:40 --no-video --progress none --frames-dir f");
+  const Outcome run =
+      run_twrench(folder,
+                  "render --bare --background transparent --size 640x360 --frames 0-959:40 "
+                  "--no-video --progress none --frames-dir f --frame " +
+                      std::string(GetParam()));
   ASSERT_EQ(run.code, 0) << run.err;
   const auto manifest = nlohmann::json::parse(text_of(folder / "f/manifest.json"));
   ASSERT_EQ(manifest["frames"].size(), 24U);
@@ -95,6 +99,8 @@ TEST(Silhouette, IsWhereRaysFindTheCylinders) {
     EXPECT_GE(intersection_over_union(drawn, frame), 0.99) << "frame " << frame["frame"];
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(InEveryFrame, Silhouette, testing::Values("space", "body", "rotating"));
 
 }  // namespace
 }  // namespace twrench

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/rotating_frame.h>
 #include <twrench/motion/stability.h>
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -111,6 +115,49 @@ TEST(Tilt, IsTheAngleToEitherEndOfTheAxis) {
     EXPECT_NEAR(std::cos(tilt.of(sample)), cosine, 1e-12) << t;
   }
   EXPECT_NEAR(tilt.of(motion.at(2 * flips->first)), tilt.of(motion.at(0)), 1e-9) << "the other end";
+}
+
+TEST(Tilt, GrowsWhereTheBodyTurnsInItsDirection) {
+  for (const Vector3d& omega :
+       {Vector3d(1, 0.05, 0), Vector3d(-1, 0.1, 0.3), Vector3d(0.1, 0.2, -1)}) {
+    const FreeBody body = wrench(omega);
+    const Tilt tilt(body);
+    const Sample sample = ExactMotion(body).at(3);
+    const Vector3d direction = tilt.direction(sample);
+    EXPECT_NEAR(direction.norm(), 1, 1e-14);
+    // Turned by an angle in its own axes, with L where it is.
+    Sample turned = sample;
+    turned.X = sample.X * so3::exp(0.01 * direction);
+    turned.omega = body.inverse() * turned.X.transpose() * body.momentum();
+    EXPECT_NEAR(tilt.of(turned), tilt.of(sample) + 0.01, 1e-12);
+  }
+  const FreeBody steady = wrench({0, 0, 1});
+  EXPECT_EQ(Tilt(steady).direction(ExactMotion(steady).at(1)), Vector3d::Zero());
+}
+
+// The sums that docs/theory.md lists: of the leg, of the handle, and the rate of growth of both.
+TEST(Tilt, OfTheTWrenchIsMadeToGrowByTheLeg) {
+  const std::array parts{
+      body::Part{body::Cylinder{1, 4}, 6.7, {2, 0, 0}, body::frame_with_z_along({1, 0, 0})},
+      body::Part{body::Cylinder{1, 8}, 6.7, {-1, 0, 0}, body::frame_with_z_along({0, 1, 0})}};
+  const FreeBody body = wrench({1, 1e-7, 0});
+  const Tilt tilt(body);
+  const Sample sample = ExactMotion(body).at(20);
+  const FrameForces forces(steady_frame(body, 20), body, sample);
+  const Vector3d direction =
+      steady_frame(body, 20).attitude.transpose() * sample.X * tilt.direction(sample);
+  std::array<double, 2> torque{}, coriolis{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const auto& [mass, position] : body::equimomental_points(parts[i])) {
+      const PointForces on = forces.on(mass, position);
+      torque[i] += direction.dot(on.position.cross(on.centrifugal)) / tilt.of(sample);
+      coriolis[i] += direction.dot(on.position.cross(on.coriolis)) / tilt.of(sample);
+    }
+  }
+  EXPECT_NEAR(torque[0], 428, 0.5);
+  EXPECT_NEAR(torque[1], -270, 0.5);
+  EXPECT_NEAR(coriolis[0], 0, 0.1);
+  EXPECT_NEAR(coriolis[1], 0, 0.1);
 }
 
 TEST(Tilt, OfABodyAtRestIsZero) {

@@ -40,7 +40,7 @@ length = 1
 [[shot]]
 length = 2
 fade = 1
-move = 1.5
+move = 1
 [shot.overlay]
 show = ["floor", "momentum", "axes"]
 [shot.camera]
@@ -125,7 +125,7 @@ TEST_F(FilmRendererTest, MovesTheCameraOfBothShots) {
   const auto camera = [&](std::size_t frame) {
     return renderer.camera(timeline, timeline.frame(frame));
   };
-  const Camera before = camera(3), start = camera(4), middle = camera(7), end = camera(10);
+  const Camera before = camera(3), start = camera(4), middle = camera(6), end = camera(10);
   EXPECT_EQ(start.view, before.view);
   EXPECT_EQ(start.projection, before.projection);
   EXPECT_GT(middle.distance, start.distance);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "scene/scene.h"
+#include "scene/scene_json.h"
 #include "system/error.h"
 
 namespace twrench::scene {
@@ -274,6 +275,22 @@ TEST(Scene, FrameCountIsBounded) {
   scene.motion.duration = 1e-6;
   scene.film.speed = 1;
   EXPECT_THROW(scene.frame_count(), InvalidArgument);
+}
+
+TEST(SceneFile, GroupsPartsByTheirNames) {
+  const auto names = [](const Body& body) {
+    std::vector<std::string> result;
+    for (const PartGroup& group : part_groups(body)) {
+      result.push_back(group.name + " x" + std::to_string(group.parts.size()));
+    }
+    return result;
+  };
+  EXPECT_THAT(names(load_scene("dzhanibekov").body), testing::ElementsAre("handle x1", "leg x1"));
+  EXPECT_THAT(names(load_scene("tao-disk").body),
+              testing::ElementsAre("disc x1", "heavy balls x2", "light balls x2"));
+  EXPECT_THAT(names(load_scene("sphere").body), testing::ElementsAre("part 1 x1"));
+  EXPECT_THAT(names({{}, Vector3d(1, 2, 3)}), testing::ElementsAre("part 1 x1"));
+  EXPECT_EQ(scene_json(load_scene("dzhanibekov"))["part"][1]["name"], "leg");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <future>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "run_command.h"
@@ -113,6 +114,34 @@ TEST(Encoder, KeepsColours) {
     ASSERT_NEAR(decoded[i], frames[i / frame_size].pixels[i % frame_size], tolerance)
         << "colour " << i / frame_size << ", channel " << i % 3;
   }
+}
+
+// A dark gradient of one hue, as the floor's, dithered: stretched five times, it must not show
+// patches of other hues.
+TEST(Encoder, KeepsTheHueOfADarkGradient) {
+  constexpr VideoFormat wide{640, 360, 30.0};
+  image::Image image(wide.width, wide.height, 3);
+  for (int i = 0; i < wide.width * wide.height; ++i) {
+    const int x = i % wide.width, y = i / wide.width;
+    const int gray = static_cast<int>(13 + 42.0 * y / wide.height + 0.25 * ((x + 2 * y) % 4));
+    const auto at = 3 * static_cast<std::size_t>(i);
+    image.pixels[at] = static_cast<std::uint8_t>(gray - 3);
+    image.pixels[at + 1] = static_cast<std::uint8_t>(gray);
+    image.pixels[at + 2] = static_cast<std::uint8_t>(gray + 8);
+  }
+  const ScratchFolder scratch;
+  VideoEncoder encoder(scratch / "film.mp4", wide);
+  for (int frame = 0; frame < 3; ++frame) encoder.write(image);
+  encoder.finish();
+  const auto decoded = decode(scratch, "film.mp4");
+  int least_red = 255, most_red = -255, least_blue = 255, most_blue = -255;
+  for (std::size_t i = 0; i < decoded.size(); i += 3) {
+    const int red = decoded[i] - decoded[i + 1], blue = decoded[i + 2] - decoded[i + 1];
+    std::tie(least_red, most_red) = std::minmax({least_red, most_red, red});
+    std::tie(least_blue, most_blue) = std::minmax({least_blue, most_blue, blue});
+  }
+  EXPECT_LE(5 * (most_red - least_red), 10);
+  EXPECT_LE(5 * (most_blue - least_blue), 10);
 }
 
 TEST(Encoder, MakesColoursNeitherDarkerNorLighter) {

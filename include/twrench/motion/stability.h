@@ -47,6 +47,10 @@ class Tilt {
   /// Returns the tilt in rad, from 0 to pi/2; 0 for a body at rest.
   double of(const Sample& sample) const;
 
+  /// Returns the unit vector in body axes about which the body must turn, right-handed, to tilt
+  /// further; 0 if it is not tilted.
+  Eigen::Vector3d direction(const Sample& sample) const;
+
   /// Returns the growth of a small tilt until the first flip, or nothing if the axis is not
   /// unstable: the linearised tilt tends to amplitude * exp(rate * t).
   struct Growth {
@@ -57,6 +61,7 @@ class Tilt {
 
  private:
   Eigen::Vector3d moments_;
+  Eigen::Matrix3d axes_;                 ///< Body from principal axes.
   Eigen::Matrix3d momentum_from_omega_;  ///< From body axes to principal ones.
   Eigen::Vector3d start_;                ///< Momentum at t = 0 in principal axes.
   int axis_ = 0;

@@ -63,9 +63,10 @@ struct Layout {
   std::optional<image::Area> description;
   /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
-  /// The legend of the forces, one row, and what takes the place of the components or, where none
-  /// are shown, a part of the body's pane: the tilt against time, and the principal moments.
-  std::optional<image::Area> forces, tilt, moments;
+  /// The legend of the forces, one row; and what takes the place of the curve or the components or,
+  /// where none are shown, a part of the body's pane: the tilt against time, the principal moments,
+  /// and the torques of the forces, which without the other two stand above the legend.
+  std::optional<image::Area> forces, torques, tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
 

@@ -47,8 +47,8 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts, Words wo
 
 /// The more lines, the shorter they are.
 void LayoutDraft::place_caption() {
-  constexpr double em = 0.056;  // of the shorter side
-  constexpr double least = 9;   // px
+  constexpr double em = 0.0565;  // of the shorter side
+  constexpr double least = 9;    // px
   const double size = em * shorter(picture_);
   if (size < least) return;
   const int lines = 4 * picture_.width >= 5 * picture_.height   ? 2

@@ -25,7 +25,7 @@ std::vector<std::string> words_of(const std::string& text) {
 /// What speaks against ending a line with that word, of the mean of the squared shares of the
 /// lines.
 double reluctance(const std::string& word) {
-  constexpr double at_sentence = 0, at_comma = 0.02, elsewhere = 0.05;
+  constexpr double at_sentence = 0, at_comma = 0.04, elsewhere = 0.1;
   switch (word.back()) {
     case '.':
     case '!':

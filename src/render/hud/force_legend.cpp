@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/hud/panel.h"
 #include "render/look/force_style.h"
 
 namespace twrench::render {
@@ -59,9 +60,10 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   const double width = width_of(row) * size;
   if (width > area.width) return;
   const image::Area extent{area.x, area.y, static_cast<int>(std::ceil(width)), area.height};
-  layer_ = layer_around(extent, static_cast<int>(std::ceil(0.3 * size)),
-                        {0, 0, scene.film.width, scene.film.height});
+  const int margin = static_cast<int>(std::ceil(0.3 * size));
+  layer_ = layer_around(extent, margin, {0, 0, scene.film.width, scene.film.height});
   canvas::Canvas canvas(layer_.image, layer_.x, layer_.y);
+  if (style.panels) draw_panel(canvas, layer_.area(), margin, style.colors);
   const double base = area.y + name_baseline * size;
   double x = area.x;
   for (const auto& [name, color, has_sample] : row) {
@@ -73,9 +75,9 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   }
 }
 
-std::vector<Layer> ForceLegend::static_layers() {
-  std::vector<Layer> layers;
-  if (layer_.image.width > 0) layers.push_back(layer_);
+std::vector<PendingLayer> ForceLegend::draw(const timeline::FrameState& /*state*/) {
+  std::vector<PendingLayer> layers;
+  if (layer_.image.width > 0) layers.push_back(ready(layer_));
   return layers;
 }
 

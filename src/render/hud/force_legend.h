@@ -13,8 +13,7 @@ class ForceLegend : public Element {
   /// Uses layout.forces.
   ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style);
 
-  std::vector<Layer> static_layers() override;
-  std::vector<PendingLayer> draw(const timeline::FrameState& /*state*/) override { return {}; }
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
 
  private:
   Layer layer_;

@@ -18,8 +18,7 @@ class MomentsPanel : public Element {
   MomentsPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<Layer> static_layers() override;
-  std::vector<PendingLayer> draw(const timeline::FrameState& /*state*/) override { return {}; }
+  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
 
  private:
   Layer layer_;

@@ -75,7 +75,7 @@ image::Image flat(const scene::Color& color, int width, int height) {
 
 }  // namespace
 
-image::Image background(const scene::Look& look, int width, int height) {
+image::Image background(const scene::Look& look, int width, int height, bool still_stars) {
   if (look.background) return flat(*look.background, width, height);
   const Backdrop& backdrop = style_of(look.theme).backdrop;
   const Array3d above = array_of(backdrop.above);
@@ -96,7 +96,7 @@ image::Image background(const scene::Look& look, int width, int height) {
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value - darker + offset);
     }
   }
-  add_stars(image, backdrop.stars);
+  if (still_stars) add_stars(image, backdrop.stars);
   return image;
 }
 

@@ -65,7 +65,7 @@ ThemeStyle studio() {
           .metallic = 1,
           .roughness = 0.25,
           .studio = dark_studio(),
-          .backdrop = {{10, 13, 21}, {52, 55, 63}, 0.16, 0},
+          .backdrop = {{11, 13, 20}, {53, 55, 62}, 0.16, 0},
           .floor = FloorStyle{{41, 41, 41}, 0.5, 0.16, 0.14},
           .overlay = on_dark()};
 }

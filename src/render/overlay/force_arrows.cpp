@@ -11,22 +11,27 @@ namespace {
 using Eigen::Vector3d;
 
 // As multiples of the body's radius.
-constexpr double longest_force = 0.55, shortest_force = 0.02, force_shaft = 0.013, small_part = 0.3;
+constexpr double longest_force = 0.5, shortest_force = 0.02, force_shaft = 0.013, small_part = 0.3,
+                 off_the_end = 0.02;
 constexpr double long_axis = 0.5;  // of a part, compared with its longest
 
 /// Returns the points of a part whose forces are shown.
-std::vector<body::PointMass> shown_points(const body::Part& part, double radius) {
+std::vector<ForceArrows::Point> shown_points(const body::Part& part, double radius) {
   const auto all = body::equimomental_points(part);
   const auto arm = [&](const body::PointMass& point) {
     return (point.position - part.position).norm();
   };
   double longest = 0;
   for (const body::PointMass& point : all) longest = std::max(longest, arm(point));
-  if (longest < small_part * radius) return {{6 * all[0].mass, part.position}};
-  std::vector<body::PointMass> points;
-  std::ranges::copy_if(all, std::back_inserter(points), [&](const body::PointMass& point) {
-    return arm(point) >= long_axis * longest;
-  });
+  if (longest < small_part * radius) {
+    return {{{6 * all[0].mass, part.position}, part.position, body::bounding_radius(part.shape)}};
+  }
+  std::vector<ForceArrows::Point> points;
+  for (const body::PointMass& point : all) {
+    if (arm(point) < long_axis * longest) continue;
+    const Vector3d out = (point.position - part.position).normalized();
+    points.push_back({point, point.position + off_the_end * radius * out, 0});
+  }
   return points;
 }
 
@@ -45,47 +50,53 @@ ForceArrows::ForceArrows(const scene::Scene& scene, const timeline::Solution& so
       shaft_(force_shaft * thickness_of(scene.overlay, scene::Feature::forces)),
       frame_(scene.camera.frame),
       body_(solution.body),
-      radius_(radius),
-      bounding_radius_(radius) {
+      radius_(radius) {
   for (const body::Part& part : scene::visible_parts(scene.body)) {
     std::ranges::copy(shown_points(part, radius), std::back_inserter(points_));
   }
   constexpr std::size_t stride = 8;  // of the samples, which are finer than needed here
   const auto for_each_force = [&](const auto& visit_one) {
     for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
-      visit(solution.whole[i], visit_one);
+      const motion::Sample& sample = solution.whole[i];
+      const motion::RotatingFrame frame = timeline::reference_frame(frame_, body_, sample);
+      visit(frame, sample, [&](const Vector3d& start, const Vector3d& force, Force) {
+        visit_one(frame, start, force);
+      });
     }
   };
   double strongest = 0;
-  for_each_force([&](const Vector3d&, const Vector3d& force, Force) {
+  for_each_force([&](const motion::RotatingFrame&, const Vector3d&, const Vector3d& force) {
     strongest = std::max(strongest, force.norm());
   });
   if (!(strongest > 0)) return;
   scale_ = longest_force * radius / strongest;
-  for_each_force([&](const Vector3d& place, const Vector3d& force, Force) {
-    bounding_radius_ = std::max(bounding_radius_, (place + scale_ * force).norm());
-  });
+  for_each_force(
+      [&](const motion::RotatingFrame& frame, const Vector3d& start, const Vector3d& force) {
+        extent_.emplace_back(frame.attitude.transpose() * (start + scale_ * force));
+      });
 }
 
-/// Calls `visit` with the position and the force in space and its kind, for each arrow.
+/// Calls `visit` with the start of the arrow and the force in space, and its kind, for each arrow.
 template <typename Visit>
-void ForceArrows::visit(const motion::Sample& sample, Visit visit) const {
-  const motion::RotatingFrame frame = timeline::reference_frame(frame_, body_, sample);
+void ForceArrows::visit(const motion::RotatingFrame& frame, const motion::Sample& sample,
+                        Visit visit) const {
   const motion::FrameForces forces(frame, body_, sample);
-  for (const auto& [mass, position] : points_) {
-    const motion::PointForces on = forces.on(mass, position);
+  for (const auto& [point, start, clearance] : points_) {
+    const motion::PointForces on = forces.on(point.mass, point.position);
     for (const Force kind : forces_in(frame_)) {
-      visit(frame.attitude * on.position, frame.attitude * force_of(on, kind), kind);
+      const Vector3d force = frame.attitude * force_of(on, kind);
+      visit(sample.X * start + clearance * force.stableNormalized(), force, kind);
     }
   }
 }
 
 void ForceArrows::draw(const timeline::SolutionState& instant, DrawList& opaque) const {
-  visit(instant.sample, [&](const Vector3d& place, const Vector3d& force, Force kind) {
+  const motion::RotatingFrame frame = timeline::reference_frame(frame_, body_, instant.sample);
+  visit(frame, instant.sample, [&](const Vector3d& start, const Vector3d& force, Force kind) {
     const Vector3d arrow = scale_ * force;
     if (arrow.norm() < shortest_force * radius_) return;
     const scene::Color color = color_of(kind, colors_);
-    opaque.arrow(place, place + arrow, shaft_ * radius_,
+    opaque.arrow(start, start + arrow, shaft_ * radius_,
                  {is_dimmed_ ? dimmed(color, colors_) : color});
   });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <twrench/motion/rotating_frame.h>
+
 #include <Eigen/Core>
 #include <vector>
 
@@ -19,22 +21,26 @@ class ForceArrows {
   /// `radius` is the bounding radius of the body in every pose, in cm.
   ForceArrows(const scene::Scene& scene, const timeline::Solution& solution, double radius);
 
-  /// Returns the radius in cm of the sphere about the centre of mass that holds all arrows of the
-  /// film.
-  double bounding_radius() const { return bounding_radius_; }
+  /// Returns the tips of the film's arrows, along the axes of the frame, in cm.
+  const std::vector<Eigen::Vector3d>& extent() const { return extent_; }
 
   /// Returns the length in cm of the arrow for 1 dyn; 0 if no force ever acts.
   double scale() const { return scale_; }
 
-  /// Returns the masses whose forces are shown, in body axes.
-  const std::vector<body::PointMass>& points() const { return points_; }
+  /// A mass whose forces are shown. Lengths in cm, in body axes.
+  struct Point {
+    body::PointMass mass;
+    Eigen::Vector3d start;  ///< Where its arrows start: just off the end of a rod.
+    double clearance;       ///< By how much farther on they start, each in its own direction.
+  };
+  const std::vector<Point>& points() const { return points_; }
 
   /// Adds the arrows at that instant, except those too short to be seen.
   void draw(const timeline::SolutionState& instant, DrawList& opaque) const;
 
  private:
   template <typename Visit>
-  void visit(const motion::Sample& sample, Visit visit) const;
+  void visit(const motion::RotatingFrame& frame, const motion::Sample& sample, Visit visit) const;
 
   OverlayColors colors_;
   bool is_dimmed_;
@@ -42,9 +48,9 @@ class ForceArrows {
   scene::Frame frame_;
   motion::FreeBody body_;
   double radius_;
-  std::vector<body::PointMass> points_;
+  std::vector<Point> points_;
   double scale_ = 0;
-  double bounding_radius_;
+  std::vector<Eigen::Vector3d> extent_;
 };
 
 }  // namespace twrench::render

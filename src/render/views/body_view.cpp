@@ -108,20 +108,20 @@ void BodyView::add_surroundings(const gl::Functions& gl, const scene::Scene& sce
 /// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
 Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution& solution) const {
   std::vector<Eigen::Vector3d> points;
+  if (forces_) points = forces_->extent();
   constexpr std::size_t stride = 12;  // of the samples, which are finer than needed here
   for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
     const Matrix3d frame_from_space = frame_at(solution.whole[i]).attitude.transpose();
     for (const Eigen::Vector3d& p : overlay_.extent()) points.emplace_back(frame_from_space * p);
     if (frame_ == scene::Frame::space) break;  // there they are at rest
   }
-  const double radius =
-      std::max(overlay_.bounding_radius(), forces_ ? forces_->bounding_radius() : 0);
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
   const double orbit = scene.camera.orbit * scene.video_length();
   const std::vector<Eigen::Vector3d> directions =
       directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
   Framing framing =
-      fitted({{0, 0, 1}, scene.camera.field_of_view, aspect, radius}, directions, points);
+      fitted({{0, 0, 1}, scene.camera.field_of_view, aspect, overlay_.bounding_radius()},
+             directions, points);
   framing.distance *= scene.camera.distance;
   framing.centre /= scene.camera.distance;
   return framing;

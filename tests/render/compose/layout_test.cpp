@@ -41,7 +41,8 @@ std::string text(const image::Area& a) {
 std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = layout.legends;
   for (const auto& area : {layout.title, layout.readouts, layout.description, layout.components,
-                           layout.curve, layout.forces, layout.tilt, layout.moments}) {
+                           layout.curve, layout.forces, layout.tilt, layout.moments,
+                           layout.torques}) {
     if (area) areas.push_back(*area);
   }
   for (const auto& pane : {layout.momentum, layout.poinsot}) {
@@ -83,6 +84,7 @@ void for_each_layout(scene::View view, int compared,
     }
     if (scene.overlay.shows(scene::Feature::forces)) {
       scene.overlay.show.insert({scene::Feature::tilt, scene::Feature::moments});
+      scene.camera.frame = scene::Frame::rotating;
     }
     for (const int width : sides) {
       for (const int height : sides) {
@@ -298,6 +300,9 @@ TEST(Layout, GivesTiltAndMomentsThePlaceOfTheComponents) {
     EXPECT_TRUE(layout.tilt && layout.moments) << width;
     EXPECT_TRUE(inside(*layout.tilt, *before.components) &&
                 inside(*layout.moments, *before.components));
+    scene.overlay.show.erase(scene::Feature::sphere);
+    const Layout alone = compute_layout(scene);
+    EXPECT_GE(alone.tilt->height, layout.tilt->height) << "in the place of the sphere too";
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/drawn_layers.h"
 #include "render/look/force_style.h"
 #include "render/overlay_scene.h"
 
@@ -15,9 +16,10 @@ scene::Scene with_forces(int width, int height, scene::Frame frame) {
   return scene;
 }
 
-std::vector<Layer> legend(const OverlayScene& all) {
+std::vector<Layer> legend_of(const OverlayScene& all) {
   const TextStyle style{all.typeface, all.colors, all.layout.text, all.layout.compact, false};
-  return ForceLegend(all.scene, all.layout, style).static_layers();
+  ForceLegend legend(all.scene, all.layout, style);
+  return drawn_layers(legend, all.timeline.frame_state(0));
 }
 
 bool has(const Layer& layer, const scene::Color& color) {
@@ -32,7 +34,7 @@ TEST(ForceLegend, HasTheColoursOfTheForcesInTheFrameAndNoOther) {
   for (const auto& [frame, other] :
        {std::pair(scene::Frame::rotating, Force::euler), {scene::Frame::body, Force::coriolis}}) {
     const OverlayScene all(with_forces(1280, 720, frame));
-    const auto layers = legend(all);
+    const auto layers = legend_of(all);
     ASSERT_EQ(layers.size(), 1U);
     for (const Force force : forces_in(frame)) {
       EXPECT_TRUE(has(layers[0], color_of(force, all.colors))) << name_of(force);
@@ -47,7 +49,7 @@ TEST(ForceLegend, StaysInItsRow) {
     const OverlayScene all(with_forces(width, height, scene::Frame::rotating));
     if (!all.layout.forces) continue;
     const auto feather = static_cast<int>(std::ceil(2.2 * all.layout.text.caption));
-    for (const Layer& layer : legend(all)) {
+    for (const Layer& layer : legend_of(all)) {
       EXPECT_LE(layer.image.width, all.layout.forces->width + 2 * feather) << width;
       EXPECT_LE(layer.image.height, all.layout.forces->height + 2 * feather) << width;
     }

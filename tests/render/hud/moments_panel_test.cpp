@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -13,8 +14,8 @@ std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*
   scene.motion.omega = omega;
   const OverlayScene all(scene);
   colors = &style_of(scene.look.theme).overlay;
-  return MomentsPanel(all.scene, all.timeline.solutions(), all.layout, all.typeface, all.colors)
-      .static_layers();
+  MomentsPanel panel(all.scene, all.timeline.solutions(), all.layout, all.typeface, all.colors);
+  return drawn_layers(panel, all.timeline.frame_state(0));
 }
 
 /// The rows that have pixels of exactly this colour.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -84,6 +85,14 @@ TEST(Background, HasTheSameStarsInEverySize) {
     }
   }
   EXPECT_GT(stars, 20);
+}
+
+TEST(Background, LeavesOutStarsThatWouldHaveToMove) {
+  scene::Look look;
+  look.theme = scene::Theme::space;
+  const image::Image empty = background(look, 640, 360, false), all = background(look, 640, 360);
+  EXPECT_LT(*std::ranges::max_element(empty.pixels), 32);
+  EXPECT_GT(*std::ranges::max_element(all.pixels), 32);
 }
 
 }  // namespace
