@@ -46,7 +46,9 @@ const std::map<std::string_view, std::string_view>& @name@() {
 }
 }
 ")
-  set_source_files_properties(${dir}/${name}.cpp PROPERTIES OBJECT_DEPENDS "${paths}")
+  # Not in a unity build, whose files do not depend on what one of them embeds.
+  set_source_files_properties(${dir}/${name}.cpp PROPERTIES
+    OBJECT_DEPENDS "${paths}" SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${dir}/${name}.cpp)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()

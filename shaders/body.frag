@@ -59,5 +59,6 @@ void main() {
   vec3 reflected = occluded(incoming, place, mirrored, width_squared);
   vec3 light = painted(reflected * environment_brdf(n_v) + scattered(place, n), n);
   light *= contact_shadow(place);
-  color = coverage * contact_coverage(place, to_eye, scale) * vec4(filmic_srgb(light) + dither(gl_FragCoord.xy), 1.0);
+  vec3 srgb = filmic_srgb(light) + dither(gl_FragCoord.xy);
+  color = coverage * contact_coverage(place, to_eye, scale) * vec4(srgb, 1.0);
 }

@@ -41,10 +41,11 @@ void main() {
   vec3 towards_eye = eye - stage_position;
   vec3 to_eye = normalize(towards_eye);
   vec3 n = normalize(stage_normal);
-  // On a round shape, the vertices of the silhouette are moved to the outline: on a circle of radius
-  // r a point with the cosine c between normal and line of sight lies r c^2 / 2 inside.
+  // On a round shape, the vertices of the silhouette are moved to the outline: on a circle of
+  // radius r a point with the cosine c between normal and line of sight lies r c^2 / 2 inside.
   vec3 radii = part_radii * clip_from_stage[1][1] * picture.y / place.w;  // pixels
-  float inside = abs(offset) < 1.0 ? 0.0 : min(0.5 * radii.y * dot(n, to_eye) * dot(n, to_eye), 1.0);
+  float cosine = dot(n, to_eye);
+  float inside = abs(offset) < 1.0 ? 0.0 : min(0.5 * radii.y * cosine * cosine, 1.0);
   place.xy += (offset + 2.0 * inside) * picture.z * place.w * outward / picture.xy;
   gl_Position = place;
 
@@ -79,7 +80,7 @@ void main() {
   float facing = sqrt(min(2.0 * within * picture.z / max(radius, 1.0), 0.8));
   stage_normal = n;
   if (offset * picture.z != 0.0) {
-    stage_normal = normalize(n + max(facing - dot(n, to_eye), 0.0) * to_eye);
+    stage_normal = normalize(n + max(facing - cosine, 0.0) * to_eye);
   }
   pass_on_neighbours();
 }

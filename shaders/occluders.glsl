@@ -19,12 +19,12 @@ vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_square
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;
   float radius = neighbour_end[i].w;
-  // The point of the axis closest to the ray: the foot of the common normal of two lines. A ray that
-  // leads away from the axis is closest to it at its start.
+  // The point of the axis closest to the ray: the foot of the common normal of two lines. A ray
+  // that leads away from the axis is closest to it at its start.
   float along = dot(axis, direction);
   float foot = -dot(axis, to_end) * neighbour_size[i].y;
   float approach = max(dot(to_end + foot * axis, direction), 0.0);
-  float s = clamp(foot + along * approach / (1.05 * neighbour_size[i].x - along * along), 0.0, 1.0);
+  float s = clamp(foot + along * approach / (1.2 * neighbour_size[i].x - along * along), 0.0, 1.0);
   float square = square_to_axis(i, place, s);
   float ahead = dot(to_end, direction) + s * along;
   float aside_squared = max(square - ahead * max(ahead, 0.0), 0.0);

@@ -79,7 +79,8 @@ class ShotReader {
 
   void read(TomlTable& table);
 
-  /// Returns the shots. The motion of each lasts until no shot of the same motion needs it.
+  /// Returns the shots. The motion of each lasts until no shot of the same motion needs it, unless
+  /// the shot says otherwise.
   std::vector<Shot> finish();
 
  private:
@@ -150,15 +151,17 @@ void ShotReader::read(TomlTable& table) {
 }
 
 std::vector<Shot> ShotReader::finish() {
+  std::vector<double> ends;  // of the shots, and of what is seen of them in the next
   for (std::size_t i = 0; i < shots_.size(); ++i) {
     const bool last = i + 1 == shots_.size();
     const double after = last ? 0 : std::max(shots_[i + 1].fade, shots_[i + 1].move);
+    ends.push_back(shots_[i].time_of(*shots_[i].scene.length + after));
     double& needed = motions_[motion_of_shot_[i]].needed;
-    needed = std::max(needed, shots_[i].time_of(*shots_[i].scene.length + after));
+    needed = std::max(needed, ends.back());
   }
   for (std::size_t i = 0; i < shots_.size(); ++i) {
     double& duration = shots_[i].scene.motion.duration;
-    duration = std::max(duration, motions_[motion_of_shot_[i]].needed);
+    duration = duration > 0 ? std::max(duration, ends[i]) : motions_[motion_of_shot_[i]].needed;
     if (duration == 0) duration = Motion().duration;  // a motion frozen at its start
   }
   return std::move(shots_);

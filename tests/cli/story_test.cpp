@@ -99,7 +99,7 @@ TEST_F(Story, ResumeSeesAChangeOfAnyShot) {
     other.replace(other.find(old), std::string(old).size(), changed);
     write(other);
     const Outcome run = render("--no-video --frames 0 --resume");
-    EXPECT_EQ(run.code, 5) << old;
+    EXPECT_EQ(run.code, 2) << old;
     EXPECT_THAT(run.err, HasSubstr("another scene"));
   }
 }
@@ -112,7 +112,7 @@ TEST_F(Story, KeepsTheTimesOfAPartsCaptions) {
 TEST_F(Story, ReplacesNoCaptionsOfSomethingElse) {
   system::write_file_atomically(folder / "film.vtt", "WEBVTT\n\nof another film");
   const Outcome refused = render("--no-frames -o film.mp4");
-  EXPECT_EQ(refused.code, 5);
+  EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("film.vtt"));
   EXPECT_FALSE(fs::exists(folder / "film.mp4"));
   EXPECT_EQ(render("--no-frames -o film.mp4 --overwrite").code, 0);

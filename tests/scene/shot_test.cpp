@@ -114,7 +114,11 @@ TEST(Shots, HaveMotionsAsLongAsAnyOfThemNeeds) {
   for (const std::size_t same : {0U, 1U, 3U}) {
     EXPECT_EQ(scene.shots[same].scene.motion.duration, 8) << same;
   }
-  EXPECT_EQ(scene.shots[2].scene.motion.duration, 50);
+  EXPECT_EQ(scene.shots[2].scene.motion.duration, 50) << "as it says";
+  std::string shorter = story;
+  shorter.replace(shorter.find("duration = 50"), 13, "duration = 5.");
+  EXPECT_DOUBLE_EQ(parse_scene(shorter, "story.toml").shots[2].scene.motion.duration, 7 + 2 * 2.04)
+      << "but as long as it is seen";
   const Scene frozen = parse_scene(film + "[[shot]]\nlength = 1\nspeed = 0", "story.toml");
   EXPECT_GT(frozen.shots[0].scene.motion.duration, 0);
 }

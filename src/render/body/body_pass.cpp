@@ -12,7 +12,6 @@
 #include "embedded/shaders.h"
 #include "gl/vertices.h"
 #include "render/body/facets.h"
-#include "render/body/revolution.h"
 #include "render/body/shader_constants.h"
 #include "render/space/glm_from_eigen.h"
 
@@ -53,34 +52,6 @@ std::vector<std::size_t> side_begins(const Mesh& mesh) {
     begins.push_back(mesh.sides[part] ? mesh.sides[part]->begin : mesh.part_ends[part]);
   }
   return begins;
-}
-
-/// The rows of the matrix that maps (position, 1) in body axes, cm, to the position across an axis,
-/// the z axis of `frame` through `centre`, in units of `radius`.
-AcrossFromBody across_axis(const Matrix3d& frame, const Vector3d& centre, double radius) {
-  AcrossFromBody rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector3d row = frame.col(static_cast<Eigen::Index>(i)) / radius;
-    rows[i] = glm::vec4(glm_from_eigen(row), static_cast<float>(-row.dot(centre)));
-  }
-  return rows;
-}
-
-/// For each part, across the axis of a body of revolution, which all share, or else a cylinder's
-/// own; 0 for other shapes.
-std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts, double radius) {
-  if (const auto axis = axis_of_revolution(parts)) {
-    const AcrossFromBody all =
-        across_axis(body::frame_with_z_along(*axis), Vector3d::Zero(), radius);
-    return std::vector(parts.size(), all);
-  }
-  std::vector<AcrossFromBody> result;
-  for (const body::Part& part : parts) {
-    const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
-    result.push_back(cylinder ? across_axis(part.body_from_part, part.position, cylinder->radius)
-                              : AcrossFromBody{});
-  }
-  return result;
 }
 
 /// Unit vectors in body axes; 0 for parts that are not cylinders.
@@ -147,7 +118,7 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, d
       occluder_count_(most_of_any(occluders_)),
       part_radii_(part_radii(parts, mesh_, radius)),
       part_axes_(part_axes(parts)),
-      across_from_body_(across_from_body(parts, radius)),
+      across_from_body_(across_from_body(parts)),
       program_(body_program(gl, material, studio, occluder_count_,
                             axis_of_revolution(parts).has_value())),
       array_(gl),

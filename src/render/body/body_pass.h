@@ -1,8 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <glm/vec4.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "gl/handle.h"
@@ -10,6 +9,7 @@
 #include "image/area.h"
 #include "render/body/mesh.h"
 #include "render/body/occluders.h"
+#include "render/body/revolution.h"
 #include "render/body/silhouette.h"
 #include "render/look/material.h"
 #include "render/look/studio.h"
@@ -19,9 +19,6 @@ namespace twrench::render {
 
 /// Attribute locations of the members of Vertex and EdgeQuadVertex in the body's vertex shader.
 enum BodyAttribute : GLuint { position_attribute = 0, normal_attribute = 1, offset_attribute = 2 };
-
-/// The matrix across_from_body of the body's vertex shader, by rows.
-using AcrossFromBody = std::array<glm::vec4, 2>;
 
 /// Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and
 /// its bounding radius scaled to 1. Colour is premultiplied, with alpha 1 on the body.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "render/space/glm_from_eigen.h"
+
 namespace twrench::render {
 namespace {
 
@@ -28,6 +30,39 @@ bool turns_into_itself(const body::Part& part, const Vector3d& axis) {
   return (Q * tensor * Q.transpose() - R * tensor * R.transpose()).norm() <= round_off;
 }
 
+/// The rows of the matrix that maps (position, 1) in body axes, cm, to the position across an axis,
+/// the z axis of `frame` through `centre`, in units of `radius`.
+AcrossFromBody across_axis(const Matrix3d& frame, const Vector3d& centre, double radius) {
+  AcrossFromBody rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Vector3d row = frame.col(static_cast<Eigen::Index>(i)) / radius;
+    rows[i] = glm::vec4(glm_from_eigen(row), static_cast<float>(-row.dot(centre)));
+  }
+  return rows;
+}
+
+/// The radius of a shape across the axis of the body that it is a part of.
+struct RadiusAcross {
+  Vector3d direction;  // in the shape's own frame; unit vector, perpendicular to the axis
+
+  double operator()(const body::Cylinder& c) const { return c.radius; }
+  double operator()(const body::Box& b) const { return b.size.maxCoeff() / 2; }
+  double operator()(const body::Ellipsoid& e) const {
+    return e.radii.cwiseProduct(direction).norm();
+  }
+};
+
+/// The same for all parts of a body of revolution, in units of its largest radius.
+AcrossFromBody across_all(std::span<const body::Part> parts, const Vector3d& axis) {
+  const Matrix3d frame = body::frame_with_z_along(axis);
+  double radius = 0;
+  for (const body::Part& part : parts) {
+    const RadiusAcross across{part.body_from_part.transpose() * frame.col(0)};
+    radius = std::max(radius, std::visit(across, part.shape));
+  }
+  return across_axis(frame, Vector3d::Zero(), radius);
+}
+
 }  // namespace
 
 std::optional<Vector3d> axis_of_revolution(std::span<const body::Part> parts) {
@@ -41,6 +76,19 @@ std::optional<Vector3d> axis_of_revolution(std::span<const body::Part> parts) {
         parts, [&](const body::Part& part) { return turns_into_itself(part, axis); });
   });
   return found == candidates.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts) {
+  if (const auto axis = axis_of_revolution(parts)) {
+    return std::vector(parts.size(), across_all(parts, *axis));
+  }
+  std::vector<AcrossFromBody> result;
+  for (const body::Part& part : parts) {
+    const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
+    result.push_back(cylinder ? across_axis(part.body_from_part, part.position, cylinder->radius)
+                              : AcrossFromBody{});
+  }
+  return result;
 }
 
 }  // namespace twrench::render

@@ -5,7 +5,7 @@
 namespace twrench::render {
 
 /// Where a scene stresses some features, the opacity of each other one.
-inline constexpr double dimmed_opacity = 0.3;
+inline constexpr double dimmed_opacity = 0.55;
 
 /// Returns whether the scene stresses other features than this one.
 bool is_dimmed(const scene::Overlay& overlay, scene::Feature feature);

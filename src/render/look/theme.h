@@ -36,8 +36,8 @@ struct OverlayColors {
 };
 
 /// The background: a vertical gradient, and stars. Its colours, and so all between them, have the
-/// same differences between their channels: the 8-bit chroma planes of a video would turn a hue that
-/// varies with the brightness into visible contours.
+/// same differences between their channels: the 8-bit chroma planes of a video would turn a hue
+/// that varies with the brightness into visible contours.
 struct Backdrop {
   /// Colour at the top of the picture.
   scene::Color above;

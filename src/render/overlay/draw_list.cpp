@@ -61,12 +61,12 @@ void DrawList::begin(const Camera& camera, const image::Area& pane) {
   eye_ = -camera_from_space_.transpose() * camera.view.col(3).head<3>();
   half_size_ = 0.5 * Vector2d(pane.width, pane.height);
   scale_ = camera.projection(1, 1) * half_size_.y();
-  // At depth w, z in clip space is const * w + P23: the derivative of P23 / w, times w, for a
-  // pixel, which is w / scale_ long there.
-  clip_z_nearer_ = camera.projection(2, 3) / scale_;
+  // At depth w, z / w in clip space is P23 / w and a constant, and the pane's height spans
+  // 2 w / P11.
+  clip_z_nearer_ = 2 * camera.projection(2, 3) / camera.projection(1, 1);
   vertices_.clear();
   things_.clear();
-  for (Triangles* triangles : {&items_, &outlines_}) {
+  for (Triangles* triangles : {&items_, &outlines_, &ghosts_}) {
     triangles->faces.clear();
     triangles->edge_quads.clear();
   }

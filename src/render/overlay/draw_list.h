@@ -91,8 +91,9 @@ class DrawList {
   /// Adds the screen areas of all items.
   void add_to(ScreenArea& area) const;
 
-  /// Returns what to add to z in clip space for items to be that many pixels nearer to the eye.
-  double clip_z_nearer(double pixels) const { return clip_z_nearer_ * pixels; }
+  /// Returns what to add to z in clip space for items to be nearer to the eye by that share of the
+  /// pane's height.
+  double clip_z_nearer(double share) const { return clip_z_nearer_ * share; }
 
   /// Return the triangles of all items.
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -101,6 +102,8 @@ class DrawList {
   const std::vector<std::uint32_t>& edge_quad_indices() const { return items_.edge_quads; }
   /// Returns arrows slightly larger than the arrows: their far sides are the arrows' outlines.
   const Triangles& outlines() const { return outlines_; }
+  /// Returns plainer arrows of few triangles, for what is hidden of them.
+  const Triangles& ghosts() const { return ghosts_; }
 
  private:
   /// A point of a line in front of the eye.
@@ -114,11 +117,12 @@ class DrawList {
                        const Projected& next);
   /// Starts a new item.
   void begin_thing() { things_.push_back(vertices_.size()); }
-  void add_run();
+  void add_line(std::span<const Point> points, std::vector<std::uint32_t>& faces);
+  void add_run(std::vector<std::uint32_t>& faces);
   void add_end(const Projected& here, const Eigen::Vector2d& across, double forwards);
   void add_sides(const Projected& here, const Eigen::Vector2d& across,
                  const Eigen::Vector2d& beyond = Eigen::Vector2d::Zero());
-  void join_sides();
+  void join_sides(std::vector<std::uint32_t>& faces);
   Eigen::Vector4d clip(const Eigen::Vector3d& place) const;
   std::uint32_t add(const Eigen::Vector4d& clip, const Ink& ink, const glm::vec3& edge);
   std::uint32_t add_lit(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, const Ink& ink,
@@ -129,7 +133,8 @@ class DrawList {
   struct Cone;
   void side(const Cone& cone, Triangles& triangles);
   void base(const Cone& cone, Triangles& triangles);
-  void dome(const Cone& stem, Triangles& triangles);
+  void add_outline(const Cone& stem, const Cone& tip, double width);
+  void add_ghost(const Cone& stem, const Cone& tip);
   std::uint32_t add_on(const Cone& cone, const Eigen::Vector3d& place,
                        const Eigen::Vector3d& normal);
   void add_side_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices);
@@ -148,11 +153,11 @@ class DrawList {
   Eigen::Vector3d eye_;
   Eigen::Vector2d half_size_;   ///< Of the pane, in pixels.
   double scale_;                ///< Pixels per unit length at distance 1.
-  double clip_z_nearer_;        ///< For one pixel.
+  double clip_z_nearer_;        ///< For the pane's height.
   std::vector<Projected> run_;  ///< Visible part of the line being added.
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> things_;  ///< First vertex of each item.
-  Triangles items_, outlines_;
+  Triangles items_, outlines_, ghosts_;
 };
 
 }  // namespace twrench::render

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,8 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii of its shaft
-constexpr std::uint32_t around_arrow = 28;
+// Facets: those of outlines are seen beside the arrows only, and ghosts are faint.
+constexpr std::uint32_t around_arrow = 28, around_outline = 16, around_ghost = 10;
 constexpr double outline_width = 0.3, least_outline = 1;  // radii of the shaft, pixels
 constexpr double outline_opacity = 0.9;
 
@@ -39,6 +41,7 @@ struct DrawList::Cone {
   double length;
   double base, top;  ///< radii
   Ink ink;
+  std::uint32_t around;  ///< facets
   bool shaded;
 
   Vector3d at(double angle, double height, double radius) const {
@@ -59,6 +62,7 @@ struct DrawList::Cone {
             base + wider + slope,
             top + wider - slope,
             flat,
+            around_outline,
             false};
   }
 };
@@ -72,12 +76,12 @@ void DrawList::side(const Cone& cone, Triangles& triangles) {
   for (const auto& [height, radius] : {std::pair(0.0, cone.base), {cone.length, cone.top}}) {
     const double scale = pixels(cone.from + height * cone.frame.col(2));
     const double shrunk = std::max(radius - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
-    for (std::uint32_t i = 0; i < around_arrow; ++i) {
-      const double angle = 2 * std::numbers::pi * i / around_arrow;
+    for (std::uint32_t i = 0; i < cone.around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / cone.around;
       add_on(cone, cone.at(angle, height, shrunk), cone.normal(angle));
     }
   }
-  band(first, first + around_arrow, around_arrow, triangles.faces);
+  band(first, first + cone.around, cone.around, triangles.faces);
   add_side_edge_quads(cone, triangles.edge_quads);
 }
 
@@ -86,27 +90,13 @@ void DrawList::base(const Cone& cone, Triangles& triangles) {
   const double scale = pixels(cone.from);
   const double shrunk = std::max(cone.base - (scale > 0 ? 0.5 / scale : 0.0), 0.0);
   const std::uint32_t middle = add_on(cone, cone.from, -cone.frame.col(2));
-  for (std::uint32_t i = 0; i < around_arrow; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around_arrow;
+  for (std::uint32_t i = 0; i < cone.around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / cone.around;
     add_on(cone, cone.at(angle, 0, shrunk), -cone.frame.col(2));
     triangles.faces.insert(triangles.faces.end(),
-                           {middle, middle + 1 + (i + 1) % around_arrow, middle + 1 + i});
+                           {middle, middle + 1 + (i + 1) % cone.around, middle + 1 + i});
   }
   add_rim_edge_quads(cone, triangles.edge_quads);
-}
-
-/// The round end of an arrow's stem.
-void DrawList::dome(const Cone& stem, Triangles& triangles) {
-  constexpr double steps = 3;
-  const auto angle = [](double step) { return 0.5 * std::numbers::pi * step / steps; };
-  for (int i = 0; i < steps; ++i) {
-    Cone zone = stem;
-    zone.from -= stem.base * std::cos(angle(i)) * stem.frame.col(2);
-    zone.length = stem.base * (std::cos(angle(i)) - std::cos(angle(i + 1)));
-    zone.base = stem.base * std::sin(angle(i));
-    zone.top = stem.base * std::sin(angle(i + 1));
-    side(zone, triangles);
-  }
 }
 
 /// The silhouette of the side consists of the two lines whose normal n is perpendicular to the line
@@ -131,9 +121,9 @@ void DrawList::add_rim_edge_quads(const Cone& cone, std::vector<std::uint32_t>& 
   const Vector3d& axis = cone.frame.col(2);
   const bool base_seen = axis.dot(eye_ - cone.from) < 0;
   const Vector4d inside = clip(cone.from);
-  for (std::uint32_t i = 0; i < around_arrow; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around_arrow;
-    const double next = 2 * std::numbers::pi * (i + 1) / around_arrow;
+  for (std::uint32_t i = 0; i < cone.around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / cone.around;
+    const double next = 2 * std::numbers::pi * (i + 1) / cone.around;
     const Vector3d normal = cone.normal(0.5 * (angle + next));
     const Vector3d place = cone.at(angle, 0, cone.base);
     if ((normal.dot(eye_ - place) > 0) == base_seen) continue;
@@ -151,22 +141,40 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
   const double scale = std::min(1.0, length / (head_length * radius));
   const double head = head_length * radius * scale, shaft = length - head;
   const Matrix3d frame = body::frame_with_z_along(to - from);
-  const Cone stem{frame, from, shaft, radius, radius, ink, true};
-  const Cone tip{frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0, ink,
-                 true};
-  if (shaft > 0) {
-    dome(stem, items_);
-    side(stem, items_);
-  }
+  const Cone stem{frame, from, shaft, radius, radius, ink, around_arrow, true};
+  const Cone tip{
+      frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0, ink, around_arrow,
+      true};
+  if (shaft > 0) side(stem, items_);
   side(tip, items_);
   base(tip, items_);
   const double size = pixels(tip.from);
   if (!(size > 0)) return;
-  const double width = scale * std::max(outline_width * radius, least_outline / size);
-  const Ink outline{contrasting(ink.color), outline_opacity * ink.opacity};
-  if (shaft > 0) side(stem.grown(width, outline), outlines_);
+  add_outline(stem, tip, scale * std::max(outline_width * radius, least_outline / size));
+  add_ghost(stem, tip);
+}
+
+void DrawList::add_outline(const Cone& stem, const Cone& tip, double width) {
+  const Ink outline{contrasting(tip.ink.color), outline_opacity * tip.ink.opacity};
+  if (stem.length > 0) side(stem.grown(width, outline), outlines_);
   side(tip.grown(width, outline), outlines_);
   base(tip.grown(width, outline), outlines_);
+}
+
+/// The stem is a line without its ramp, which would add to the edges of what is not hidden.
+void DrawList::add_ghost(const Cone& stem, const Cone& tip) {
+  const auto point = [&](double along) -> Point {
+    const Vector3d axis = stem.from + along * stem.frame.col(2);
+    const Vector3d place = axis + stem.base * (eye_ - axis).normalized();  // the side that is seen
+    return {place, std::max(2 * stem.base * pixels(place) - 1, 0.0), stem.ink};
+  };
+  if (stem.length > stem.base) {
+    add_line(std::array{point(0), point(stem.length - stem.base)}, ghosts_.faces);
+  }
+  Cone plain = tip;
+  plain.around = around_ghost;
+  side(plain, ghosts_);
+  base(plain, ghosts_);
 }
 
 }  // namespace twrench::render

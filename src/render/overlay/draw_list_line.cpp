@@ -28,19 +28,23 @@ bool DrawList::may_skip(const Projected& last, const Vector2d& heading, const Pr
 
 void DrawList::line(std::span<const Point> points) {
   begin_thing();
+  add_line(points, items_.faces);
+}
+
+void DrawList::add_line(std::span<const Point> points, std::vector<std::uint32_t>& faces) {
   run_.clear();
   for (const Point& point : points) {
     const Vector4d c = clip(point.place);
     if (c.w() > 1e-6 * std::abs(c.z())) {
       run_.push_back({&point, c, half_size_.cwiseProduct(c.head<2>()) / c.w()});
     } else {
-      add_run();
+      add_run(faces);
     }
   }
-  add_run();
+  add_run(faces);
 }
 
-void DrawList::add_run() {
+void DrawList::add_run(std::vector<std::uint32_t>& faces) {
   if (run_.empty()) return;
   const bool open = (run_.front().pixel - run_.back().pixel).norm() > 1 || run_.size() == 1;
   const Projected* last = nullptr;
@@ -58,17 +62,17 @@ void DrawList::add_run() {
       if (open) add_end(here, across, -1);
     } else if (before.dot(across) < sharp) {
       add_end(*last, before, 1);
-      join_sides();
+      join_sides(faces);
       add_sides(*last, across);
     }
     add_sides(here, across);
-    if (open || last != nullptr) join_sides();
+    if (open || last != nullptr) join_sides(faces);
     heading = (next.pixel - here.pixel).stableNormalized();
     last = &here;
   }
   if (open) {
     add_end(run_.back(), across, 1);
-    join_sides();
+    join_sides(faces);
   }
   run_.clear();
 }
@@ -96,9 +100,9 @@ void DrawList::add_sides(const Projected& here, const Vector2d& across, const Ve
 }
 
 /// Joins the last two pairs of sides.
-void DrawList::join_sides() {
+void DrawList::join_sides(std::vector<std::uint32_t>& faces) {
   const auto n = static_cast<std::uint32_t>(vertices_.size());
-  items_.faces.insert(items_.faces.end(), {n - 4, n - 3, n - 2, n - 2, n - 3, n - 1});
+  faces.insert(faces.end(), {n - 4, n - 3, n - 2, n - 2, n - 3, n - 1});
 }
 
 void DrawList::dot(const Vector3d& place, double radius, const Ink& ink) {

@@ -35,15 +35,15 @@ DrawListPass::DrawListPass(const gl::Functions& gl)
 
 void DrawListPass::draw_ghosts(const DrawList& list) const {
   constexpr double faintest = 0.25;
-  draw(list, list.indices(), {.faces = Faces::near, .hidden = true, .opacity = faintest});
-  draw(list, list.edge_quad_indices(), {.hidden = true, .opacity = faintest});
+  draw(list, list.ghosts().faces, {.faces = Faces::near, .hidden = true, .opacity = faintest});
+  draw(list, list.ghosts().edge_quads, {.hidden = true, .opacity = faintest});
   // Moved towards the eye by less and less, so that it adds up to more and more in front.
   constexpr int steps = 6;
-  constexpr double deepest = 8;  // pixels
+  constexpr double deepest = 0.01;  // as a share of the pane's height
   const auto shown = [](int step) { return faintest + (1 - faintest) * step / (steps + 1); };
   for (int step = 1; step <= steps; ++step) {
     const double nearer = deepest * (steps + 1 - step) / steps;
-    draw(list, list.indices(),
+    draw(list, list.ghosts().faces,
          {.faces = Faces::near,
           .opacity = (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
           .clip_z = list.clip_z_nearer(nearer)});

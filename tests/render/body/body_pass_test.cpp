@@ -123,7 +123,7 @@ TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
   const Camera camera = frame_sphere({{0, 5, 20}, 0.55, 1, 4.5});
   const auto picture = [&](double tolerance, const Eigen::Matrix3d& X) {
     BodyPass body(gl, close_gaps(t_wrench().body.parts), tolerance, 4.5,
-                  Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F}, dark_studio());
+                  Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F}, white_studio());
     framebuffer.clear({&all, 1});
     framebuffer.draw_within(all, all);
     body.draw_shrunk(camera, X, {0, 0, side, side});

@@ -103,29 +103,22 @@ TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
   for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
 }
 
-// Lights and shadow go along with the camera and the body; the floor does not.
+// The light goes along with the camera, and here the body too; the floor does not.
 TEST_F(FloorTest, IsSeenToStandStillUnderAMovingCamera) {
-  scene::Scene scene = t_wrench(320, 180);
-  scene.body.parts = {{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
-  scene.motion.omega.setZero();
-  const auto beside = [&](double azimuth, double orbit) {
+  const auto seen = [&](double azimuth, double orbit) {
+    scene::Scene scene = t_wrench(320, 180);
     scene.camera.azimuth = azimuth;
     scene.camera.orbit = orbit;
-    const std::vector<int> light = change(scene, Matrix3d::Identity());
-    std::vector<int> result;
-    for (int row = 150; row < 180; ++row) {
-      std::copy_n(light.begin() + 320 * row, 110, std::back_inserter(result));
-    }
-    return result;
+    return change(scene, so3::exp(Vector3d(0, azimuth, 0)));
   };
   const auto differing = [&](double orbit) {
-    const std::vector<int> here = beside(0, orbit), there = beside(0.5, orbit);
+    const std::vector<int> here = seen(0, orbit), there = seen(0.5, orbit);
     int count = 0;
     for (std::size_t i = 0; i < here.size(); ++i) count += std::abs(here[i] - there[i]) > 1 ? 1 : 0;
     return count;
   };
-  EXPECT_EQ(differing(0), 0) << "a still camera";
-  EXPECT_GT(differing(0.1), 200);
+  EXPECT_LT(differing(0), 10) << "a still camera";
+  EXPECT_GT(differing(0.1), 300);
 }
 
 TEST_F(FloorTest, IsNotThereWhereItCannotBe) {

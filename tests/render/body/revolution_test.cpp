@@ -47,5 +47,29 @@ TEST(AxisOfRevolution, IsNotThereForBodiesThatShowHowTheyTurn) {
   for (const auto& parts : bodies) EXPECT_FALSE(axis_of_revolution(parts).has_value());
 }
 
+Eigen::Vector2f across(const AcrossFromBody& rows, const Vector3d& place) {
+  const auto row = [&](std::size_t i) {
+    const Vector3d axis(rows[i].x, rows[i].y, rows[i].z);
+    return static_cast<float>(axis.dot(place)) + rows[i].w;
+  };
+  return {row(0), row(1)};
+}
+
+TEST(AcrossFromBody, MeasuresFromACylindersAxisInItsRadii) {
+  const auto rows = across_from_body(t_wrench().body.parts);
+  EXPECT_NEAR(across(rows[0], {-1, 3, 0}).norm(), 0, 1e-6) << "on the handle's axis";
+  EXPECT_NEAR(across(rows[0], {0, 3, 0}).norm(), 1, 1e-6);
+  EXPECT_NEAR(across(rows[1], {3, 0, 0.5}).norm(), 0.5, 1e-6);
+  const body::Part box{body::Box{{1, 1, 1}}, 1.0, {0, 0, 0}, Matrix3d::Identity()};
+  EXPECT_EQ(across_from_body(std::vector{box}).front(), AcrossFromBody{});
+}
+
+TEST(AcrossFromBody, IsTheSameForAllPartsOfABodyOfRevolution) {
+  const auto rows = across_from_body(
+      std::vector{cylinder(1, 9, {0, 0, 0}, slanted), ellipsoid({4, 4, 1}, {0, 0, 0})});
+  EXPECT_EQ(rows[0], rows[1]);
+  EXPECT_NEAR(across(rows[0], 5 * slanted + 2 * slanted.unitOrthogonal()).norm(), 0.5, 1e-6);
+}
+
 }  // namespace
 }  // namespace twrench::render

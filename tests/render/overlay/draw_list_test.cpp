@@ -100,14 +100,14 @@ TEST_F(DrawListTest, ALineTurnsSharplyAroundARoundCorner) {
   EXPECT_GT(beyond, 2) << "the tip is as round as an end";
 }
 
-TEST_F(DrawListTest, TellsHowMuchNearerAPixelIs) {
+TEST_F(DrawListTest, TellsHowMuchNearerAShareOfTheHeightIs) {
   for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(0.5, -0.4, 1)}) {
     const Vector3d nearer = place + (list.eye() - place).normalized() / list.pixels(place);
     const Eigen::Matrix4d clip_from_space = camera().projection * camera().view;
     const Eigen::Vector4d before = clip_from_space * place.homogeneous(),
                           after = clip_from_space * nearer.homogeneous();
     const double moved = before.w() * (after.z() / after.w() - before.z() / before.w());
-    EXPECT_NEAR(list.clip_z_nearer(1), moved, 0.02 * std::abs(moved));
+    EXPECT_NEAR(list.clip_z_nearer(1.0 / list_pane.height), moved, 0.02 * std::abs(moved));
   }
 }
 
