@@ -8,13 +8,13 @@
 namespace twrench::render {
 namespace {
 
-constexpr double legend_height = 1.25, least_legend = 20;   // em of a readout
-constexpr double least_panel_width = 12, least_height = 6;  // em of a caption
-constexpr int least_share = 3;                              // of the pane is the focus: a third
-constexpr std::size_t most_groups = 4;                      // of parts
-constexpr int least_over_torques = 4;                       // heights of their row
-constexpr double panel_share = 0.3;                         // of the focus
-constexpr double moments_share = 0.48;                      // of an area that holds both
+constexpr double legend_height = 1.25, least_legend = 20;     // em of a readout
+constexpr double least_panel_width = 12, least_height = 6.5;  // em of a caption
+constexpr int least_share = 3;                                // of the pane is the focus: a third
+constexpr std::size_t most_groups = 4;                        // of parts
+constexpr int least_over_torques = 4;                         // heights of their row
+constexpr double panel_share = 0.3;                           // of the focus
+constexpr double moments_share = 0.48;                        // of an area that holds both
 
 int shorter_side(const image::Area& area) { return std::min(area.width, area.height); }
 
@@ -76,15 +76,21 @@ image::Area Addition::cut_panels(image::Area& rest) const {
   return cut_right(rest, static_cast<int>(panel_share * rest.width), gap_);
 }
 
-/// Returns the area extended upwards to the top of the focus, if it stands beside that alone.
+/// Returns the area extended to the height of the focus, as far as text leaves room, if it stands
+/// beside that alone.
 image::Area Addition::beside_focus(image::Area area) const {
-  const bool alone = !layout_.momentum && !layout_.poinsot;
-  const bool beside = area.x >= focus_.x + focus_.width && area.y > focus_.y;
-  if (alone && beside) {
-    area.height += area.y - focus_.y;
-    area.y = focus_.y;
+  const bool alone =
+      !layout_.momentum && !layout_.poinsot && !(layout_.curve && layout_.components);
+  if (!alone || area.x < focus_.x + focus_.width) return area;
+  int top = focus_.y, bottom = focus_.y + focus_.height;
+  for (const auto& text : {layout_.title, layout_.readouts}) {
+    if (!text || text->x >= area.x + area.width || text->x + text->width <= area.x) continue;
+    if (text->y < area.y) top = std::max(top, text->y + text->height + gap_);
+    if (text->y > area.y) bottom = std::min(bottom, text->y - gap_);
   }
-  return area;
+  bottom = std::max(bottom, area.y + area.height);
+  top = std::min(top, area.y);
+  return {area.x, top, area.width, bottom - top};
 }
 
 /// Divides the area of the curve or the components, or a part of the focus, among tilt, moments and

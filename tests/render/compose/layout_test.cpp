@@ -40,9 +40,9 @@ std::string text(const image::Area& a) {
 
 std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = layout.legends;
-  for (const auto& area : {layout.title, layout.readouts, layout.description, layout.components,
-                           layout.curve, layout.forces, layout.tilt, layout.moments,
-                           layout.torques}) {
+  for (const auto& area :
+       {layout.title, layout.readouts, layout.description, layout.components, layout.curve,
+        layout.forces, layout.tilt, layout.moments, layout.torques}) {
     if (area) areas.push_back(*area);
   }
   for (const auto& pane : {layout.momentum, layout.poinsot}) {
@@ -77,9 +77,9 @@ void for_each_layout(scene::View view, int compared,
   scene::Scene scene = t_wrench();
   scene.overlay.view = view;
   scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
-  for (unsigned choice = 0; choice < 32; ++choice) {
+  for (unsigned choice = 0; choice < 64; ++choice) {
     scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
-    for (unsigned i = 0; i < 5; ++i) {
+    for (unsigned i = 0; i < 6; ++i) {
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
     if (scene.overlay.shows(scene::Feature::forces)) {
@@ -286,20 +286,19 @@ TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
   }
 }
 
-TEST(Layout, GivesTiltAndMomentsThePlaceOfTheComponents) {
-  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {640, 360}}) {
+TEST(Layout, GivesTiltAndMomentsThePlaceOfTheCurve) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1280, 720}}) {
     scene::Scene scene = t_wrench(width, height);
     const Layout before = compute_layout(scene);
     scene.overlay.show.insert(scene::Feature::tilt);
     Layout layout = compute_layout(scene);
-    EXPECT_EQ(layout.tilt, before.components);
-    EXPECT_FALSE(layout.components || layout.moments);
+    EXPECT_EQ(layout.tilt, before.curve);
+    EXPECT_FALSE(layout.curve || layout.moments);
     EXPECT_EQ(layout.panes[0].focus, before.panes[0].focus);
     scene.overlay.show.insert(scene::Feature::moments);
     layout = compute_layout(scene);
     EXPECT_TRUE(layout.tilt && layout.moments) << width;
-    EXPECT_TRUE(inside(*layout.tilt, *before.components) &&
-                inside(*layout.moments, *before.components));
+    EXPECT_TRUE(inside(*layout.tilt, *before.curve) && inside(*layout.moments, *before.curve));
     scene.overlay.show.erase(scene::Feature::sphere);
     const Layout alone = compute_layout(scene);
     EXPECT_GE(alone.tilt->height, layout.tilt->height) << "in the place of the sphere too";
