@@ -38,7 +38,7 @@ void DrawListPass::draw_ghosts(const DrawList& list) const {
   draw(list, list.ghosts().faces, {.faces = Faces::near, .hidden = true, .opacity = faintest});
   draw(list, list.ghosts().edge_quads, {.hidden = true, .opacity = faintest});
   // Moved towards the eye by less and less, so that it adds up to more and more in front.
-  constexpr int steps = 6;
+  constexpr int steps = 5;
   constexpr double deepest = 0.01;  // as a share of the pane's height
   const auto shown = [](int step) { return faintest + (1 - faintest) * step / (steps + 1); };
   for (int step = 1; step <= steps; ++step) {
