@@ -151,7 +151,10 @@ TEST(MotionTimes, AreThoseOfTheFrames) {
 
 TEST(FilmTimeline, BlursOverTheMotionOfItsFrame) {
   scene::Scene scene = story_of_three();
-  for (scene::Shot& shot : scene.shots) shot.scene.look.motion_blur = 2;
+  for (scene::Shot& shot : scene.shots) {
+    shot.scene.look.motion_blur = 2;
+    shot.scene.film.width = shot.scene.film.height = 16;  // where two poses are enough
+  }
   const FilmTimeline film(scene, {10, 49});
   const motion::ExactMotion motion(film.solutions(0)[0].body);
   EXPECT_EQ(film.frame(0).state.solutions[0].blur[0].X, motion.at(3 - 0.125 * 0.3).X);
