@@ -164,8 +164,8 @@ TEST_F(FilmRendererTest, LendsTheMemoryOfAShotsFrames) {
 
 TEST_F(FilmRendererTest, NamesTheShotThatCannotBeDrawn) {
   const auto message = [&](const std::string& shot) -> std::string {
-    const scene::Scene scene =
-        scene::parse_scene(shared_tables + "[[shot]]\nlength = 1\n[[shot]]\nlength = 1\n" + shot, "s.toml");
+    const scene::Scene scene = scene::parse_scene(
+        shared_tables + "[[shot]]\nlength = 1\n[[shot]]\nlength = 1\n" + shot, "s.toml");
     try {
       FilmRenderer(*context, scene);
     } catch (const InvalidArgument& error) {

@@ -42,8 +42,8 @@ struct Sample {
   double t;
   /// Attitude, space_from_body; its columns are the body axes in space.
   Eigen::Matrix3d X;
-  /// Angular velocity in body axes, rad/s, as the method computes it from X; at t = 0, where X is the
-  /// identity, exactly what was given.
+  /// Angular velocity in body axes, rad/s, as the method computes it from X; at t = 0, where X is
+  /// the identity, exactly what was given.
   Eigen::Vector3d omega;
 };
 
