@@ -36,18 +36,19 @@ RotatingFrame steady_frame(const FreeBody& body, double t);
 /// Newton's law holds in the frame: centrifugal + coriolis + euler + constraint = mass *
 /// acceleration.
 struct PointForces {
-  Eigen::Vector3d position;
-  Eigen::Vector3d velocity;
-  Eigen::Vector3d acceleration;
-  Eigen::Vector3d centrifugal;  ///< -m Omega x (Omega x r)
-  Eigen::Vector3d coriolis;     ///< -2 m Omega x v
-  Eigen::Vector3d euler;        ///< -m Omega' x r
-  Eigen::Vector3d constraint;   ///< What holds it: the force of the rest of the body.
+  Eigen::Vector3d position;      ///< r
+  Eigen::Vector3d velocity;      ///< v, in the frame.
+  Eigen::Vector3d acceleration;  ///< In the frame.
+  Eigen::Vector3d centrifugal;   ///< -m Omega x (Omega x r)
+  Eigen::Vector3d coriolis;      ///< -2 m Omega x v
+  Eigen::Vector3d euler;         ///< -m Omega' x r
+  Eigen::Vector3d constraint;    ///< What holds it: the force of the rest of the body.
 };
 
 /// The forces in a frame on the points of a body at one time.
 class FrameForces {
  public:
+  /// `sample` is the motion of `body` at the time of `frame`.
   FrameForces(const RotatingFrame& frame, const FreeBody& body, const Sample& sample);
 
   /// Returns the forces on a mass in g at a position in body axes, cm. All are linear in both.

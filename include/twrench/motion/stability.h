@@ -11,11 +11,13 @@ namespace twrench::motion {
 /// What a small tilt of a steadily rotating body does: the solution of Euler's equations linearised
 /// about a rotation about a principal axis (docs/theory.md, "Which axis is unstable").
 struct Stability {
+  /// What becomes of the tilt.
   enum class Kind {
     unstable,  ///< It grows as exp(rate * t).
     stable,    ///< It wobbles as cos(rate * t).
     neutral,   ///< Neither: the axis is not the only one with its moment, or the body is at rest.
   };
+  /// What becomes of the tilt.
   Kind kind = Kind::neutral;
   /// Rate of growth in 1/s or angular frequency in rad/s; 0 if neutral.
   double rate = 0;
@@ -51,12 +53,14 @@ class Tilt {
   /// further; 0 if it is not tilted.
   Eigen::Vector3d direction(const Sample& sample) const;
 
-  /// Returns the growth of a small tilt until the first flip, or nothing if the axis is not
-  /// unstable: the linearised tilt tends to amplitude * exp(rate * t).
+  /// The growth of a small tilt: the linearised tilt tends to amplitude * exp(rate * t).
   struct Growth {
     double amplitude;  ///< In rad.
     double rate;       ///< In 1/s.
   };
+
+  /// Returns the growth of a small tilt until the first flip, or nothing if the axis is not
+  /// unstable.
   std::optional<Growth> growth() const;
 
  private:
