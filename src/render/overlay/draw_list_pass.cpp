@@ -41,13 +41,15 @@ void DrawListPass::draw_ghosts(const DrawList& list) const {
   constexpr int steps = 5;
   constexpr double deepest = 0.01;  // as a share of the pane's height
   const auto shown = [](int step) { return faintest + (1 - faintest) * step / (steps + 1); };
+  std::array<Mode, steps> fade;
   for (int step = 1; step <= steps; ++step) {
     const double nearer = deepest * (steps + 1 - step) / steps;
-    draw(list, list.ghosts().faces,
-         {.faces = Faces::near,
-          .opacity = (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
-          .clip_z = list.clip_z_nearer(nearer)});
+    fade[static_cast<std::size_t>(step - 1)] = {
+        .faces = Faces::near,
+        .opacity = (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
+        .clip_z = list.clip_z_nearer(nearer)};
   }
+  draw_each(list, list.ghosts().faces, fade);
 }
 
 void DrawListPass::draw_opaque(const DrawList& list) const {
@@ -60,24 +62,26 @@ void DrawListPass::draw_edge_quads(const DrawList& list) const {
   draw(list, list.edge_quad_indices(), {});
 }
 
-void DrawListPass::draw(const DrawList& list, const std::vector<std::uint32_t>& indices,
-                        const Mode& mode) const {
+void DrawListPass::draw_each(const DrawList& list, const std::vector<std::uint32_t>& indices,
+                             std::span<const Mode> modes) const {
   if (indices.empty()) return;
   program_.use();
-  program_.set("opacity", static_cast<float>(mode.opacity));
-  program_.set("clip_z", static_cast<float>(mode.clip_z));
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl::upload(*gl_, GL_ARRAY_BUFFER, list.vertices(), GL_STREAM_DRAW);
   gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, indices, GL_STREAM_DRAW);
   gl_->Enable(GL_DEPTH_TEST);
-  gl_->DepthFunc(mode.hidden ? GL_GREATER : GL_LESS);
-  gl_->DepthMask(mode.writes_depth ? GL_TRUE : GL_FALSE);
-  mode.faces == Faces::all ? gl_->Disable(GL_CULL_FACE) : gl_->Enable(GL_CULL_FACE);
-  gl_->FrontFace(mode.faces == Faces::far ? GL_CW : GL_CCW);
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  for (const Mode& mode : modes) {
+    program_.set("opacity", static_cast<float>(mode.opacity));
+    program_.set("clip_z", static_cast<float>(mode.clip_z));
+    gl_->DepthFunc(mode.hidden ? GL_GREATER : GL_LESS);
+    gl_->DepthMask(mode.writes_depth ? GL_TRUE : GL_FALSE);
+    mode.faces == Faces::all ? gl_->Disable(GL_CULL_FACE) : gl_->Enable(GL_CULL_FACE);
+    gl_->FrontFace(mode.faces == Faces::far ? GL_CW : GL_CCW);
+    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  }
   gl_->DepthFunc(GL_LESS);
   gl_->DepthMask(GL_TRUE);
   gl_->FrontFace(GL_CCW);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "gl/handle.h"
 #include "gl/program.h"
 #include "render/overlay/draw_list.h"
@@ -39,7 +41,12 @@ class DrawListPass {
   };
 
   void draw(const DrawList& list, const std::vector<std::uint32_t>& indices,
-            const Mode& mode) const;
+            const Mode& mode) const {
+    draw_each(list, indices, {&mode, 1});
+  }
+  /// Draws the same triangles in each mode, in order; they are uploaded once.
+  void draw_each(const DrawList& list, const std::vector<std::uint32_t>& indices,
+                 std::span<const Mode> modes) const;
 
   const gl::Functions* gl_;
   gl::Program program_;
