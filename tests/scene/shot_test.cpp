@@ -34,7 +34,9 @@ TEST(SpeedCurve, HasTheIntegralOfItsValues) {
   double sum = 0;
   constexpr double step = 1e-4;
   for (int i = 0; i < 70'000; ++i) {
-    if (i % 1000 == 0) EXPECT_NEAR(curve.integral(i * step), sum, 1e-7) << i * step;
+    if (i % 1000 == 0) {
+      EXPECT_NEAR(curve.integral(i * step), sum, 1e-7) << i * step;
+    }
     sum += step * curve.at((i + 0.5) * step);
   }
   EXPECT_EQ((SpeedCurve{{{0, 7}}}).integral(3), 21);
