@@ -16,17 +16,6 @@ constexpr double range = 1.12;  // of the values that a plot holds: those of SO(
 constexpr double faint = 0.32;  // opacity of the future
 constexpr double line_opacity = 0.22;  // of zero lines and flips
 
-/// Copies the contents of `area` between two layers at the same position.
-void copy(const Layer& from, Layer& to, const image::Area& area) {
-  const image::Area held = image::common(area, from.area());
-  for (int y = held.y; y < held.y + held.height; ++y) {
-    const auto offset = static_cast<std::ptrdiff_t>(from.image.row_bytes()) * (y - from.y) +
-                        4 * static_cast<std::ptrdiff_t>(held.x - from.x);
-    std::copy_n(from.image.pixels.begin() + offset, 4 * held.width,
-                to.image.pixels.begin() + offset);
-  }
-}
-
 }  // namespace
 
 double PlotPanel::Plot::y(double value) const {
@@ -102,9 +91,9 @@ std::vector<PendingLayer> PlotPanel::draw(const timeline::FrameState& state) {
   for (const Plot& plot : plots_) {
     const int margin = static_cast<int>(std::ceil(thickness_));  // of a curve beyond its plot
     const int left = plot.area.x - margin;
-    copy(past_, layer,
-         {left, plot.area.y - margin, static_cast<int>(std::lround(plot.x(share))) - left,
-          plot.area.height + 2 * margin});
+    copy_area(past_, layer,
+              {left, plot.area.y - margin, static_cast<int>(std::lround(plot.x(share))) - left,
+               plot.area.height + 2 * margin});
   }
   canvas::Canvas canvas(layer.image, layer.x, layer.y);
   const double width = std::max(1.0, 0.6 * thickness_);
