@@ -245,5 +245,42 @@ TEST_P(Legibility, OfTheTrailIsThatOfGraphics) {
   }
 }
 
+/// The contrasts of the pixels that have nearly the colour of an ink.
+std::vector<double> contrasts_near(const scene::Color& ink, const image::Image& image) {
+  constexpr int nearly = 60, reach = 7;
+  std::vector<double> contrasts;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (difference(color_at(image, x, y), ink) <= nearly)
+        contrasts.push_back(contrast_around(image, x, y, reach));
+    }
+  }
+  return contrasts;
+}
+
+// The axes and the levels about them, and the level of the motion with its trail.
+TEST_P(Legibility, OfCurvesOnTheMomentumSphereIsThatOfGraphics) {
+  scene.overlay.view = scene::View::momentum;
+  for (const image::Image& image : seen(drawn({trail}, 118))) {
+    for (const auto& ink : {colors.axis[0], colors.axis[1], colors.axis[2], colors.momentum}) {
+      const std::vector<double> contrasts = contrasts_near(ink, image);
+      ASSERT_GE(contrasts.size(), 40U) << scene::to_string(ink);
+      EXPECT_GE(median(contrasts), 3) << scene::to_string(ink);
+    }
+  }
+}
+
+// The polhode, the herpolhode's trail and the arrows.
+TEST_P(Legibility, OfCurvesOnPoinsotsEllipsoidIsThatOfGraphics) {
+  scene.overlay.view = scene::View::poinsot;
+  for (const image::Image& image : seen(drawn({trail}, 118))) {
+    for (const auto& ink : {colors.momentum, colors.omega}) {
+      const std::vector<double> contrasts = contrasts_near(ink, image);
+      ASSERT_GE(contrasts.size(), 40U) << scene::to_string(ink);
+      EXPECT_GE(median(contrasts), 3) << scene::to_string(ink);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace twrench::render

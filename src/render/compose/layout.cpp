@@ -3,7 +3,6 @@
 #include <twrench/base/error.h>
 
 #include "render/compose/layout_draft.h"
-#include "render/compose/layout_forces.h"
 #include "scene/names.h"
 
 namespace twrench::render {
@@ -50,12 +49,11 @@ Layout compute_layout(const scene::Scene& scene) {
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {
     for (const Words words : {Words::with_insets, Words::with_body}) {
-      if (auto layout = LayoutDraft(scene, parts, words).finish())
-        return with_forces(*layout, scene);
+      if (auto layout = LayoutDraft(scene, parts, words).finish()) return *layout;
     }
     part = false;
   }
-  return with_forces(*LayoutDraft(scene, parts, Words::with_body).finish(), scene);
+  return *LayoutDraft(scene, parts, Words::with_body).finish();
 }
 
 }  // namespace twrench::render

@@ -187,6 +187,7 @@ std::optional<Layout> LayoutDraft::finish() {
   place_views();
   const bool anything = std::ranges::find(parts_, true) != parts_.end();
   if (anything && !has_room()) return std::nullopt;
+  place_forces();
   const auto name = [&](Pane& pane) {
     pane.named = shorter(pane.focus) >= least_named * layout_.text.readout;
   };

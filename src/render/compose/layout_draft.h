@@ -81,6 +81,17 @@ class LayoutDraft {
   int heading_height() const;
   std::optional<image::Area> cut_heading(image::Area& cell) const;
 
+  // Forces, tilt and moments: layout_forces.cpp.
+  void place_forces();
+  void place_force_panels();
+  void place_force_legend();
+  bool compares_torques() const;
+  int torques_height() const;
+  image::Area safe_focus() const;
+  bool take_focus(const image::Area& rest);
+  image::Area cut_panels(image::Area& rest) const;
+  image::Area beside_focus(image::Area area) const;
+
   bool is_safe(const image::Area& area) const;
   bool has_room_for_words() const;
   bool holds_components(const image::Area& area) const;

@@ -129,26 +129,22 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
 template <typename Place>
 void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
                              const scene::Color& color, Place place, DrawList& translucent) const {
-  constexpr double halo = 0.4, least_halo = 1;  // on each side: widths of the line, pixels
-  constexpr double dot = 1.15;                  // radius in widths of the line
-  std::vector<DrawList::Point> line, around;
+  constexpr double dot = 1.15;  // radius in widths of the line
+  std::vector<DrawList::Point> line;
   for (const motion::Sample& sample : instant.trail) {
     const double age = instant.trail_age(sample, trail_length_);
     const double opacity = 0.9 * std::pow(1 - age, 1.4);
     const Vector3d point = place(sample);
     const double across = width * radius_ * (1 - 0.6 * age) * translucent.pixels(point);
     line.push_back({point, across, {color, opacity}});
-    around.push_back(
-        {point, across + 2 * std::max(halo * across, least_halo), {colors_.panel, opacity}});
   }
-  translucent.line(around);
-  translucent.line(line);
+  translucent.line_on_halo(line, colors_.panel);
   if (line.empty()) return;
   // The dot stands for a ball, whose near side is what arrows through it do not hide.
   const Vector3d& now = line.back().place;
   const Vector3d near = now + dot * width * radius_ * (translucent.eye() - now).normalized();
   const double size = line.back().width;
-  translucent.dot(near, dot * size + std::max(halo * size, least_halo), {colors_.panel, 0.9});
+  translucent.dot(near, dot * size + DrawList::halo_of(size), {colors_.panel, 0.9});
   translucent.dot(near, dot * size, {color, 1});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -64,6 +65,12 @@ class DrawList {
 
   /// Adds an antialiased line that faces the eye, with round ends if it is not closed.
   void line(std::span<const Point> points);
+
+  /// Adds a line on a halo of that colour, which keeps it visible against what is behind it.
+  void line_on_halo(std::span<const Point> points, const scene::Color& halo);
+
+  /// Returns by how many pixels a halo reaches beyond something that is so many pixels wide.
+  static double halo_of(double width) { return std::max(0.4 * width, 1.0); }
 
   /// Adds an antialiased dot; `radius` in pixels.
   void dot(const Eigen::Vector3d& place, double radius, const Ink& ink);

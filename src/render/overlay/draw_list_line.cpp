@@ -31,6 +31,16 @@ void DrawList::line(std::span<const Point> points) {
   add_line(points, items_.faces);
 }
 
+void DrawList::line_on_halo(std::span<const Point> points, const scene::Color& halo) {
+  std::vector<Point> around(points.begin(), points.end());
+  for (Point& point : around) {
+    point.width += 2 * halo_of(point.width);
+    point.ink.color = halo;
+  }
+  line(around);
+  line(points);
+}
+
 void DrawList::add_line(std::span<const Point> points, std::vector<std::uint32_t>& faces) {
   run_.clear();
   for (const Point& point : points) {

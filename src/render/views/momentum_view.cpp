@@ -87,12 +87,12 @@ void MomentumView::add_sphere() {
     pad_.opaque.arrow(0.98 * axis, axis_end * axis, 0.016,
                       {frame_.colors[static_cast<std::size_t>(i)]});
   }
-  pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.30}, 0.75,
+  pad_.translucent.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.22}, 0.75,
                              {colors_.panel, colors_.panel_opacity});
   for (const motion::EnergyLevel& level : motion::level_family(body_.principal().moments, levels)) {
-    add_level(level, 1, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.75});
+    add_level(level, 1.25, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.95});
   }
-  if (frame_.level) add_level(*frame_.level, 1, {colors_.momentum, 0.55});
+  if (frame_.level) add_level(*frame_.level, 1.5, {colors_.momentum, 0.85});
   add_separatrix();
 }
 
@@ -109,7 +109,7 @@ void MomentumView::add_momentum(const timeline::SolutionState& instant) {
                     (3.2 - 2 * age) * pad_.hairline(),
                     {colors_.momentum, fading(point, std::pow(1 - age, 1.2))}});
   }
-  pad_.translucent.line(line);
+  pad_.translucent.line_on_halo(line, colors_.panel);
   const Vector3d now = place_of(instant.sample);
   const Ink ink{colors_.momentum, 0.8};
   pad_.translucent.line(std::array<DrawList::Point, 2>{

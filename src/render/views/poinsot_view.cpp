@@ -112,7 +112,7 @@ void PoinsotView::add_polhode(const Matrix3d& X) {
         shown(place, turned * mu, pad_.translucent.eye());  // L is the normal there
     line.push_back({place, 2 * pad_.hairline(), {colors_.omega, opacity}});
   }
-  pad_.translucent.line(line);
+  pad_.translucent.line_on_halo(line, colors_.panel);
 }
 
 void PoinsotView::add_ring(double radius, double width, const Ink& ink) {
@@ -159,7 +159,7 @@ std::vector<PendingLayer> PoinsotView::draw(const timeline::FrameState& state) {
   const Ink ground{colors_.panel, colors_.panel_opacity};
   const Vector3d up = Vector3d::UnitY();
   if (!at_rest()) pad_.translucent.disc(up, up, plane_radius_, ground, ground);
-  pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.55}, 0.9, ground);
+  pad_.translucent.ellipsoid(view_from_unit, {colors_.plane, 0.40}, 0.9, ground);
   add_grid(view_from_unit);
   if (!at_rest()) {
     add_polhode(instant.sample.X);
