@@ -1,0 +1,23 @@
+#pragma once
+
+#include <limits>
+
+namespace twrench::check {
+
+/// How far the written digits of a column determine its numbers: the spacing of what it can hold.
+struct Resolution {
+  /// One unit of the last decimal place that is written; 0 where significant digits are counted.
+  double absolute = 0;
+  /// One unit of the last significant digit, relative to the leading one: 10^-(digits - 1), or the
+  /// epsilon of a binary format.
+  double relative = std::numeric_limits<double>::epsilon();
+  /// 10 or 2: to a power of which `relative` applies.
+  int base = 2;
+  /// What one unit of the file is in ours: pi/180 for degrees.
+  double unit = 1;
+
+  /// The spacing at `value`, in our unit: at least that of doubles.
+  double at(double value) const;
+};
+
+}  // namespace twrench::check
