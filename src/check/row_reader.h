@@ -18,6 +18,8 @@ class RowReader {
   /// table::open_table and conventions() throw, and InvalidArgument where rates in space axes come
   /// without an attitude.
   RowReader(const std::filesystem::path& file, const Convention& convention);
+  /// The same for a table that is open.
+  RowReader(std::unique_ptr<table::Reader> table, const Convention& convention);
   ~RowReader();
   RowReader(RowReader&&) noexcept;
   RowReader& operator=(RowReader&&) noexcept;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace twrench::table {
@@ -58,5 +59,8 @@ class Reader {
 /// Opens a CSV, TSV, JSON or NumPy file, which is told by its first bytes and not by its name.
 /// Throws system::FileError where it cannot be read or is no table, BadTable where it has no rows.
 std::unique_ptr<Reader> open_table(const std::filesystem::path& path);
+
+/// The same for the bytes of a file, which must outlive the reader; messages call it `name`.
+std::unique_ptr<Reader> open_table(const std::string& name, std::string_view bytes);
 
 }  // namespace twrench::table

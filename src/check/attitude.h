@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace twrench::check {
+
+/// The three axes (0, 1, 2 for x, y, z) of a sequence of Euler angles.
+using Axes = std::array<int, 3>;
+
+/// "zyx" -> 2, 1, 0.
+Axes axes_of(const std::string& sequence);
+
+/// Where in yaw, pitch, roll the angle about each axis of the sequence stands. Of three different
+/// axes yaw is about z, pitch about y and roll about x; of others they are the first, second and
+/// third angle.
+std::array<std::size_t, 3> angle_places(const Axes& axes);
+
+/// Rotates by yaw, pitch and roll in rad, about the axes of the sequence as they are then. Returns
+/// the matrix that takes components in the last frame to those in the first.
+Eigen::Matrix3d rotation_by_euler_angles(const Axes& axes, std::span<const double, 3> angles);
+
+/// The rotation matrix of w, x, y, z, whose length need not be 1 but must not be 0.
+Eigen::Matrix3d rotation_by_quaternion(std::span<const double, 4> q);
+
+}  // namespace twrench::check

@@ -1,0 +1,192 @@
+#include "check/convention.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "check/column_sets.h"
+#include "check/columns.h"
+#include "check/names.h"
+#include "check/units.h"
+
+namespace twrench::check {
+namespace {
+
+constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
+
+/// The columns by which one reading tells time, rates and attitude; the last two may be missing.
+struct Reading {
+  ColumnSet time;
+  std::optional<ColumnSet> rates, attitude;
+};
+
+/// The set of a kind as it was said, or nothing where none of it was.
+std::optional<ColumnSet> said_set(const table::Header& header, const Convention& said, Kind kind) {
+  ColumnSet set{kind, {}, false};
+  std::string missing, found;
+  for (const std::string& ours : names_of(kind)) {
+    const auto column = said.columns.find(ours);
+    (column == said.columns.end() ? missing : found) = ours;
+    if (column != said.columns.end())
+      set.columns.push_back(find_column(header, ours, column->second));
+  }
+  if (found.empty()) return std::nullopt;
+  if (!missing.empty()) {
+    throw ColumnError(header.file, missing,
+                      fmt::format("a column is named for {}, but none for {}", found, missing),
+                      columns_remedy(header));
+  }
+  return set;
+}
+
+/// What was said of the attitude: in one form.
+std::optional<ColumnSet> said_attitude(const table::Header& header, const Convention& said) {
+  std::optional<ColumnSet> attitude;
+  for (const Kind kind : attitudes) {
+    const auto set = said_set(header, said, kind);
+    if (set && attitude) {
+      throw ColumnError(header.file, "",
+                        fmt::format("columns are named for {} and for {}",
+                                    description_of(attitude->kind), description_of(kind)),
+                        "name those of one attitude");
+    }
+    if (set) attitude = set;
+  }
+  return attitude;
+}
+
+/// The sets, or one empty place where there are none.
+std::vector<std::optional<ColumnSet>> or_nothing(const std::vector<ColumnSet>& sets) {
+  if (sets.empty()) return {std::nullopt};
+  return {sets.begin(), sets.end()};
+}
+
+std::vector<ColumnSet> times(const table::Header& header, const Convention& said) {
+  if (const auto set = said_set(header, said, Kind::time)) return {*set};
+  std::vector<ColumnSet> found = find_sets(header, Kind::time);
+  if (found.empty()) {
+    throw ColumnError(header.file, "t", "no column has a name of the time", columns_remedy(header));
+  }
+  return found;
+}
+
+std::vector<Reading> readings(const table::Header& header, const Convention& said) {
+  std::vector<std::optional<ColumnSet>> rates{said_set(header, said, Kind::rates)};
+  std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
+  if (!rates.front() && !attitude.front()) {
+    rates = or_nothing(find_sets(header, Kind::rates));
+    std::vector<ColumnSet> found;
+    for (const Kind kind : attitudes)
+      std::ranges::move(find_sets(header, kind), std::back_inserter(found));
+    attitude = or_nothing(found);
+  }
+  if (!rates.front() && !attitude.front()) {
+    throw ColumnError(header.file, "", "no columns have names of rates or of an attitude",
+                      columns_remedy(header));
+  }
+  std::vector<Reading> all;
+  for (const ColumnSet& t : times(header, said)) {
+    for (const auto& r : rates) {
+      for (const auto& a : attitude) all.push_back({t, r, a});
+    }
+  }
+  constexpr std::size_t most = 64;
+  if (all.size() <= most) return all;
+  throw ColumnError(header.file, "", "its columns can be read in too many ways",
+                    "say which ones are meant");
+}
+
+void add_columns(const table::Header& header, const ColumnSet& set, Convention& convention) {
+  for (std::size_t i = 0; i < set.columns.size(); ++i) {
+    const std::string& ours = names_of(set.kind)[i];
+    const std::string theirs = name_for(header, set.columns[i]);
+    for (const auto& [other, column] : convention.columns) {
+      if (column != theirs) continue;
+      throw ColumnError(
+          header.file, ours,
+          fmt::format("the column '{}' is named for {} and for {}", theirs, other, ours),
+          "each needs a column of its own");
+    }
+    convention.columns[ours] = theirs;
+  }
+}
+
+/// The unit that the columns of the set state, or else the one that was said.
+std::optional<Angle> unit_of(const table::Header& header, const ColumnSet& set,
+                             std::optional<Angle> said) {
+  std::optional<Angle> stated;
+  for (const std::size_t column : set.columns) {
+    const std::string& name = header.names[column];
+    const StatedUnit unit = stated_unit(header, column);
+    if (!unit.unread.empty()) {
+      throw table::BadTable(
+          header.file,
+          fmt::format("the column '{}' is in {}, which is not read", name, unit.unread),
+          "convert it to radians or degrees, and to seconds");
+    }
+    if (!unit.angle) continue;
+    const std::optional<Angle> other = stated ? stated : said;
+    if (other && *other != *unit.angle) {
+      throw table::BadTable(
+          header.file,
+          fmt::format("the column '{}' states {}, but {} {}", name, name_of(*unit.angle),
+                      name_of(*other), stated ? "are stated by another of its kind" : "were said"),
+          "one of the two is wrong");
+    }
+    stated = unit.angle;
+  }
+  return stated ? stated : said;
+}
+
+Convention convention_of(const table::Header& header, const Reading& reading,
+                         const Convention& said) {
+  Convention convention = said;
+  convention.columns.clear();
+  add_columns(header, reading.time, convention);
+  if (reading.rates) {
+    add_columns(header, *reading.rates, convention);
+    convention.unit = unit_of(header, *reading.rates, said.unit);
+    convention.rates_in_space = said.rates_in_space || reading.rates->in_space;
+  }
+  if (!reading.attitude) return convention;
+  add_columns(header, *reading.attitude, convention);
+  if (reading.attitude->kind == Kind::euler) {
+    convention.euler_unit = unit_of(header, *reading.attitude, said.unit);
+  }
+  return convention;
+}
+
+/// The convention with each sequence that it leaves open.
+void add_with_sequences(Convention convention, std::vector<Convention>& all) {
+  if (attitude_form(convention) != AttitudeForm::euler || !convention.sequence.empty()) {
+    all.push_back(std::move(convention));
+    return;
+  }
+  for (const char* sequence : {"zyx", "zxy", "yxz", "yzx", "xyz", "xzy"}) {
+    convention.sequence = sequence;
+    all.push_back(convention);
+  }
+}
+
+}  // namespace
+
+std::vector<Convention> conventions(const table::Header& header, const Convention& said) {
+  std::vector<Convention> all;
+  for (const Reading& reading : readings(header, said)) {
+    add_with_sequences(convention_of(header, reading, said), all);
+  }
+  return all;
+}
+
+AttitudeForm attitude_form(const Convention& convention) {
+  if (convention.columns.contains("x11")) return AttitudeForm::matrix;
+  if (convention.columns.contains("qw")) return AttitudeForm::quaternion;
+  return convention.columns.contains("yaw") ? AttitudeForm::euler : AttitudeForm::none;
+}
+
+bool has_rates(const Convention& convention) { return convention.columns.contains("wx"); }
+
+}  // namespace twrench::check

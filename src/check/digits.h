@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "check/resolution.h"
+#include "table/reader.h"
+
+namespace twrench::check {
+
+/// Finds from the numbers of a column how they are written: with so many decimals, with so many
+/// significant digits, or as values of single precision.
+class Digits {
+ public:
+  Digits() = default;
+  Digits(const Digits&) = delete;
+  Digits& operator=(const Digits&) = delete;
+
+  void add(const table::Number& number);
+
+  /// The spacing of the numbers seen, of which one unit is `unit` of ours.
+  Resolution resolution(double unit) const;
+
+ private:
+  /// Numbers with the same leading place: 10^k <= |x| < 10^(k + 1).
+  struct Decade {
+    std::size_t count = 0;
+    int decimals = std::numeric_limits<int>::min();  ///< the most
+  };
+
+  bool has_fixed_decimals() const;
+  bool is_single_precision() const;
+
+  std::map<int, Decade> decades_;
+  Decade* last_ = nullptr;  ///< the decade of the number before, which the next mostly shares
+  int last_place_ = 0;
+  int decimals_ = std::numeric_limits<int>::min();
+  int significant_ = 0;
+  bool all_single_ = true;  ///< each number is a float
+  bool any_long_ = false;   ///< and one of them needs the last bits of a float
+};
+
+/// The same for times, which may be written exactly in few digits.
+class TimeDigits {
+ public:
+  void add(const table::Number& number);
+
+  /// That of doubles where the times are equally spaced in all their digits.
+  Resolution resolution(double unit) const;
+
+ private:
+  Digits digits_;
+  std::size_t count_ = 0;
+  double first_ = 0, step_ = 0;
+  bool equally_spaced_ = true;
+};
+
+}  // namespace twrench::check

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twrench::check {
+
+/// What columns tell together.
+enum class Kind { time, rates, matrix, quaternion, euler };
+
+inline constexpr Kind all_kinds[] = {Kind::time, Kind::rates, Kind::matrix, Kind::quaternion,
+                                     Kind::euler};
+
+/// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "x11", "x12" ... "x33";
+/// "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll".
+const std::vector<std::string>& names_of(Kind kind);
+
+/// All of our names.
+std::vector<std::string> all_names();
+
+/// "the rates", "the matrix" ...
+const char* description_of(Kind kind);
+
+/// In small letters; other characters than those of English stay.
+std::string in_small_letters(std::string_view text);
+
+}  // namespace twrench::check

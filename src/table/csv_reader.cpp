@@ -1,0 +1,171 @@
+#include "table/csv_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "system/error.h"
+#include "table/error.h"
+#include "table/number_text.h"
+
+namespace twrench::table {
+namespace {
+
+std::string without_doubled_quotes(std::string_view cell) {
+  std::string text;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    text += cell[i];
+    if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') ++i;
+  }
+  return text;
+}
+
+/// A unit of time or of angles, as it stands alone in a cell.
+bool is_known_unit(std::string_view cell) {
+  constexpr std::array known{"s",     "sec",   "ms",      "us",      "ns",     "deg",     "rad",
+                             "deg/s", "rad/s", "deg/sec", "rad/sec", "\u00b0", "\u00b0/s"};
+  const bool bracketed = cell.size() > 2 && (cell.front() == '[' || cell.front() == '(');
+  if (bracketed) cell = cell.substr(1, cell.size() - 2);
+  return std::ranges::find(known, cell) != known.end();
+}
+
+/// Whether the cells below the names are their units and no row: none is a number, but for the 1
+/// of what has no unit.
+bool are_units(const std::vector<std::string_view>& cells) {
+  const auto is_value = [](std::string_view cell) { return cell != "1" && is_numeric(cell); };
+  return std::ranges::none_of(cells, is_value) && std::ranges::any_of(cells, is_known_unit);
+}
+
+std::vector<std::string> numbered_names(std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= count; ++i) names.push_back(fmt::format("#{}", i));
+  return names;
+}
+
+std::vector<std::string> names_in(const std::vector<std::string_view>& cells) {
+  std::vector<std::string> names;
+  std::ranges::transform(cells, std::back_inserter(names), without_doubled_quotes);
+  return names;
+}
+
+}  // namespace
+
+CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
+  header_.file = input_.name();
+  const Sample sample = read_sample(input_);
+  if (sample.lines.empty())
+    throw BadTable(header_.file, "it has no rows, only blank lines and comments");
+  dialect_ = detect_dialect(sample, header_.file);
+  read_header(sample);
+}
+
+void CsvReader::read_header(const Sample& sample) {
+  const auto is_name = [](std::string_view cell) { return !cell.empty() && !is_numeric(cell); };
+  split_cells(sample.lines.front().text, dialect_.separator, cells_);
+  if (std::ranges::none_of(cells_, is_name)) {
+    header_.names = numbered_names(cells_.size());
+    // NumPy writes the names as a comment.
+    split_cells(sample.comment, dialect_.separator, cells_);
+    if (cells_.size() == header_.names.size() && std::ranges::all_of(cells_, is_name)) {
+      header_.names = names_in(cells_);
+    }
+    return;
+  }
+  header_.names = names_in(cells_);
+  first_line_ = sample.lines.front().number + 1;
+  if (sample.lines.size() > 1) {
+    split_cells(sample.lines[1].text, dialect_.separator, cells_);
+    if (are_units(cells_)) {
+      header_.units.assign(cells_.begin(), cells_.end());
+      header_.units.resize(header_.names.size());
+      first_line_ = sample.lines[1].number + 1;
+    }
+  }
+  if (sample.lines.back().number < first_line_) {
+    throw BadTable(header_.file, "it has a header, but no rows");
+  }
+}
+
+void CsvReader::select(std::span<const std::size_t> columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) selected_.push_back({columns[i], i});
+  std::ranges::sort(selected_, {}, &Selected::column);
+}
+
+std::string CsvReader::place() const { return lines_.place(); }
+
+bool CsvReader::next_line(std::string_view& line) {
+  do {
+    if (!lines_.next(line)) return false;
+  } while (lines_.number() < first_line_ || is_blank_or_comment(line));
+  return true;
+}
+
+bool CsvReader::next(std::span<Number> numbers) {
+  std::string_view line;
+  if (!next_line(line)) return false;
+  const bool is_simple = dialect_.separator != ' ' && line.find('"') == std::string_view::npos;
+  if (!is_simple) {
+    read_blanks_or_quotes(line, numbers);
+    return true;
+  }
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  const auto end_of_cell = [&](const char* from) {
+    const void* found = std::memchr(from, dialect_.separator, static_cast<std::size_t>(end - from));
+    return found ? static_cast<const char*>(found) : end;
+  };
+  std::size_t column = 0;
+  const char* cell_end = end_of_cell(at);
+  for (const Selected& selected : selected_) {
+    for (; column < selected.column && cell_end != end; ++column) {
+      at = cell_end + 1;
+      cell_end = end_of_cell(at);
+    }
+    if (column < selected.column) break;
+    read_cell({at, static_cast<std::size_t>(cell_end - at)}, selected, numbers);
+  }
+  const auto more = static_cast<std::size_t>(std::count(cell_end, end, dialect_.separator));
+  const std::string_view last = line.substr(line.rfind(dialect_.separator) + 1);
+  require_columns(column + 1 + more, last);
+  return true;
+}
+
+void CsvReader::read_blanks_or_quotes(std::string_view line, std::span<Number> numbers) {
+  if (!split_cells(line, dialect_.separator, cells_)) {
+    throw system::FileError(place(), "a quotation mark opens and none closes on this line",
+                            "rows and names stand on one line each");
+  }
+  require_columns(cells_.size(), cells_.back());
+  for (const Selected& selected : selected_) {
+    const bool is_there = selected.column < cells_.size();
+    read_cell(is_there ? cells_[selected.column] : "", selected, numbers);
+  }
+}
+
+void CsvReader::read_cell(std::string_view cell, const Selected& selected,
+                          std::span<Number> numbers) const {
+  Number& number = numbers[selected.place];
+  Reading reading = read_number(cell, dialect_.decimal_comma, number);
+  if (reading == Reading::text) {
+    cell = trimmed(cell);
+    reading = read_number(cell, dialect_.decimal_comma, number);
+  }
+  const std::string& name = header_.names[selected.column];
+  if (reading == Reading::text) throw no_number(place(), name, cell);
+  if (reading == Reading::too_large) throw too_large(place(), name, cell);
+}
+
+void CsvReader::require_columns(std::size_t count, std::string_view last) const {
+  const std::size_t expected = header_.names.size();
+  const bool row_ends_with_separator = count == expected + 1 && trimmed(last).empty();
+  const bool names_end_with_separator = count + 1 == expected && header_.names.back().empty();
+  if (count == expected || row_ends_with_separator || names_end_with_separator) return;
+  throw system::FileError(
+      place(), fmt::format("the row has {} cells, but there are {} columns", count, expected),
+      "each row needs a cell for each column; between decimal commas, cells need semicolons");
+}
+
+}  // namespace twrench::table

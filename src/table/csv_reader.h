@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "table/dialect.h"
+#include "table/input.h"
+#include "table/line_reader.h"
+#include "table/reader.h"
+
+namespace twrench::table {
+
+/// Rows that are lines of text: separated by commas, semicolons, tabs, bars or blanks.
+class CsvReader : public Reader {
+ public:
+  explicit CsvReader(Input input);
+
+  void select(std::span<const std::size_t> columns) override;
+  bool next(std::span<Number> numbers) override;
+  std::string place() const override;
+
+ private:
+  struct Selected {
+    std::size_t column, place;  ///< in the file, and in what next() returns
+  };
+
+  void read_header(const Sample& sample);
+  bool next_line(std::string_view& line);
+  void read_blanks_or_quotes(std::string_view line, std::span<Number> numbers);
+  void read_cell(std::string_view cell, const Selected& selected, std::span<Number> numbers) const;
+  void require_columns(std::size_t count, std::string_view last) const;
+
+  Input input_;
+  Dialect dialect_;
+  LineReader lines_;
+  std::size_t first_line_ = 1;      ///< the first that may be a row
+  std::vector<Selected> selected_;  ///< in the order of the file's columns
+  std::vector<std::string_view> cells_;
+};
+
+}  // namespace twrench::table

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "table/input.h"
+
+namespace twrench::table {
+
+/// How a text file writes its cells.
+struct Dialect {
+  char separator = ',';        ///< ' ' where runs of blanks and tabs separate
+  bool decimal_comma = false;  ///< 1,5 is 3/2
+};
+
+/// The beginning of a text file.
+struct Sample {
+  struct Line {
+    std::string text;
+    std::size_t number;  ///< in the file, from 1
+  };
+
+  std::vector<Line> lines;  ///< neither blank nor a comment
+  std::string comment;      ///< the last comment before them, without its mark
+};
+
+/// Whether the line holds no cells: it is blank, or a comment (# or % at its beginning).
+bool is_blank_or_comment(std::string_view line);
+
+/// Reads the beginning of the file. Throws system::FileError.
+Sample read_sample(const Input& input);
+
+/// Finds the dialect in which the lines have equally many cells, of which the most are numbers.
+/// Throws system::FileError where numbers such as 1,234 can be read in two ways.
+Dialect detect_dialect(const Sample& sample, const std::string& file);
+
+/// Splits a line at the separator; cells lose blanks and quotation marks around them. Returns false
+/// where a quotation mark opens and none closes.
+bool split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+/// Whether the text is a number, with a decimal point or a decimal comma.
+bool is_numeric(std::string_view cell);
+
+}  // namespace twrench::table

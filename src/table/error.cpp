@@ -1,0 +1,34 @@
+#include "table/error.h"
+
+#include <fmt/format.h>
+
+namespace twrench::table {
+namespace {
+
+/// What is shown of a text: a cell may be as long as a file.
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return text.size() <= longest ? fmt::format("'{}'", text)
+                                : fmt::format("'{}...'", text.substr(0, longest));
+}
+
+}  // namespace
+
+std::string cell_place(const std::string& row_place, const std::string& column) {
+  return fmt::format("{}: the column {}", row_place, shown(column));
+}
+
+BadTable no_number(const std::string& row_place, const std::string& column, std::string_view text) {
+  const std::string place = cell_place(row_place, column);
+  if (text.empty()) return {place, "is empty", "each row needs a number there"};
+  return {place, fmt::format("is {}, which is no number", shown(text)),
+          "correct or remove the row, or choose another column"};
+}
+
+BadTable too_large(const std::string& row_place, const std::string& column, std::string_view text) {
+  return {cell_place(row_place, column),
+          fmt::format("is {}, which is beyond what a double can hold", shown(text)),
+          "correct or remove the row"};
+}
+
+}  // namespace twrench::table

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "system/descriptor.h"
+
+namespace twrench::table {
+
+/// The bytes of a regular file, or of memory, read piece by piece.
+class Input {
+ public:
+  /// Opens the file. Throws system::FileError where that fails or it is no regular file: a pipe
+  /// gives its bytes only once, a device may never end.
+  explicit Input(const std::filesystem::path& path);
+
+  /// The bytes must outlive the input.
+  Input(std::string name, std::string_view bytes);
+
+  const std::string& name() const { return name_; }
+  std::uint64_t size() const { return size_; }
+
+  /// Copies up to `length` bytes from `offset` on, and returns how many: fewer only at the end.
+  /// Throws system::FileError.
+  std::size_t read(std::uint64_t offset, char* to, std::size_t length) const;
+
+ private:
+  std::string name_;
+  std::uint64_t size_ = 0;
+  system::Descriptor file_;
+  std::string_view bytes_;
+};
+
+/// A part of an input that is held in memory and moves forward with what is asked for.
+class Window {
+ public:
+  explicit Window(const Input& input) : input_(&input) {}
+
+  /// Returns the `length` bytes at `offset`, fewer where the input ends before. Valid until the
+  /// next call.
+  std::string_view at(std::uint64_t offset, std::size_t length);
+
+ private:
+  const Input* input_;
+  std::vector<char> buffer_;
+  std::uint64_t begin_ = 0;
+  std::size_t filled_ = 0;
+};
+
+}  // namespace twrench::table

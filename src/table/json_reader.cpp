@@ -1,0 +1,109 @@
+#include "table/json_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "system/error.h"
+#include "table/error.h"
+
+namespace twrench::table {
+
+JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) {
+  header_.file = input_.name();
+  find_rows();
+  if (!next_row()) throw BadTable(header_.file, "it has no rows");
+  header_.names = row_.names;
+  cursor_ = JsonCursor(input_);
+  find_rows();
+}
+
+/// Goes to where the first row begins.
+void JsonReader::find_rows() {
+  at_first_ = true;
+  if (cursor_.take_if('[')) {
+    layout_ = Layout::array;
+  } else if (find_samples()) {
+    layout_ = Layout::samples;
+  } else {
+    layout_ = Layout::lines;
+    cursor_ = JsonCursor(input_);
+  }
+}
+
+/// Goes behind "samples": [ of the object that begins here. Returns false where it has none.
+bool JsonReader::find_samples() {
+  cursor_.expect('{');
+  if (cursor_.take_if('}')) return false;
+  do {
+    const bool is_samples = cursor_.take_value() == "\"samples\"";
+    cursor_.expect(':');
+    if (is_samples && cursor_.take_if('[')) return true;
+    cursor_.take_value();
+  } while (cursor_.take_if(','));
+  return false;
+}
+
+bool JsonReader::next_row() {
+  if (layout_ == Layout::lines) {
+    if (!cursor_.peek()) return false;
+  } else if (cursor_.take_if(']')) {
+    finish();
+    return false;
+  } else if (!at_first_) {
+    cursor_.expect(',');
+  }
+  at_first_ = false;
+  read_json_row(cursor_.take_value(), cursor_.place(), row_);
+  return true;
+}
+
+/// Reads what follows the rows, so that a file that was cut off is not taken for a whole one.
+void JsonReader::finish() {
+  while (layout_ == Layout::samples && cursor_.take_if(',')) {
+    cursor_.take_value();
+    cursor_.expect(':');
+    cursor_.take_value();
+  }
+  if (layout_ == Layout::samples) cursor_.expect('}');
+  if (!cursor_.peek()) return;
+  throw system::FileError(cursor_.place_here(), "there is more behind the end of the JSON value");
+}
+
+void JsonReader::select(std::span<const std::size_t> columns) {
+  selected_.assign(columns.begin(), columns.end());
+}
+
+/// The cell of a column of the first row, wherever it stands in this one.
+const JsonCell& JsonReader::cell_of(std::size_t column) const {
+  static const JsonCell missing;
+  const std::string& name = header_.names[column];
+  if (column < row_.names.size() && row_.names[column] == name) return row_.cells[column];
+  const auto found = std::ranges::find(row_.names, name);
+  if (found == row_.names.end()) return missing;
+  return row_.cells[static_cast<std::size_t>(found - row_.names.begin())];
+}
+
+bool JsonReader::next(std::span<Number> numbers) {
+  if (!next_row()) return false;
+  for (std::size_t i = 0; i < selected_.size(); ++i) {
+    const std::string& name = header_.names[selected_[i]];
+    const JsonCell& cell = cell_of(selected_[i]);
+    switch (cell.kind) {
+      case JsonCell::Kind::missing:
+        throw system::FileError(place(), fmt::format("the row has no '{}'", name),
+                                "each row needs what the first one has");
+      case JsonCell::Kind::too_large:
+        throw too_large(place(), name, cell.text);
+      case JsonCell::Kind::other:
+        throw no_number(place(), name, cell.text);
+      case JsonCell::Kind::number:
+        numbers[i] = cell.number;
+    }
+  }
+  return true;
+}
+
+}  // namespace twrench::table

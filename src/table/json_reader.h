@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "table/input.h"
+#include "table/json_cursor.h"
+#include "table/json_row.h"
+#include "table/reader.h"
+
+namespace twrench::table {
+
+/// Rows that are JSON objects or arrays: in an array, in the array "samples" of an object, or one
+/// after another (JSON Lines).
+class JsonReader : public Reader {
+ public:
+  explicit JsonReader(Input input);
+
+  void select(std::span<const std::size_t> columns) override;
+  bool next(std::span<Number> numbers) override;
+  std::string place() const override { return cursor_.place(); }
+
+ private:
+  enum class Layout { lines, array, samples };
+
+  void find_rows();
+  bool find_samples();
+  bool next_row();
+  void finish();
+  const JsonCell& cell_of(std::size_t column) const;
+
+  Input input_;
+  JsonCursor cursor_;
+  Layout layout_ = Layout::array;
+  bool at_first_ = true;  ///< no row was taken yet
+  JsonCells row_;
+  std::vector<std::size_t> selected_;
+};
+
+}  // namespace twrench::table

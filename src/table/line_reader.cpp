@@ -1,0 +1,71 @@
+#include "table/line_reader.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+#include "system/error.h"
+
+namespace twrench::table {
+namespace {
+
+constexpr std::size_t block_bytes = 1 << 18;
+
+}  // namespace
+
+std::size_t byte_order_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
+LineReader::LineReader(const Input& input) : input_(&input) {
+  std::array<char, 3> first{};
+  const std::size_t size = input.read(0, first.data(), first.size());
+  offset_ = byte_order_mark({first.data(), size});
+}
+
+std::string LineReader::place() const { return fmt::format("{}:{}", input_->name(), number_); }
+
+bool LineReader::refill() {
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  buffer_.resize(end_ + block_bytes);
+  const std::size_t got = input_->read(offset_, buffer_.data() + end_, block_bytes);
+  offset_ += got;
+  end_ += got;
+  return got > 0;
+}
+
+bool LineReader::next(std::string_view& line) {
+  std::size_t searched = 0;
+  std::size_t behind = 0;  // where the next line begins
+  while (true) {
+    const std::size_t left = end_ - begin_ - searched;
+    const char* from = buffer_.data() + begin_ + searched;
+    const void* found = left > 0 ? std::memchr(from, '\n', left) : nullptr;
+    const std::size_t length =
+        searched +
+        (found ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : left);
+    if (length > max_bytes) {
+      ++number_;
+      throw system::FileError(place(), fmt::format("the line is longer than {} bytes", max_bytes),
+                              "a table has a line for each row");
+    }
+    behind = begin_ + length + (found ? 1 : 0);
+    line = {buffer_.data() + begin_, length};
+    if (found) break;
+    searched = length;
+    if (refill()) continue;
+    if (length == 0) return false;
+    line = {buffer_.data() + begin_, length};
+    behind = end_;
+    break;
+  }
+  begin_ = behind;
+  ++number_;
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return true;
+}
+
+}  // namespace twrench::table

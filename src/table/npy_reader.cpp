@@ -1,0 +1,103 @@
+#include "table/npy_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include "system/error.h"
+#include "table/error.h"
+
+namespace twrench::table {
+namespace {
+
+/// Reads a number of type T as it lies in the file, in the order of bytes that `endian` says.
+template <typename T, std::endian endian>
+Number decode_number(const char* bytes) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), bytes, raw.size());
+  if constexpr (endian != std::endian::native) std::ranges::reverse(raw);
+  Number number;
+  number.value = static_cast<double>(std::bit_cast<T>(raw));
+  if constexpr (std::is_integral_v<T>) number.decimals = 0;
+  return number;
+}
+
+using Decoder = Number (*)(const char*);
+
+template <typename T>
+void add_decoders(std::map<std::string, Decoder>& decoders, const std::string& type) {
+  decoders["<" + type] = decode_number<T, std::endian::little>;
+  decoders[">" + type] = decode_number<T, std::endian::big>;
+  decoders["=" + type] = decode_number<T, std::endian::native>;
+  decoders["|" + type] = decode_number<T, std::endian::native>;
+}
+
+/// By NumPy's names of the types.
+const std::map<std::string, Decoder>& all_decoders() {
+  static const std::map<std::string, Decoder> all = [] {
+    std::map<std::string, Decoder> decoders;
+    add_decoders<double>(decoders, "f8");
+    add_decoders<float>(decoders, "f4");
+    add_decoders<std::int8_t>(decoders, "i1");
+    add_decoders<std::int16_t>(decoders, "i2");
+    add_decoders<std::int32_t>(decoders, "i4");
+    add_decoders<std::int64_t>(decoders, "i8");
+    add_decoders<std::uint8_t>(decoders, "u1");
+    add_decoders<std::uint16_t>(decoders, "u2");
+    add_decoders<std::uint32_t>(decoders, "u4");
+    add_decoders<std::uint64_t>(decoders, "u8");
+    return decoders;
+  }();
+  return all;
+}
+
+}  // namespace
+
+NpyReader::NpyReader(Input input) : input_(std::move(input)), layout_(read_npy_header(input_)) {
+  header_.file = input_.name();
+  if (layout_.rows == 0) throw BadTable(header_.file, "it has no rows");
+  std::ranges::transform(layout_.columns, std::back_inserter(header_.names), &NpyColumn::name);
+}
+
+void NpyReader::select(std::span<const std::size_t> columns) {
+  for (const std::size_t index : columns) {
+    const NpyColumn& column = layout_.columns[index];
+    const auto decoder = all_decoders().find(column.type);
+    if (decoder == all_decoders().end()) {
+      throw BadTable(header_.file,
+                     fmt::format("the column '{}' is of NumPy's type '{}', which is not read",
+                                 column.name, column.type),
+                     "save it as numbers: array.astype(float)");
+    }
+    const std::size_t size = static_cast<std::size_t>(column.type.back() - '0');
+    // One row beside the other: one window. One column behind the other: one for each.
+    const bool by_columns = column.step == size && layout_.columns.size() > 1;
+    if (by_columns || windows_.empty()) windows_.emplace_back(input_);
+    selected_.push_back({column, size, decoder->second, windows_.size() - 1});
+  }
+}
+
+std::string NpyReader::place() const { return fmt::format("{}: row {}", header_.file, row_); }
+
+bool NpyReader::next(std::span<Number> numbers) {
+  if (row_ == layout_.rows) return false;
+  for (std::size_t i = 0; i < selected_.size(); ++i) {
+    const Selected& selected = selected_[i];
+    const std::uint64_t offset = selected.column.begin + row_ * selected.column.step;
+    const std::string_view bytes = windows_[selected.window].at(offset, selected.size);
+    if (bytes.size() < selected.size) {
+      throw system::FileError(header_.file, "it became shorter while it was read");
+    }
+    numbers[i] = selected.decode(bytes.data());
+  }
+  ++row_;
+  return true;
+}
+
+}  // namespace twrench::table
