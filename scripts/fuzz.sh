@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in fuzz/ (manifest, png, range,
-# scene) with ASan and UBSan, starting from the saved corpus. New inputs go to
+# scene, table) with ASan and UBSan, starting from the saved corpus. New inputs go to
 # build/fuzz/corpus/TARGET; an input that causes a failure is saved in build/fuzz and belongs in
 # fuzz/corpus once fixed. Needs clang-14 (scripts/setup.sh tidy installs it).
 set -euo pipefail

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "check/attitude.h"
+#include "check/column_sets.h"
 #include "check/columns.h"
 #include "check/digits.h"
 #include "check/names.h"
@@ -25,25 +26,7 @@ constexpr Kind kind_of(AttitudeForm form) {
   return form == AttitudeForm::quaternion ? Kind::quaternion : Kind::euler;
 }
 
-/// The columns of the file that a convention uses, in the order in which they are read.
-struct Selection {
-  std::vector<std::size_t> columns;
-  std::vector<std::string> names;  ///< the file's
-
-  void add(const table::Header& header, const Convention& convention, Kind kind) {
-    for (const std::string& ours : names_of(kind)) {
-      const auto theirs = convention.columns.find(ours);
-      if (theirs == convention.columns.end()) {
-        throw ColumnError(header.file, ours, fmt::format("no column is named for {}", ours),
-                          "say which it is");
-      }
-      columns.push_back(find_column(header, ours, theirs->second));
-      names.push_back(header.names[columns.back()]);
-    }
-  }
-};
-
-/// 1 of our unit in the file's, of times: 1e-3 where the name says ms.
+/// How many seconds the file's unit of time has: 1e-3 where the name says ms.
 double seconds_of(const table::Header& header, std::size_t column) {
   return stated_unit(header, column).seconds.value_or(1.0);
 }
@@ -53,6 +36,7 @@ double seconds_of(const table::Header& header, std::size_t column) {
 struct RowReader::State {
   State(std::unique_ptr<table::Reader> opened, Convention meant);
 
+  void select(Kind kind);
   void read_time(Row& row);
   void read_rates(Row& row);
   void read_attitude(Row& row);
@@ -60,6 +44,10 @@ struct RowReader::State {
   void read_quaternion(Row& row);
   void require_finite() const;
   table::BadTable bad_attitude(const std::string& why, const std::string& remedy) const;
+
+  const std::string& name_of_column(std::size_t i) const {
+    return reader->header().names[columns[i]];
+  }
 
   std::span<const table::Number> numbers_of_attitude() const {
     return std::span(numbers).subspan(has_rates ? 4 : 1);
@@ -69,7 +57,7 @@ struct RowReader::State {
   Convention convention;
   AttitudeForm form;
   bool has_rates;
-  Selection selection;
+  std::vector<std::size_t> columns;  ///< of the file, in the order in which they are read
   double second = 1, rate_unit = 1, euler_unit = 1;  ///< of the file, in ours
   Axes axes{2, 1, 0};
   std::vector<table::Number> numbers;
@@ -85,9 +73,9 @@ RowReader::State::State(std::unique_ptr<table::Reader> opened, Convention meant)
       form(attitude_form(convention)),
       has_rates(check::has_rates(convention)) {
   const table::Header& header = reader->header();
-  selection.add(header, convention, Kind::time);
-  if (has_rates) selection.add(header, convention, Kind::rates);
-  if (form != AttitudeForm::none) selection.add(header, convention, kind_of(form));
+  select(Kind::time);
+  if (has_rates) select(Kind::rates);
+  if (form != AttitudeForm::none) select(kind_of(form));
   if (convention.rates_in_space && has_rates && form == AttitudeForm::none) {
     throw InvalidArgument(header.file, "rates in space axes say nothing without an attitude",
                           "name the columns of the attitude");
@@ -98,16 +86,28 @@ RowReader::State::State(std::unique_ptr<table::Reader> opened, Convention meant)
   if (form == AttitudeForm::euler) {
     axes = axes_of(parse_sequence(convention.sequence, "the sequence of Euler angles"));
   }
-  second = seconds_of(header, selection.columns.front());
-  reader->select(selection.columns);
-  numbers.resize(selection.columns.size());
+  second = seconds_of(header, columns.front());
+  reader->select(columns);
+  numbers.resize(columns.size());
+}
+
+void RowReader::State::select(Kind kind) {
+  const table::Header& header = reader->header();
+  for (const std::string& ours : names_of(kind)) {
+    const auto theirs = convention.columns.find(ours);
+    if (theirs == convention.columns.end()) {
+      throw ColumnError(header.file, ours, fmt::format("no column is named for {}", ours),
+                        columns_remedy(header));
+    }
+    columns.push_back(find_column(header, ours, theirs->second));
+  }
 }
 
 void RowReader::State::require_finite() const {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (std::isfinite(numbers[i].value)) continue;
-    throw table::BadTable(table::cell_place(reader->place(), selection.names[i]),
-                          fmt::format("is {}, which is no finite number", numbers[i].value),
+    throw table::BadTable(table::cell_place(reader->place(), name_of_column(i)),
+                          fmt::format("{} is not finite", numbers[i].value),
                           "remove the row, or end the file before it");
   }
 }
@@ -117,7 +117,7 @@ void RowReader::State::read_time(Row& row) {
   row.t = second * numbers[0].value;
   if (rows > 0 && !(row.t > last_time)) {
     const bool is_doubled = row.t == last_time;
-    throw table::BadTable(table::cell_place(reader->place(), selection.names[0]),
+    throw table::BadTable(table::cell_place(reader->place(), name_of_column(0)),
                           fmt::format("the time {} {} of the row before{}", numbers[0].value,
                                       is_doubled ? "is that" : "is before that",
                                       is_doubled ? "" : fmt::format(", {}", last_time / second)),
@@ -143,16 +143,24 @@ table::BadTable RowReader::State::bad_attitude(const std::string& why,
 void RowReader::State::read_matrix(Row& row) {
   const auto entries = numbers_of_attitude();
   for (int i = 0; i < 9; ++i) row.X(i / 3, i % 3) = entries[static_cast<std::size_t>(i)].value;
-  // |det| against the largest that rows of these lengths allow: how far they are from one plane.
-  const double volume = row.X.rowwise().norm().prod();
+  const Eigen::Vector3d lengths = row.X.rowwise().stableNorm();
+  // Integrators that do not project drift, which is the judge's to say; beyond this it is something
+  // else.
+  if (!(lengths.minCoeff() > 1e-3 && lengths.maxCoeff() < 1e3)) {
+    throw bad_attitude(
+        fmt::format("its rows have the lengths {:.3g}, {:.3g} and {:.3g} instead of 1", lengths[0],
+                    lengths[1], lengths[2]),
+        "correct the row, or choose other columns");
+  }
   const double determinant = row.X.determinant();
-  if (!(std::abs(determinant) > 0.01 * volume) || !std::isfinite(volume)) {
-    throw bad_attitude(fmt::format("is singular, with the determinant {:.3g}", determinant),
+  // The product of the lengths is what rows at right angles would have.
+  if (std::abs(determinant) < 0.01 * lengths.prod()) {
+    throw bad_attitude(fmt::format("it is singular, with the determinant {:.3g}", determinant),
                        "correct the row, or choose other columns");
   }
   if (determinant < 0) {
     throw bad_attitude(
-        fmt::format("is a reflection and no rotation: its determinant is {:.3g}", determinant),
+        fmt::format("it is a reflection and no rotation: its determinant is {:.3g}", determinant),
         "check the signs, and that both frames are right-handed");
   }
   row.orthogonality_error = (row.X.transpose() * row.X - Eigen::Matrix3d::Identity()).norm();
@@ -162,12 +170,11 @@ void RowReader::State::read_quaternion(Row& row) {
   std::array<double, 4> q{};
   for (std::size_t i = 0; i < 4; ++i) q[i] = numbers_of_attitude()[i].value;
   const double length = Eigen::Map<const Eigen::Vector4d>(q.data()).stableNorm();
-  // Integrators that do not normalise drift, which is the judge's to say; beyond this it is
-  // something else.
+  // As of matrices: what drifts is judged, and what is no quaternion is refused.
   constexpr double most = 0.1;
   if (!(std::abs(length - 1) <= most)) {
-    throw bad_attitude(length == 0 ? "is zero, which is no attitude"
-                                   : fmt::format("has the length {:.6g} instead of 1", length),
+    throw bad_attitude(length == 0 ? "it is zero, which is no attitude"
+                                   : fmt::format("its length is {:.6g} instead of 1", length),
                        "normalise it, or choose other columns");
   }
   row.X = rotation_by_quaternion(q);

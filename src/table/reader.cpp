@@ -77,6 +77,7 @@ std::unique_ptr<Reader> open(Input input) {
   constexpr std::size_t most_columns = 16384;  // as many as the usual spreadsheets have
   auto reader = open_format(std::move(input));
   const Header& header = reader->header();
+  if (header.names.empty()) throw system::FileError(header.file, "its first row is empty");
   if (header.names.size() <= most_columns) return reader;
   throw system::FileError(header.file, fmt::format("it has {} columns, but at most {} are read",
                                                    header.names.size(), most_columns));

@@ -1,0 +1,50 @@
+// Tables: CSV, JSON and NumPy files, and the trajectories in them.
+#include <twrench/base/error.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <string_view>
+
+#include "check/row_reader.h"
+#include "system/error.h"
+#include "table/reader.h"
+#include "target.h"
+
+namespace {
+
+using namespace twrench;
+
+void read_rows(std::string_view bytes, const check::Convention& convention) {
+  check::RowReader reader(table::open_table("input", bytes), convention);
+  double last = -INFINITY;
+  for (check::Row row; reader.next(row);) {
+    require(row.t > last, "times ascend");
+    require(row.omega.allFinite() && row.X.allFinite(), "numbers are finite");
+    require(row.X.determinant() > 0, "an attitude is no reflection");
+    last = row.t;
+  }
+  require(reader.time_resolution().at(1) > 0, "times have a resolution");
+  require(reader.rate_resolution().at(1) > 0, "rates have a resolution");
+}
+
+void read_table(std::string_view bytes) {
+  const auto header = table::open_table("input", bytes)->header();
+  require(!header.names.empty(), "a table has columns");
+  for (const check::Convention& convention : check::conventions(header, {})) {
+    const auto columns = check::format_columns(convention.columns);
+    require(check::parse_columns(columns, "columns") == convention.columns,
+            "columns are read back");
+    read_rows(bytes, convention);
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    read_table({reinterpret_cast<const char*>(data), size});
+  } catch (const InvalidArgument&) {
+  } catch (const system::FileError&) {
+  }
+  return 0;
+}

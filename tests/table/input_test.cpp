@@ -1,0 +1,72 @@
+#include "table/input.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <string>
+
+#include "scratch_folder.h"
+#include "system/error.h"
+#include "table/read_table.h"
+
+namespace twrench::table {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string refusal(const std::filesystem::path& path) {
+  try {
+    open_table(path);
+  } catch (const system::FileError& error) {
+    return std::string(error.what()) + " -- " + error.remedy();
+  }
+  return "no error";
+}
+
+TEST(Input, IsAFile) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "run.csv") << "t,w\n0,1\n";
+  const auto reader = open_table(scratch / "run.csv");
+  EXPECT_THAT(reader->header().names, ElementsAre("t", "w"));
+  EXPECT_EQ(reader->header().file, (scratch / "run.csv").string());
+}
+
+TEST(Input, IsNothingElse) {
+  const ScratchFolder scratch;
+  EXPECT_THAT(refusal(scratch / "none.csv"), HasSubstr("No such file"));
+  EXPECT_THAT(refusal(scratch.path()), HasSubstr("Is a directory"));
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("not a regular file"));
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(refusal(scratch / "pipe"), HasSubstr("not a regular file"));
+  EXPECT_THROW(open_table(std::filesystem::path("-")), InvalidArgument);
+}
+
+TEST(Input, SaysWhatIsNoTable) {
+  EXPECT_THAT(file_error_of("\x1F\x8B\x08"), HasSubstr("compressed (gzip)"));
+  EXPECT_THAT(file_error_of("PK\x03\x04"), HasSubstr(".npz"));
+  EXPECT_THAT(file_error_of("\xFF\xFEt"), HasSubstr("iconv"));
+  EXPECT_THAT(file_error_of("\xFE\xFF"), HasSubstr("UTF-16"));
+  EXPECT_THAT(file_error_of(std::string_view("t\0,\0", 4)), HasSubstr("binary"));
+  std::string wide = "a";
+  for (int i = 0; i < 16384; ++i) wide += ",a";
+  EXPECT_THAT(file_error_of(wide + "\n" + wide + "\n1\n"), HasSubstr("it has 16385 columns"));
+}
+
+// Whatever is asked for, near the ends of what is held and of the input.
+TEST(Window, ShowsTheBytesAskedFor) {
+  std::string bytes;
+  for (int i = 0; i < 400'000; ++i) bytes += static_cast<char>('a' + i % 26);
+  const Input input("run", bytes);
+  Window window(input);
+  for (const std::size_t offset :
+       {0U, 262'140U, 262'144U, 262'150U, 399'995U, 5U, 400'000U, 500'000U}) {
+    const std::string expected = offset < bytes.size() ? bytes.substr(offset, 10) : "";
+    EXPECT_EQ(window.at(offset, 10), expected) << offset;
+  }
+}
+
+}  // namespace
+}  // namespace twrench::table

@@ -1,0 +1,74 @@
+#include "table/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace twrench::table {
+namespace {
+
+Number read(std::string_view text, bool decimal_comma = false) {
+  Number number;
+  EXPECT_EQ(read_number(text, decimal_comma, number), Reading::number) << text;
+  return number;
+}
+
+Reading reading_of(std::string_view text, bool decimal_comma = false) {
+  Number number;
+  return read_number(text, decimal_comma, number);
+}
+
+TEST(NumberText, IsReadToTheLastBit) {
+  EXPECT_EQ(read("0.1").value, 0.1);
+  EXPECT_EQ(read("9007199254740993").value, 9007199254740992.0);
+  EXPECT_EQ(read("2.2250738585072011e-308").value, 2.2250738585072011e-308);
+  EXPECT_EQ(read("1.7976931348623157e308").value, std::numeric_limits<double>::max());
+  EXPECT_TRUE(std::signbit(read("-0").value));
+}
+
+TEST(NumberText, MayHaveASignAndFortransExponent) {
+  EXPECT_EQ(read("+1.5").value, 1.5);
+  EXPECT_EQ(read("-.5").value, -0.5);
+  EXPECT_EQ(read("1.5D+02").value, 150);
+  EXPECT_EQ(read("-1.5d-2").value, -0.015);
+  EXPECT_EQ(read("1,5", true).value, 1.5);
+  EXPECT_EQ(read("-1,5E1", true).value, -15);
+}
+
+TEST(NumberText, IsNotEveryText) {
+  for (const char* text : {"", "+", "-", "+-1", "1 2", "1,5", "0x10", "1e", "1e+", "abc", "1.5f",
+                           "1:30", "d", "1d", "--1", "1_000", "e5", "."}) {
+    EXPECT_EQ(reading_of(text), Reading::text) << text;
+  }
+  EXPECT_EQ(reading_of("1.5", true), Reading::text);
+  EXPECT_EQ(reading_of("1,2,3", true), Reading::text);
+}
+
+TEST(NumberText, IsTooLargeOrTooSmall) {
+  EXPECT_EQ(reading_of("1e309"), Reading::too_large);
+  EXPECT_EQ(reading_of("-1e99999999999"), Reading::too_large);
+  EXPECT_EQ(reading_of("1" + std::string(400, '0')), Reading::too_large);
+  EXPECT_EQ(read("1e-400").value, 0);
+  EXPECT_EQ(read("0." + std::string(400, '0') + "1").value, 0);
+  EXPECT_EQ(read("1e-99999999999").value, 0);
+}
+
+TEST(NumberText, TellsItsDigits) {
+  const auto expect = [](std::string_view text, int decimals, int significant) {
+    const Number number = read(text);
+    EXPECT_EQ(number.decimals, decimals) << text;
+    EXPECT_EQ(number.significant, significant) << text;
+  };
+  expect("12.340", 3, 5);
+  expect("-0.00120", 5, 3);
+  expect("1.5e-3", 4, 2);
+  expect("1.50E2", 0, 3);
+  expect("12e2", -2, 2);
+  expect("1200", 0, 4);
+  expect("0.000", 3, 0);
+  expect("0", 0, 0);
+}
+
+}  // namespace
+}  // namespace twrench::table
