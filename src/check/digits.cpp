@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/hidden_digits.h"
+
 namespace twrench::check {
 namespace {
 
 /// Of doubles: more digits tell nothing more.
 constexpr int digits_of_double = 17;
+
+/// How many numbers are looked at for digits that a change of their unit added.
+constexpr std::size_t kept_values = 192;
 
 bool is_float(double value) {
   return std::abs(value) <= std::numeric_limits<float>::max() &&
@@ -29,6 +34,8 @@ void Digits::add(const table::Number& number) {
   any_long_ = any_long_ || (all_single_ && needs_whole_float(number.value));
   decimals_ = std::max(decimals_, number.decimals);
   significant_ = std::max(significant_, number.significant);
+  if (number.value != 0 && first_values_.size() < kept_values)
+    first_values_.push_back(number.value);
   if (number.significant == 0) return;  // zero has no leading place
   const int place = number.significant - number.decimals - 1;
   if (!last_ || place != last_place_) {
@@ -56,6 +63,18 @@ bool Digits::is_single_precision() const {
 }
 
 Resolution Digits::resolution(double unit) const {
+  constexpr int long_digits = 15;
+  if (significant_ >= long_digits && !is_single_precision()) {
+    if (const auto hidden = find_hidden_digits(first_values_)) {
+      Digits before;
+      for (const table::Number& number : hidden->numbers) before.add(number);
+      return before.written_resolution(unit * hidden->factor);
+    }
+  }
+  return written_resolution(unit);
+}
+
+Resolution Digits::written_resolution(double unit) const {
   Resolution resolution;
   resolution.unit = unit;
   if (is_single_precision()) {

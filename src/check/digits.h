@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <optional>
+#include <vector>
 
 #include "check/resolution.h"
 #include "table/reader.h"
@@ -11,7 +11,8 @@
 namespace twrench::check {
 
 /// Finds from the numbers of a column how they are written: with so many decimals, with so many
-/// significant digits, or as values of single precision.
+/// significant digits, as values of single precision, or with digits that a change of the unit
+/// added.
 class Digits {
  public:
   Digits() = default;
@@ -30,6 +31,7 @@ class Digits {
     int decimals = std::numeric_limits<int>::min();  ///< the most
   };
 
+  Resolution written_resolution(double unit) const;
   bool has_fixed_decimals() const;
   bool is_single_precision() const;
 
@@ -38,8 +40,9 @@ class Digits {
   int last_place_ = 0;
   int decimals_ = std::numeric_limits<int>::min();
   int significant_ = 0;
-  bool all_single_ = true;  ///< each number is a float
-  bool any_long_ = false;   ///< and one of them needs the last bits of a float
+  bool all_single_ = true;            ///< each number is a float
+  bool any_long_ = false;             ///< and one of them needs the last bits of a float
+  std::vector<double> first_values_;  ///< some that are not zero
 };
 
 /// The same for times, which may be written exactly in few digits.

@@ -67,6 +67,23 @@ TEST(Digits, OfSinglePrecisionAreNotMoreThanThoseOfFloats) {
   EXPECT_LT(resolution_of<Digits>({"0.5000000000", "0.2500000000"}).at(0.5), 1e-9);
 }
 
+// As NASA's simulator 01 was converted: 12 digits of rad/s, in deg/s with 17.
+TEST(Digits, ThatAChangeOfTheUnitAddedDoNotCount) {
+  for (const double factor :
+       {57.295779513, 180 / 3.14159265358979323846, 57.3, 0.017453292519943295, 1.0}) {
+    std::vector<std::string> texts;
+    for (int i = 1; i < 100; ++i) {
+      const double printed = std::stod(fmt::format("{:.11e}", 0.5 * std::sin(0.1 * i)));
+      texts.push_back(fmt::format("{}", printed * factor));
+    }
+    const Resolution resolution = resolution_of<Digits>(texts);
+    EXPECT_NEAR(resolution.at(0.2 * factor), 1e-12 * factor, 1e-15 * factor) << factor;
+    EXPECT_NEAR(resolution.at(0.02 * factor), 1e-13 * factor, 1e-16 * factor) << factor;
+  }
+  // Few numbers tell nothing: these are what they are.
+  EXPECT_LT(resolution_of<Digits>({"0.50000000000000000", "1.5000000000000000"}).at(1), 1e-15);
+}
+
 TEST(Digits, AreInOurUnit) {
   const double degree = 3.14159265358979323846 / 180;
   EXPECT_DOUBLE_EQ(resolution_of<Digits>(written("{:.4f}"), degree).at(1), 1e-4 * degree);

@@ -253,7 +253,7 @@ TEST(RowReader, ReadsNasasFilesByTheirNames) {
   }
 }
 
-TEST(RowReader, NoticesThatNasasTimesAreOfSinglePrecision) {
+TEST(RowReader, NoticesWhichDigitsOfNasasFilesAreTrue) {
   RowReader reader = nasa_reader("nasa_tumbling_brick_05.csv");
   rows_of(reader);
   EXPECT_DOUBLE_EQ(reader.time_resolution().at(0.2), std::ldexp(1.0, -26));
@@ -261,6 +261,8 @@ TEST(RowReader, NoticesThatNasasTimesAreOfSinglePrecision) {
   RowReader other = nasa_reader("nasa_tumbling_brick_01.csv");
   rows_of(other);
   EXPECT_LT(other.time_resolution().at(0.2), 1e-16);
+  // Written with 16 digits of deg/s, which were made of 12 of rad/s.
+  EXPECT_NEAR(other.rate_resolution().at(0.2), 1e-12, 1e-20);
 }
 
 }  // namespace
