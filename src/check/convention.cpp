@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
 
-/// The columns by which one reading tells time, rates and attitude; the last two may be missing.
-struct Reading {
+/// The columns that, in one reading of the file, tell time, rates and attitude; the last two may be
+/// missing.
+struct ColumnChoice {
   ColumnSet time;
   std::optional<ColumnSet> rates, attitude;
 };
@@ -73,7 +74,7 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   return found;
 }
 
-std::vector<Reading> readings(const table::Header& header, const Convention& said) {
+std::vector<ColumnChoice> column_choices(const table::Header& header, const Convention& said) {
   std::vector<std::optional<ColumnSet>> rates{said_set(header, said, Kind::rates)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
@@ -87,7 +88,7 @@ std::vector<Reading> readings(const table::Header& header, const Convention& sai
     throw ColumnError(header.file, "", "no columns have names of rates or of an attitude",
                       columns_remedy(header));
   }
-  std::vector<Reading> all;
+  std::vector<ColumnChoice> all;
   for (const ColumnSet& t : times(header, said)) {
     for (const auto& r : rates) {
       for (const auto& a : attitude) all.push_back({t, r, a});
@@ -141,20 +142,20 @@ std::optional<Angle> unit_of(const table::Header& header, const ColumnSet& set,
   return stated ? stated : said;
 }
 
-Convention convention_of(const table::Header& header, const Reading& reading,
+Convention convention_of(const table::Header& header, const ColumnChoice& choice,
                          const Convention& said) {
   Convention convention = said;
   convention.columns.clear();
-  add_columns(header, reading.time, convention);
-  if (reading.rates) {
-    add_columns(header, *reading.rates, convention);
-    convention.unit = unit_of(header, *reading.rates, said.unit);
-    convention.rates_in_space = said.rates_in_space || reading.rates->in_space;
+  add_columns(header, choice.time, convention);
+  if (choice.rates) {
+    add_columns(header, *choice.rates, convention);
+    convention.unit = unit_of(header, *choice.rates, said.unit);
+    convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
   }
-  if (!reading.attitude) return convention;
-  add_columns(header, *reading.attitude, convention);
-  if (reading.attitude->kind == Kind::euler) {
-    convention.euler_unit = unit_of(header, *reading.attitude, said.unit);
+  if (!choice.attitude) return convention;
+  add_columns(header, *choice.attitude, convention);
+  if (choice.attitude->kind == Kind::euler) {
+    convention.euler_unit = unit_of(header, *choice.attitude, said.unit);
   }
   return convention;
 }
@@ -175,8 +176,8 @@ void add_with_sequences(Convention convention, std::vector<Convention>& all) {
 
 std::vector<Convention> conventions(const table::Header& header, const Convention& said) {
   std::vector<Convention> all;
-  for (const Reading& reading : readings(header, said)) {
-    add_with_sequences(convention_of(header, reading, said), all);
+  for (const ColumnChoice& choice : column_choices(header, said)) {
+    add_with_sequences(convention_of(header, choice, said), all);
   }
   return all;
 }

@@ -58,6 +58,10 @@ CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
   const Sample sample = read_sample(input_);
   if (sample.lines.empty())
     throw BadTable(header_.file, "it has no rows, only blank lines and comments");
+  if (sample.lines.front().text.find('\r') != std::string::npos) {
+    throw system::FileError(header_.file, "its lines end with CR alone",
+                            "let them end with LF: tr '\\r' '\\n'");
+  }
   dialect_ = detect_dialect(sample, header_.file);
   read_header(sample);
 }
@@ -164,7 +168,9 @@ void CsvReader::require_columns(std::size_t count, std::string_view last) const 
   const bool names_end_with_separator = count + 1 == expected && header_.names.back().empty();
   if (count == expected || row_ends_with_separator || names_end_with_separator) return;
   throw system::FileError(
-      place(), fmt::format("the row has {} cells, but there are {} columns", count, expected),
+      place(),
+      fmt::format("the row has {} cell{}, but there are {} columns", count, count == 1 ? "" : "s",
+                  expected),
       "each row needs a cell for each column; between decimal commas, cells need semicolons");
 }
 

@@ -144,6 +144,54 @@ TEST(Conventions, PutOurOwnNamesBeforeOthers) {
               ElementsAre("t=t,wx=wx,wy=wy,wz=wz"));
 }
 
+// Simulator 05 of NASA's check cases, with positions, forces and one name twice.
+TEST(Conventions, FindTheirWayAmongManyColumns) {
+  EXPECT_THAT(
+      readings_of({"time",
+                   "eiPosition_ft_X",
+                   "eiPosition_ft_Y",
+                   "eiPosition_ft_Z",
+                   "gePosition_ft_X",
+                   "gePosition_ft_Y",
+                   "gePosition_ft_Z",
+                   "eiVelocity_ft_s_X",
+                   "eiVelocity_ft_s_Y",
+                   "eiVelocity_ft_s_Z",
+                   "feVelocity_ft_s_X",
+                   "feVelocity_ft_s_Y",
+                   "feVelocity_ft_s_Z",
+                   "altitudeMsl_ft",
+                   "longitude_deg",
+                   "latitude_deg",
+                   "localGravity_ft_s2",
+                   "eulerAngle_deg_Yaw",
+                   "eulerAngle_deg_Pitch",
+                   "eulerAngle_deg_Roll",
+                   "bodyAngularRateWrtEi_deg_s_Roll",
+                   "bodyAngularRateWrtEi_deg_s_Pitch",
+                   "bodyAngularRateWrtEi_deg_s_Yaw",
+                   "altitudeRateWrtMsl_ft_min",
+                   "speedOfSound_ft_s",
+                   "airDensity_slug_ft3",
+                   "ambientPressure_lbf_ft2",
+                   "ambientTemperature_dgR",
+                   "aero_bodyForce_lbf_X",
+                   "aero_bodyForce_lbf_Y",
+                   "aero_bodyForce_lbf_Z",
+                   "aero_bodyMoment_ftlbf_L",
+                   "aero_bodyMoment_ftlbf_M",
+                   "aero_bodyMoment_ftlbf_N",
+                   "mach",
+                   "dynamicPressure_lbf_ft2",
+                   "trueAirspeed_nmi_h",
+                   "feVelocity_ft_s_Z"},
+                  ""),
+      testing::Each(
+          "t=time,wx=bodyAngularRateWrtEi_deg_s_Roll,wy=bodyAngularRateWrtEi_deg_s_Pitch,"
+          "wz=bodyAngularRateWrtEi_deg_s_Yaw,yaw=eulerAngle_deg_Yaw,pitch=eulerAngle_deg_Pitch,"
+          "roll=eulerAngle_deg_Roll"));
+}
+
 // The scalar may be first or last; a matrix may be written by rows or by columns.
 TEST(Conventions, LeaveOpenWhatNamesLeaveOpen) {
   for (const Names& n : {Names{"q0", "q1", "q2", "q3"}, Names{"q1", "q2", "q3", "q4"},

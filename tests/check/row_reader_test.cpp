@@ -231,9 +231,9 @@ TEST(RowReader, TellsHowManyDigitsTheFileHas) {
   EXPECT_LT(reader.time_resolution().at(1), 1e-15);
 }
 
-/// The beginning of a file of NASA's (its source stands in it), by the rates that it has.
+/// A file of NASA's (nasa/README.md) by the names of its columns.
 RowReader nasa_reader(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(TWRENCH_TESTS_DIR) / "reference" / name;
+  const std::filesystem::path file = std::filesystem::path(TWRENCH_TESTS_DIR) / "check/nasa" / name;
   const auto header = table::open_table(file)->header();
   const auto all = conventions(header, with_sequence("zyx"));
   EXPECT_THAT(all, SizeIs(1));
@@ -242,23 +242,23 @@ RowReader nasa_reader(const std::string& name) {
 }
 
 TEST(RowReader, ReadsNasasFilesByTheirNames) {
-  for (const char* name : {"nasa_tumbling_brick_01.csv", "nasa_tumbling_brick_05.csv"}) {
+  for (const char* name : {"tumbling_brick_sim_01.csv", "tumbling_brick_sim_05.csv"}) {
     RowReader reader = nasa_reader(name);
     EXPECT_EQ(reader.rate_unit(), Angle::degrees);
     EXPECT_EQ(reader.attitude(), AttitudeForm::euler);
     const std::vector<Row> rows = rows_of(reader);
-    ASSERT_THAT(rows, SizeIs(24));
+    ASSERT_THAT(rows, SizeIs(301));
     EXPECT_TRUE(rows[0].omega.isApprox(degree * Eigen::Vector3d(10, 20, 30), 1e-11)) << name;
     EXPECT_TRUE(rows[0].X.isIdentity(1e-15));
   }
 }
 
 TEST(RowReader, NoticesWhichDigitsOfNasasFilesAreTrue) {
-  RowReader reader = nasa_reader("nasa_tumbling_brick_05.csv");
+  RowReader reader = nasa_reader("tumbling_brick_sim_05.csv");
   rows_of(reader);
   EXPECT_DOUBLE_EQ(reader.time_resolution().at(0.2), std::ldexp(1.0, -26));
   EXPECT_LT(reader.rate_resolution().at(0.2), 1e-16);
-  RowReader other = nasa_reader("nasa_tumbling_brick_01.csv");
+  RowReader other = nasa_reader("tumbling_brick_sim_01.csv");
   rows_of(other);
   EXPECT_LT(other.time_resolution().at(0.2), 1e-16);
   // Written with 16 digits of deg/s, which were made of 12 of rad/s.

@@ -108,7 +108,7 @@ TEST(CsvReader, AllowsASeparatorAtTheEnd) {
 
 TEST(CsvReader, SaysWhereRowsAreRagged) {
   EXPECT_THAT(file_error_of("t,w\n0,1\n\n2\n"),
-              StartsWith("run:4: the row has 1 cells, but there are 2"));
+              StartsWith("run:4: the row has 1 cell, but there are 2"));
   EXPECT_THAT(file_error_of("t,w\n0,1\n2,3,4\n"), StartsWith("run:3: the row has 3 cells"));
   EXPECT_THAT(file_error_of("t w\n0 1\n2 3 4\n"), StartsWith("run:3: the row has 3 cells"));
 }
@@ -132,6 +132,10 @@ TEST(CsvReader, SaysThatThereAreNoRows) {
 
 TEST(CsvReader, RefusesAQuotedCellThatGoesOn) {
   EXPECT_THAT(file_error_of("t,w\n0,\"1\n2\",3\n"), StartsWith("run:2: a quotation mark opens"));
+}
+
+TEST(CsvReader, RefusesLinesOfAnEarlierAge) {
+  EXPECT_THAT(file_error_of("t,w\r0,1\r2,3\r"), HasSubstr("its lines end with CR alone"));
 }
 
 TEST(CsvReader, RefusesALineWithoutEnd) {
