@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 
 #include "system/error.h"
@@ -27,7 +29,9 @@ LineReader::LineReader(const Input& input) : input_(&input) {
 std::string LineReader::place() const { return fmt::format("{}:{}", input_->name(), number_); }
 
 bool LineReader::refill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  const auto first = buffer_.begin();
+  std::copy(first + static_cast<std::ptrdiff_t>(begin_), first + static_cast<std::ptrdiff_t>(end_),
+            first);
   end_ -= begin_;
   begin_ = 0;
   buffer_.resize(end_ + block_bytes);
