@@ -2,7 +2,7 @@
 #include <twrench/base/error.h>
 
 #include <Eigen/LU>
-#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "check/row_reader.h"
@@ -16,7 +16,7 @@ using namespace twrench;
 
 void read_rows(std::string_view bytes, const check::Convention& convention) {
   check::RowReader reader(table::open_table("input", bytes), convention);
-  double last = -INFINITY;
+  double last = -std::numeric_limits<double>::infinity();
   for (check::Row row; reader.next(row);) {
     require(row.t > last, "times ascend");
     require(row.omega.allFinite() && row.X.allFinite(), "numbers are finite");

@@ -53,7 +53,7 @@ std::string in_quotes_if_needed(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& names_of(Kind kind) {
-  static const std::array<std::vector<std::string>, std::size(all_kinds)> names{
+  static const std::array<std::vector<std::string>, all_kinds.size()> names{
       {{"t"},
        {"wx", "wy", "wz"},
        matrix_names(),
@@ -123,7 +123,7 @@ std::string format_columns(const std::map<std::string, std::string>& columns) {
 std::string parse_sequence(std::string_view text, const std::string& quantity) {
   static const std::vector<std::string> sequences{"zyx", "zxy", "yxz", "yzx", "xyz", "xzy",
                                                   "zxz", "zyz", "yxy", "yzy", "xyx", "xzx"};
-  const std::string small = in_small_letters(text);
+  std::string small = in_small_letters(text);
   if (std::ranges::find(sequences, small) != sequences.end()) return small;
   throw unknown_name(quantity, text, sequences);
 }

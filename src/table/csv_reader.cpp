@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "system/error.h"
@@ -110,30 +110,24 @@ bool CsvReader::next_line(std::string_view& line) {
 bool CsvReader::next(std::span<Number> numbers) {
   std::string_view line;
   if (!next_line(line)) return false;
-  const bool is_simple = dialect_.separator != ' ' && line.find('"') == std::string_view::npos;
-  if (!is_simple) {
+  const char separator = dialect_.separator;
+  if (separator == ' ' || line.find('"') != std::string_view::npos) {
     read_blanks_or_quotes(line, numbers);
     return true;
   }
-  const char* at = line.data();
-  const char* const end = at + line.size();
-  const auto end_of_cell = [&](const char* from) {
-    const void* found = std::memchr(from, dialect_.separator, static_cast<std::size_t>(end - from));
-    return found ? static_cast<const char*>(found) : end;
-  };
-  std::size_t column = 0;
-  const char* cell_end = end_of_cell(at);
+  constexpr std::size_t at_end = std::string_view::npos;
+  std::size_t column = 0, begin = 0, end = line.find(separator);
   for (const Selected& selected : selected_) {
-    for (; column < selected.column && cell_end != end; ++column) {
-      at = cell_end + 1;
-      cell_end = end_of_cell(at);
+    for (; column < selected.column && end != at_end; ++column) {
+      begin = end + 1;
+      end = line.find(separator, begin);
     }
     if (column < selected.column) break;
-    read_cell({at, static_cast<std::size_t>(cell_end - at)}, selected, numbers);
+    read_cell(line.substr(begin, end - begin), selected, numbers);
   }
-  const auto more = static_cast<std::size_t>(std::count(cell_end, end, dialect_.separator));
-  const std::string_view last = line.substr(line.rfind(dialect_.separator) + 1);
-  require_columns(column + 1 + more, last);
+  const std::string_view rest = end == at_end ? std::string_view{} : line.substr(end);
+  const auto more = static_cast<std::size_t>(std::ranges::count(rest, separator));
+  require_columns(column + 1 + more, line.substr(line.rfind(separator) + 1));
   return true;
 }
 

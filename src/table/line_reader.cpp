@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 
 #include "system/error.h"
 
@@ -42,31 +41,23 @@ bool LineReader::refill() {
 }
 
 bool LineReader::next(std::string_view& line) {
-  std::size_t searched = 0;
-  std::size_t behind = 0;  // where the next line begins
+  std::size_t length = 0;
+  bool has_end = false;
   while (true) {
-    const std::size_t left = end_ - begin_ - searched;
-    const char* from = buffer_.data() + begin_ + searched;
-    const void* found = left > 0 ? std::memchr(from, '\n', left) : nullptr;
-    const std::size_t length =
-        searched +
-        (found ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : left);
+    const std::string_view unread(buffer_.data() + begin_, end_ - begin_);
+    const std::size_t found = unread.find('\n', length);
+    has_end = found != std::string_view::npos;
+    length = has_end ? found : unread.size();
     if (length > max_bytes) {
       ++number_;
       throw system::FileError(place(), fmt::format("the line is longer than {} bytes", max_bytes),
                               "a table has a line for each row");
     }
-    behind = begin_ + length + (found ? 1 : 0);
-    line = {buffer_.data() + begin_, length};
-    if (found) break;
-    searched = length;
-    if (refill()) continue;
-    if (length == 0) return false;
-    line = {buffer_.data() + begin_, length};
-    behind = end_;
-    break;
+    if (has_end || !refill()) break;
   }
-  begin_ = behind;
+  if (!has_end && length == 0) return false;
+  line = {buffer_.data() + begin_, length};
+  begin_ += length + (has_end ? 1 : 0);
   ++number_;
   if (line.ends_with('\r')) line.remove_suffix(1);
   return true;
