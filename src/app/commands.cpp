@@ -16,7 +16,7 @@ namespace {
 constexpr const char* exit_codes =
     "Exit codes:\n"
     "  0         success\n"
-    "  1         compare: the images differ; study: a bound was exceeded\n"
+    "  1         compare: the images differ; study, check: a bound was exceeded\n"
     "  2         invalid option or scene\n"
     "  3         no usable OpenGL context\n"
     "  4         ffmpeg (or gnuplot, for plots) is missing or failed\n"
@@ -39,6 +39,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_study(app, code);
   add_encode(app);
   add_compare(app, code);
+  add_check(app, code);
   add_doctor(app, code);
   add_methods(app);
   add_scenes(app);

@@ -18,6 +18,7 @@ void add_inertia(CLI::App& app);
 void add_study(CLI::App& app, ExitCode& code);
 void add_encode(CLI::App& app);
 void add_compare(CLI::App& app, ExitCode& code);
+void add_check(CLI::App& app, ExitCode& code);
 void add_doctor(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
 void add_scenes(CLI::App& app);

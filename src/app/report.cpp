@@ -13,6 +13,7 @@
 
 #include "app/message.h"
 #include "canvas/error.h"
+#include "check/error.h"
 #include "film/error.h"
 #include "gl/error.h"
 #include "plot/gnuplot.h"
@@ -63,6 +64,17 @@ std::string remedy_for_frames(const video::FramesError& error) {
       break;
   }
   return "render it again: --resume --frames " + video::format_frame_range(error.frames());
+}
+
+std::string remedy_for_check(check::CheckError::Reason reason) {
+  switch (reason) {
+    case check::CheckError::Reason::no_rates:
+      return "give it with --omega X,Y,Z, or find it with --fit";
+    case check::CheckError::Reason::one_row:
+    case check::CheckError::Reason::at_rest:
+      break;
+  }
+  return "leave --fit out";
 }
 
 std::string remedy_for_gl(const gl::GlError& error) {
@@ -150,6 +162,7 @@ std::string remedy_for(const Error& error) {
   if (!error.remedy().empty()) return error.remedy();
   if (const auto* motion = as<motion::MotionError>(error))
     return remedy_for_motion(motion->reason());
+  if (const auto* check = as<check::CheckError>(error)) return remedy_for_check(check->reason());
   if (const auto* frames = as<video::FramesError>(error)) return remedy_for_frames(*frames);
   if (const auto* size = as<video::FilmSizeError>(error)) {
     return fmt::format("use --size {}x{}, or --no-video for the frames alone", size->width(),

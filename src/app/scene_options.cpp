@@ -19,18 +19,6 @@ namespace {
 
 constexpr int most_scenes = 16;
 
-/// A moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
-void warn_of_unreal_moments(const scene::Scene& scene, bool as_json) {
-  if (!scene.body.moments) return;
-  const Eigen::Vector3d& moments = *scene.body.moments;
-  constexpr double round_off = 1e-12;
-  if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
-  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one exceeds the sum of the "
-                   "other two",
-                   scene.name, moments[0], moments[1], moments[2]),
-       as_json);
-}
-
 /// The numbers of a vector as a JSON array.
 template <typename Vector>
 nlohmann::ordered_json array_of(const Vector& v) {
@@ -78,6 +66,15 @@ bool determines_motion(const scene::Field& field) {
 }
 
 }  // namespace
+
+void warn_of_unreal_moments(const std::string& of, const Eigen::Vector3d& moments, bool as_json) {
+  constexpr double round_off = 1e-12;
+  if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
+  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one exceeds the sum of the "
+                   "other two",
+                   of, moments[0], moments[1], moments[2]),
+       as_json);
+}
 
 std::string help_of(const scene::Field& field) {
   return field.key == "method" ? field.help + " (see twrench methods)" : field.help;
@@ -181,8 +178,10 @@ void SceneOptions::require_drawable(const scene::Scene& scene) const {
 
 std::vector<scene::Scene> SceneOptions::scenes() const {
   std::vector<scene::Scene> scenes = load();
-  for (const scene::Scene& scene : scenes)
-    warn_of_unreal_moments(scene, Progress::is_json(command_));
+  for (const scene::Scene& scene : scenes) {
+    if (!scene.body.moments) continue;
+    warn_of_unreal_moments(scene.name, *scene.body.moments, Progress::is_json(command_));
+  }
   return scenes;
 }
 

@@ -16,6 +16,11 @@ namespace twrench::app {
 inline constexpr const char* about_defaults =
     "Options override the scene; the defaults apply to what neither sets.\n";
 
+/// Warns on standard error about moments that no real body has. A moment is at most the sum of the
+/// other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
+void warn_of_unreal_moments(const std::string& of, const Eigen::Vector3d& moments,
+                            bool as_json = false);
+
 /// Returns the help of a field, which names the command that lists its values if there is one.
 std::string help_of(const scene::Field& field);
 

@@ -1,0 +1,162 @@
+#include "app/check_setup.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/check_result.h"
+#include "app/scene_options.h"
+#include "check/reading.h"
+#include "scene/limits.h"
+#include "scene/scene.h"
+#include "system/file.h"
+#include "table/reader.h"
+
+namespace twrench::app {
+namespace {
+
+/// The components of the quaternion in the order of the file's columns: "xyzw".
+std::string component_order(const table::Header& header, const check::Convention& convention) {
+  std::vector<std::pair<std::size_t, char>> places;
+  for (const char component : {'w', 'x', 'y', 'z'}) {
+    const auto column = convention.columns.find(std::string("q") + component);
+    if (column == convention.columns.end()) return {};
+    const auto at = std::ranges::find(header.names, column->second);
+    places.emplace_back(at - header.names.begin(), component);
+  }
+  std::ranges::sort(places);
+  std::string order;
+  for (const auto& [place, component] : places) order += component;
+  return order;
+}
+
+/// "these quaternions fit as xyzw, body from space".
+std::string fit_text(const table::Header& header, const check::Convention& convention) {
+  const char* frames = convention.inverse ? "body from space" : "space from body";
+  switch (check::attitude_form(convention)) {
+    case check::AttitudeForm::quaternion:
+      return fmt::format("these quaternions fit as {}, {}", component_order(header, convention),
+                         frames);
+    case check::AttitudeForm::euler:
+      return fmt::format("these angles fit in the sequence {}, {}", convention.sequence, frames);
+    case check::AttitudeForm::matrix:
+      return fmt::format("these matrices fit as {}", frames);
+    case check::AttitudeForm::none:
+      break;
+  }
+  return "only one of them fits the physics";
+}
+
+InvalidArgument ambiguous(const table::Header& header, const check::Convention& said,
+                          const std::vector<check::Convention>& open,
+                          const std::optional<check::Reading>& fitting) {
+  const std::string why = fmt::format("its columns can be read in {} ways", open.size());
+  if (fitting) {
+    return {header.file, why,
+            fmt::format("{}: add {}", fit_text(header, fitting->convention),
+                        option_text(said, fitting->convention))};
+  }
+  constexpr std::size_t most = 8;
+  std::vector<std::string> ways;
+  for (const check::Convention& convention : open) {
+    if (ways.size() < most) ways.push_back(option_text(said, convention));
+  }
+  return {
+      header.file, why,
+      fmt::format("say which: {}{}", fmt::join(ways, "; or "), open.size() > most ? " ..." : "")};
+}
+
+}  // namespace
+
+void CheckSetup::add_options(CLI::App& command) {
+  command
+      .add_option("--inertia", inertia_,
+                  "principal moments of inertia about the body's axes, in any unit")
+      ->type_name("A,B,C");
+  command.add_option("--scene", scene_, "take the body of this scene instead")->type_name("SCENE");
+  command.add_option("--omega", omega_, "initial angular velocity at t = 0, body axes, rad/s")
+      ->type_name("X,Y,Z")
+      ->default_str("the first row's, at its time");
+  command.add_flag("--fit", fit_, "fit the initial state to all rows by least squares");
+  command
+      .add_option(
+          "--frame", frame_,
+          "what the file's space frame is found from: first, the first row, or momentum, the "
+          "mean direction of L")
+      ->check(one_of("--frame", {"first", "momentum"}))
+      ->type_name("FROM")
+      ->capture_default_str();
+  command
+      .add_option("--columns", columns_,
+                  "the file's columns for t, wx wy wz, x11 to x33, qw qx qy qz, yaw pitch roll")
+      ->type_name("t=NAME,wx=NAME,...")
+      ->default_str("by their names");
+  command.add_option("--units", units_, "unit of angles and, a second, of rates: rad or deg")
+      ->check(one_of("--units", {"rad", "deg"}))
+      ->type_name("UNIT")
+      ->default_str("what the file says, else rad");
+  command.add_option("--sequence", sequence_, "axes of Euler angles in the order of the rotations")
+      ->type_name("AXES");
+  command.add_flag("--inverse", inverse_, "the attitude is body from space, not space from body");
+  command.add_option("--rates", rates_, "the axes of the rates: body or space")
+      ->check(one_of("--rates", {"body", "space"}))
+      ->type_name("AXES")
+      ->capture_default_str();
+}
+
+Eigen::Matrix3d CheckSetup::inertia() const {
+  if (!scene_.empty() && !inertia_.empty()) {
+    throw InvalidArgument("--scene", "--inertia gives the body already", "leave out one of them");
+  }
+  if (!scene_.empty()) return scene::mass_properties(scene::load_scene(scene_).body).inertia;
+  if (inertia_.empty()) {
+    throw InvalidArgument(
+        "check", "the body is not given",
+        "give its principal moments with --inertia A,B,C, in any unit, or --scene");
+  }
+  const Eigen::Vector3d moments = scene::limits::check_moments(
+      "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
+                                        parse_vector(inertia_, "--inertia")));
+  warn_of_unreal_moments("--inertia", moments);
+  return moments.asDiagonal();
+}
+
+check::Problem CheckSetup::problem() const {
+  check::Problem problem{.inertia = inertia()};
+  if (!omega_.empty()) {
+    problem.omega = scene::limits::check_omega("--omega", parse_vector(omega_, "--omega"));
+  }
+  problem.fit = fit_;
+  if (frame_ == "momentum") problem.frame = check::FrameFrom::momentum;
+  return problem;
+}
+
+check::Convention CheckSetup::said() const {
+  check::Convention said;
+  if (!columns_.empty()) said.columns = check::parse_columns(columns_, "--columns");
+  if (!units_.empty()) said.unit = units_ == "deg" ? check::Angle::degrees : check::Angle::radians;
+  if (!sequence_.empty()) said.sequence = check::parse_sequence(sequence_, "--sequence");
+  said.inverse = inverse_;
+  said.rates_in_space = rates_ == "space";
+  return said;
+}
+
+check::Convention CheckSetup::convention(const std::string& file,
+                                         const check::Problem& problem) const {
+  const check::Convention said = this->said();
+  const table::Header header = table::open_table(file)->header();
+  const std::vector<check::Convention> open = check::conventions(header, said);
+  if (open.size() == 1) return open.front();
+  throw ambiguous(header, said, open,
+                  check::only_fitting(check::readings(file, problem.inertia, open)));
+}
+
+void CheckSetup::require_not_input(const std::filesystem::path& output) const {
+  if (!scene_.empty()) system::require_not_input(output, scene_);
+}
+
+}  // namespace twrench::app

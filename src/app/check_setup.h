@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/command_line.h"
+#include "check/convention.h"
+#include "check/problem.h"
+
+namespace twrench::app {
+
+/// The options of `check` that say what a file is held against and how it is read. Must live as
+/// long as the command.
+class CheckSetup {
+ public:
+  void add_options(CLI::App& command);
+
+  /// Returns the body and the initial state. Throws InvalidArgument; warns about moments that no
+  /// real body has.
+  check::Problem problem() const;
+
+  /// Returns how the file is to be read. Throws InvalidArgument where its names leave that open,
+  /// with the only reading that fits the physics as the remedy, if there is one.
+  check::Convention convention(const std::string& file, const check::Problem& problem) const;
+
+  /// Throws OverwriteError where `output` is the scene file.
+  void require_not_input(const std::filesystem::path& output) const;
+
+ private:
+  check::Convention said() const;
+  Eigen::Matrix3d inertia() const;
+
+  std::string inertia_, scene_, omega_, frame_ = "first";
+  bool fit_ = false;
+  std::string columns_, units_, sequence_, rates_ = "body";
+  bool inverse_ = false;
+};
+
+}  // namespace twrench::app

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/check_result.h"
+
+namespace twrench::app {
+namespace {
+
+using check::Judgement;
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : std::string(between)) + part;
+  return text;
+}
+
+const char* unit_word(check::Angle unit) { return unit == check::Angle::degrees ? "deg" : "rad"; }
+
+/// "1,0,2" of the moments that were told.
+std::string moments_text(const Judgement& judgement, const std::array<int, 3>& order) {
+  const Eigen::Vector3d moments = judgement.reference.body.inertia().diagonal();
+  return fmt::format("--inertia {},{},{}", moments[order[0]], moments[order[1]], moments[order[2]]);
+}
+
+std::string proposal_text(const CheckedFile& file) {
+  const check::Reading& reading = *file.proposal;
+  const std::string options = option_text(file.judgement.convention, reading.convention);
+  return options.empty() ? moments_text(file.judgement, reading.moment_order) : options;
+}
+
+std::string foreign_text(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
+  if (file.proposal) {
+    return "does not follow the motion of this body as it is read, but fits with " +
+           proposal_text(file);
+  }
+  const check::Misfit& misfit = judgement.misfit;
+  const bool rates_fit = check::Misfit{misfit.rates, {}}.fits();
+  if (misfit.rates && misfit.attitude && rates_fit) {
+    return "attitude and rates do not fit each other in any frame or unit, though the rates follow "
+           "the motion of this body";
+  }
+  return "does not follow the motion of this body, in whatever unit or frame it is read";
+}
+
+/// "x, y and z": the unit vector of a rate to three places.
+std::string direction_text(const Eigen::Vector3d& rate) {
+  const Eigen::Vector3d n = rate.normalized();
+  const auto places = [](double value) { return fmt::format("{:.3f}", value + 0.0); };
+  return fmt::format("({}, {}, {})", places(n.x()), places(n.y()), places(n.z()));
+}
+
+std::string contradiction_text(const Judgement& judgement) {
+  std::string text = fmt::format(
+      "attitude and rates do not fit each other: the attitude is off by up to {:.3g} deg, more "
+      "than "
+      "all errors of the rates add up to",
+      degrees(judgement.attitude->max));
+  const check::FrameTurn& turn = judgement.frame_turn;
+  constexpr double steady = 0.99;
+  if (turn.share < steady) return text;
+  text += fmt::format(", as against a frame that itself turns, at {:.4g} deg/s about {} of space",
+                      degrees(turn.rate.norm()), direction_text(turn.rate));
+  constexpr double earth = 7.292115e-5;  // rad/s, sidereal
+  if (std::abs(turn.rate.norm() / earth - 1) < 0.02) text += " (the Earth's rate)";
+  return text;
+}
+
+/// What most of the error is.
+std::string cause_text(const Judgement& judgement) {
+  if (!judgement.parts) return {};
+  const check::ErrorParts& parts = *judgement.parts;
+  // Only the rates tell the two apart in one unit; they stand for the attitude too.
+  const double phase = parts.phase_rate, amplitude = parts.amplitude_rate;
+  constexpr double mostly = 3;
+  const std::string delay =
+      fmt::format("it runs {:.3g} s {}", std::abs(parts.delay), parts.delay > 0 ? "late" : "early");
+  const std::string level = fmt::format("energy off by {:.2g}", judgement.energy_error);
+  if (phase > mostly * amplitude) {
+    return fmt::format("; mostly phase: {}, energy holds to {:.2g}", delay, judgement.energy_drift);
+  }
+  if (amplitude > mostly * phase) return "; mostly amplitude: " + level;
+  return fmt::format("; phase and amplitude: {}, {}", delay, level);
+}
+
+std::string sizes_text(const Judgement& judgement) {
+  std::vector<std::string> sizes;
+  if (judgement.rates) {
+    const RateUnit unit = rate_unit(judgement);
+    sizes.push_back(fmt::format("{:.3g} {} at {:.6g} s", judgement.rates->max * unit.per_radian,
+                                unit.name, judgement.rates->at));
+  }
+  if (judgement.attitude && !judgement.attitude_contradicts_rates) {
+    sizes.push_back(fmt::format("{:.3g} deg at {:.6g} s", degrees(judgement.attitude->max),
+                                judgement.attitude->at));
+  }
+  return joined(sizes, " and ");
+}
+
+/// How much larger the errors are than what the digits leave open.
+double beyond_digits(const Judgement& judgement) {
+  double most = 0;
+  for (const check::Span& span : judgement.course) {
+    if (judgement.has_rates) most = std::max(most, span.rate_error / span.rate_limit);
+    if (judgement.has_attitude && !judgement.attitude_contradicts_rates) {
+      most = std::max(most, span.attitude_error / span.attitude_limit);
+    }
+  }
+  return most;
+}
+
+bool rates_within_digits(const Judgement& judgement) {
+  return std::ranges::all_of(
+      judgement.course, [](const check::Span& span) { return span.rate_error <= span.rate_limit; });
+}
+
+std::string faultless_text(const Judgement& judgement) {
+  return fmt::format("off by at most {}, which its last digits leave open", sizes_text(judgement));
+}
+
+std::string error_text(const Judgement& judgement) {
+  return fmt::format("off by up to {}, {:.3g} times what its last digits leave open{}",
+                     sizes_text(judgement), beyond_digits(judgement), cause_text(judgement));
+}
+
+}  // namespace
+
+RateUnit rate_unit(const Judgement& judgement) {
+  if (judgement.rate_unit == check::Angle::degrees) {
+    return {180 / std::numbers::pi, "deg/s", "deg"};
+  }
+  return {1, "rad/s", "rad"};
+}
+
+double degrees(double angle) { return angle * (180 / std::numbers::pi); }
+
+std::string option_text(const check::Convention& before, const check::Convention& after) {
+  std::vector<std::string> options;
+  if (after.columns != before.columns) {
+    options.push_back("--columns '" + check::format_columns(after.columns) + "'");
+  }
+  if (after.unit && after.unit != before.unit) {
+    options.push_back(std::string("--units ") + unit_word(*after.unit));
+  }
+  if (after.sequence != before.sequence) options.push_back("--sequence " + after.sequence);
+  if (after.inverse && !before.inverse) options.emplace_back("--inverse");
+  if (before.inverse && !after.inverse) options.emplace_back("no --inverse");
+  if (after.rates_in_space != before.rates_in_space) {
+    options.push_back(after.rates_in_space ? "--rates space" : "--rates body");
+  }
+  return joined(options, " ");
+}
+
+bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
+
+std::string verdict(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
+  if (judgement.rows == 1) return "cannot be judged: one row tells nothing of a motion";
+  if (judgement.reference.body.omega().norm() == 0 && judgement.within_digits) {
+    return "cannot be faulted: the body is at rest, and stays so";
+  }
+  if (is_foreign(judgement)) return foreign_text(file);
+  if (judgement.within_digits) return "cannot be faulted: " + faultless_text(judgement);
+  if (judgement.attitude_contradicts_rates) {
+    const std::string of_rates = rates_within_digits(judgement)
+                                     ? "the rates cannot be faulted: " + faultless_text(judgement)
+                                     : "the rates are " + error_text(judgement);
+    return contradiction_text(judgement) + "; " + of_rates;
+  }
+  return error_text(judgement);
+}
+
+}  // namespace twrench::app

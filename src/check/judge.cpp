@@ -1,0 +1,231 @@
+#include "check/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "check/error.h"
+#include "check/frame.h"
+#include "check/row_reader.h"
+#include "check/thinned_rows.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Enough for several threads to be worth their start.
+constexpr std::size_t rows_per_block = 32768;
+
+template <typename Visit>
+void for_each_block(RowReader& reader, const Visit& visit) {
+  std::vector<Row> block(rows_per_block);
+  for (std::size_t count = rows_per_block; count == rows_per_block;) {
+    count = 0;
+    while (count < rows_per_block && reader.next(block[count])) ++count;
+    if (count > 0) visit(std::span<const Row>(block.data(), count));
+  }
+}
+
+/// What is known of a file before it is judged.
+struct Recording {
+  const std::filesystem::path& file;
+  const Convention& convention;
+  bool has_rates, has_attitude;
+
+  RowReader reader() const { return {file, convention}; }
+};
+
+Vector3d first_omega(const Recording& recording, const Problem& problem,
+                     const std::vector<Row>& rows) {
+  if (problem.omega) return *problem.omega;
+  if (recording.has_rates) return rows.front().omega;
+  if (problem.fit && rows.size() > 1) return omega_between(problem.inertia, rows[0], rows[1]);
+  throw CheckError(recording.file.string(),
+                   "has attitudes alone, which do not tell the initial angular velocity",
+                   CheckError::Reason::no_rates);
+}
+
+Fit fitted(const Recording& recording, const Problem& problem) {
+  const std::vector<Row> rows = thinned_rows(recording.file, recording.convention, most_fitted_rows,
+                                             std::numeric_limits<std::size_t>::max());
+  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 2);
+  return fit(problem.inertia, rows, first_omega(recording, problem, first), recording.has_rates,
+             recording.has_attitude);
+}
+
+/// With the frame of the first row.
+Reference told_reference(const Recording& recording, const Problem& problem) {
+  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
+  const double start = problem.omega ? 0 : first.front().t;
+  Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
+  const Matrix3d X = motion::ExactMotion(reference.body).at(first.front().t - start).X;
+  reference.frame = nearest_rotation(first.front().X) * X.transpose();
+  return reference;
+}
+
+/// The mean of L in the file's space, from its own rates if it has any.
+Vector3d mean_momentum(const Recording& recording, const Reference& reference) {
+  const motion::ExactMotion exact(reference.body);
+  ExactRows exact_rows;
+  Vector3d sum = Vector3d::Zero();
+  RowReader reader = recording.reader();
+  for_each_block(reader, [&](std::span<const Row> rows) {
+    exact_rows.evaluate(exact, reference.start, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Vector3d omega = recording.has_rates ? rows[i].omega : exact_rows.omega(i);
+      sum += rows[i].X * (reference.body.inertia() * omega);
+    }
+  });
+  return sum;
+}
+
+void turn_to_momentum(Reference& reference, const Recording& recording) {
+  const Vector3d mean = mean_momentum(recording, reference);
+  const Vector3d L = reference.frame * reference.body.momentum();
+  if (mean.norm() > 0 && L.norm() > 0)
+    reference.frame = rotation_between(L, mean) * reference.frame;
+}
+
+/// One unit of a digit of numbers that were rounded to it: independent errors, evenly spread.
+double digit_of(double deviation) { return std::sqrt(12.0) * deviation; }
+
+/// What is printed, or the digits that the program really has: where it has fewer, the others are
+/// noise. It must be far below what an error of a method would be.
+double digit(double printed, double scale, const std::vector<Span>& spans,
+             DifferenceSums Span::*kind) {
+  const std::size_t count = spans.size(), quarter = count / 4;
+  const auto deviation = noise(sums(spans, kind, 0, count), sums(spans, kind, 0, quarter),
+                               sums(spans, kind, count - quarter, count));
+  constexpr double most = 1e-10;
+  if (!deviation || digit_of(*deviation) > most * scale) return printed;
+  return std::max(printed, digit_of(*deviation));
+}
+
+Digits digits_of(const RowReader& reader, Comparison& comparison) {
+  Digits digits;
+  digits.time = reader.time_resolution().at(comparison.last_time());
+  if (reader.has_rates()) {
+    const double most = comparison.largest_rate();
+    digits.printed_rate = reader.rate_resolution().at(most);
+    digits.rate = digit(digits.printed_rate, most, comparison.spans(), &Span::rate_differences);
+  }
+  if (reader.attitude() != AttitudeForm::none) {
+    // A quaternion has half the angle.
+    const double angle = reader.attitude() == AttitudeForm::quaternion ? 2 : 1;
+    digits.printed_attitude = angle * reader.attitude_resolution().at(1);
+    digits.attitude =
+        digit(digits.printed_attitude, 1, comparison.spans(), &Span::attitude_differences);
+  }
+  return digits;
+}
+
+/// How far the digits of a file and those of doubles determine the motion, at each span.
+void add_limits(Judgement& judgement, const Comparison& comparison) {
+  std::vector<double> times;
+  for (const Span& span : judgement.course)
+    times.push_back(span.last.t - judgement.reference.start);
+  const motion::FreeBody& body = judgement.reference.body;
+  const Digits& digits = judgement.digits;
+  const double speed = body.omega().norm();
+  const double initial = judgement.has_rates ? digits.rate : digits.attitude * speed;
+  const std::vector<Growth> growth = error_growth(body, times, initial);
+  const double of_time = digits.time * comparison.largest_acceleration();
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  judgement.within_digits = true;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Span& span = judgement.course[i];
+    span.rate_limit = initial * (1 + growth[i].rates) + of_time;
+    span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial +
+                          speed * (digits.time + round_off * std::abs(times[i]));
+    const bool is_within = (!judgement.has_rates || span.rate_error <= span.rate_limit) &&
+                           (!judgement.has_attitude || span.attitude_error <= span.attitude_limit);
+    judgement.within_digits = judgement.within_digits && is_within;
+  }
+  judgement.growth = growth.back();
+  judgement.rate_limit = judgement.course.back().rate_limit;
+  judgement.attitude_limit = judgement.course.back().attitude_limit;
+}
+
+void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm form) {
+  judgement.rows = comparison.rows();
+  judgement.first_time = comparison.first_time();
+  judgement.last_time = comparison.last_time();
+  judgement.energy_drift = comparison.energy_drift();
+  judgement.energy_error = comparison.energy_error();
+  if (judgement.has_rates) {
+    judgement.rates = comparison.rates();
+    judgement.momentum_drift = comparison.momentum_drift();
+    judgement.momentum_error = comparison.momentum_error();
+  }
+  if (judgement.has_attitude) judgement.attitude = comparison.attitude();
+  if (judgement.has_rates && judgement.has_attitude) {
+    judgement.direction_drift = comparison.direction_drift();
+  }
+  if (form == AttitudeForm::matrix || form == AttitudeForm::quaternion) {
+    judgement.orthogonality_error = comparison.orthogonality_error();
+  }
+}
+
+/// What follows from the errors at the end of a pass.
+void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording) {
+  add_limits(judgement, comparison);
+  judgement.flips =
+      paired(comparison.flips().finish(),
+             exact_flips(judgement.reference, judgement.first_time, judgement.last_time));
+  judgement.more_flips = judgement.flips.size() >= FlipFinder::most;
+  judgement.parts = error_parts(judgement.reference, judgement.course, judgement.has_attitude);
+  judgement.frame_turn = comparison.frame_turn();
+  if (judgement.has_rates && judgement.has_attitude) {
+    constexpr double margin = 3;  // between rows the error of the rates may be larger
+    judgement.attitude_contradicts_rates =
+        judgement.attitude->max >
+        margin * (comparison.accumulated_rate_error() + judgement.attitude_limit);
+  }
+  constexpr double suspicious = 1e-3;
+  if (judgement.within_digits || relative_error(judgement) < suspicious) return;
+  constexpr std::size_t told_by = 128, of_the_first = 8192;
+  judgement.misfit =
+      misfit(judgement.reference.body.inertia(),
+             thinned_rows(recording.file, recording.convention, told_by, of_the_first),
+             judgement.has_rates, judgement.has_attitude);
+}
+
+}  // namespace
+
+Judgement judge(const std::filesystem::path& file, const Convention& convention,
+                const Problem& problem) {
+  RowReader reader(file, convention);
+  const Recording recording{file, convention, reader.has_rates(),
+                            reader.attitude() != AttitudeForm::none};
+  std::optional<Fit> fit;
+  if (problem.fit) fit = fitted(recording, problem);
+  Reference reference = fit ? fit->reference : told_reference(recording, problem);
+  if (problem.frame == FrameFrom::momentum && recording.has_attitude) {
+    turn_to_momentum(reference, recording);
+  }
+  Comparison comparison(reference, recording.has_rates, recording.has_attitude);
+  for_each_block(reader, [&](std::span<const Row> rows) { comparison.add(rows); });
+
+  Judgement judgement{.convention = convention,
+                      .has_rates = recording.has_rates,
+                      .has_attitude = recording.has_attitude,
+                      .rate_unit = reader.rate_unit(),
+                      .reference = reference,
+                      .fit = fit};
+  take_sizes(judgement, comparison, reader.attitude());
+  judgement.digits = digits_of(reader, comparison);
+  judgement.course = std::move(comparison.spans());
+  draw_conclusions(judgement, comparison, recording);
+  return judgement;
+}
+
+double relative_error(const Judgement& judgement) {
+  const double speed = judgement.reference.body.omega().norm();
+  const double of_rates = judgement.rates && speed > 0 ? judgement.rates->max / speed : 0;
+  return std::max(of_rates, judgement.attitude ? judgement.attitude->max : 0);
+}
+
+}  // namespace twrench::check

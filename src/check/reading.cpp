@@ -1,0 +1,136 @@
+#include "check/reading.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "check/thinned_rows.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+
+// Rows that tell the physics, of so many at the beginning.
+constexpr std::size_t told_by = 128, of_the_first = 8192;
+
+Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
+
+Reading reading_of(const std::vector<Row>& rows, const Matrix3d& inertia,
+                   const Convention& convention) {
+  return {convention,
+          {0, 1, 2},
+          misfit(inertia, rows, has_rates(convention),
+                 attitude_form(convention) != AttitudeForm::none)};
+}
+
+/// A reading that no row allows.
+Reading impossible(const Convention& convention) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  return {convention, {0, 1, 2}, {infinite, infinite}};
+}
+
+/// Adds to the list each of its conventions once more, changed.
+template <typename Change>
+void also(std::vector<Convention>& list, const Change& change) {
+  const std::size_t count = list.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Convention changed = list[i];
+    change(changed);
+    list.push_back(std::move(changed));
+  }
+}
+
+/// The columns of (w, x, y, z) taken for those of (x, y, z, w).
+void scalar_first_to_last(Convention& convention) {
+  auto& columns = convention.columns;
+  const std::string first = columns["qw"];
+  columns["qw"] = columns["qz"];
+  columns["qz"] = columns["qy"];
+  columns["qy"] = columns["qx"];
+  columns["qx"] = first;
+}
+
+void scalar_last_to_first(Convention& convention) {
+  for (int i = 0; i < 3; ++i) scalar_first_to_last(convention);
+}
+
+void add_quaternion_orders(std::vector<Convention>& list) {
+  const std::vector<Convention> as_told = list;
+  for (const auto& reorder : {scalar_first_to_last, scalar_last_to_first}) {
+    for (Convention changed : as_told) {
+      reorder(changed);
+      list.push_back(std::move(changed));
+    }
+  }
+}
+
+void add_sequences(std::vector<Convention>& list) {
+  const std::vector<Convention> as_told = list;
+  for (const char* sequence : {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}) {
+    for (Convention changed : as_told) {
+      if (changed.sequence == sequence) continue;
+      changed.sequence = sequence;
+      list.push_back(std::move(changed));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Reading> readings(const std::filesystem::path& file, const Matrix3d& inertia,
+                              std::span<const Convention> conventions) {
+  std::vector<Reading> all;
+  for (const Convention& convention : conventions) {
+    try {
+      all.push_back(
+          reading_of(thinned_rows(file, convention, told_by, of_the_first), inertia, convention));
+    } catch (const table::BadTable&) {
+      all.push_back(impossible(convention));
+    }
+  }
+  return all;
+}
+
+std::optional<Reading> only_fitting(std::vector<Reading> readings) {
+  const auto worst = [](const Reading& reading) { return reading.misfit.worst().value_or(0); };
+  std::ranges::sort(readings, {}, worst);
+  if (readings.empty() || !readings[0].misfit.worst() || !readings[0].misfit.fits()) return {};
+  constexpr double far_worse = 3;
+  if (readings.size() > 1 && worst(readings[1]) < far_worse * worst(readings[0])) return {};
+  if (readings.size() > 1 && readings[1].misfit.fits()) return {};
+  return readings[0];
+}
+
+std::vector<Convention> variants(const Convention& convention) {
+  std::vector<Convention> list{convention};
+  const AttitudeForm form = attitude_form(convention);
+  if (form == AttitudeForm::quaternion) add_quaternion_orders(list);
+  if (form == AttitudeForm::euler) add_sequences(list);
+  if (has_rates(convention) || form == AttitudeForm::euler) {
+    also(list, [](Convention& c) { c.unit = other(c.unit.value_or(Angle::radians)); });
+  }
+  if (form != AttitudeForm::none) also(list, [](Convention& c) { c.inverse = !c.inverse; });
+  if (form != AttitudeForm::none && has_rates(convention)) {
+    also(list, [](Convention& c) { c.rates_in_space = !c.rates_in_space; });
+  }
+  list.erase(list.begin());
+  return list;
+}
+
+std::optional<Reading> fitting_variant(const std::filesystem::path& file, const Matrix3d& inertia,
+                                       const Convention& convention) {
+  std::vector<Reading> all = readings(file, inertia, variants(convention));
+  const bool is_principal = inertia.isDiagonal(0);
+  const std::vector<Row> rows = thinned_rows(file, convention, told_by, of_the_first);
+  std::array<int, 3> order{0, 1, 2};
+  while (is_principal && std::ranges::next_permutation(order).found) {
+    const Eigen::Vector3d moments = inertia.diagonal();
+    const Eigen::Vector3d swapped(moments[order[0]], moments[order[1]], moments[order[2]]);
+    Reading reading = reading_of(rows, swapped.asDiagonal(), convention);
+    reading.moment_order = order;
+    all.push_back(reading);
+  }
+  return only_fitting(std::move(all));
+}
+
+}  // namespace twrench::check
