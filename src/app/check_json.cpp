@@ -80,7 +80,7 @@ Json amplitude_json(const Judgement& judgement, double factor) {
 }
 
 Json conditioning_json(const Judgement& judgement, double factor) {
-  const check::Digits& digits = judgement.digits;
+  const check::LastDigits& digits = judgement.digits;
   const auto of_rates = [&](double value) {
     return judgement.has_rates ? Json(value * factor) : Json(nullptr);
   };

@@ -94,7 +94,7 @@ std::string drift_text(const Judgement& judgement) {
 
 std::string conditioning_text(const Judgement& judgement) {
   const RateUnit unit = rate_unit(judgement);
-  const check::Digits& digits = judgement.digits;
+  const check::LastDigits& digits = judgement.digits;
   std::string text =
       fmt::format("an error at the start grows {:.3g} times", judgement.growth.rates);
   if (judgement.has_rates) {
@@ -111,7 +111,7 @@ std::string conditioning_text(const Judgement& judgement) {
 
 /// Where a program prints digits that it does not have.
 std::string noise_text(const Judgement& judgement) {
-  const check::Digits& digits = judgement.digits;
+  const check::LastDigits& digits = judgement.digits;
   constexpr double clearly = 2;
   if (!(digits.rate > clearly * digits.printed_rate)) return {};
   const RateUnit unit = rate_unit(judgement);

@@ -10,6 +10,7 @@
 #include "app/arguments.h"
 #include "app/check_result.h"
 #include "app/scene_options.h"
+#include "check/columns.h"
 #include "check/reading.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
@@ -25,8 +26,7 @@ std::string component_order(const table::Header& header, const check::Convention
   for (const char component : {'w', 'x', 'y', 'z'}) {
     const auto column = convention.columns.find(std::string("q") + component);
     if (column == convention.columns.end()) return {};
-    const auto at = std::ranges::find(header.names, column->second);
-    places.emplace_back(at - header.names.begin(), component);
+    places.emplace_back(check::find_column(header, column->first, column->second), component);
   }
   std::ranges::sort(places);
   std::string order;
@@ -151,8 +151,13 @@ check::Convention CheckSetup::convention(const std::string& file,
   const table::Header header = table::open_table(file)->header();
   const std::vector<check::Convention> open = check::conventions(header, said);
   if (open.size() == 1) return open.front();
-  throw ambiguous(header, said, open,
-                  check::only_fitting(check::readings(file, problem.inertia, open)));
+  std::optional<check::Reading> fitting =
+      check::only_fitting(check::readings(file, problem.inertia, open));
+  // Perhaps none of them fits, but one that no name suggests does.
+  if (!fitting) fitting = check::fitting_variant(file, problem.inertia, open.front());
+  // The moments in another order are no way to read the columns.
+  if (fitting && option_text(said, fitting->convention).empty()) fitting.reset();
+  throw ambiguous(header, said, open, fitting);
 }
 
 void CheckSetup::require_not_input(const std::filesystem::path& output) const {

@@ -57,9 +57,9 @@ void Comparison::add_row(const Row& row, const motion::Sample& exact) {
   flips_.add(row.t, row.omega);
 }
 
-void Comparison::add_to(Sums& sums, double error, double squares, double t) {
+void Comparison::add_to(Sums& sums, double error, double squares, double t) const {
   sums.squares += squares;
-  if (error <= sums.max && sums.squares > squares) return;
+  if (rows_ > 1 && error <= sums.max) return;
   sums.max = error;
   sums.at = t;
 }

@@ -68,7 +68,7 @@ class Comparison {
   struct Sums {
     double max = 0, at = 0, squares = 0;
   };
-  static void add_to(Sums& sums, double error, double squares, double t);
+  void add_to(Sums& sums, double error, double squares, double t) const;
   ErrorSize size_of(const Sums& sums, double components) const;
 
   void add_row(const Row& row, const motion::Sample& exact);

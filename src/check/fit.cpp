@@ -185,10 +185,13 @@ Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& sec
   const double step = second.t - first.t;
   const Matrix3d turn = first.X.transpose() * second.X;
   Vector3d omega = so3::log(turn) / step;
-  constexpr int iterations = 8;
-  for (int i = 0; i < iterations && omega.norm() > 0; ++i) {
+  constexpr int most_iterations = 50;  // each gains the more, the less the body turns
+  for (int i = 0; i < most_iterations && omega.norm() > 0; ++i) {
     const Matrix3d predicted = motion::ExactMotion({inertia, omega}).at(step).X;
-    omega += so3::log(predicted.transpose() * turn) / step;
+    const Vector3d correction = so3::log(predicted.transpose() * turn) / step;
+    omega += correction;
+    constexpr double round_off = 1e-14;
+    if (correction.norm() < round_off * omega.norm()) break;
   }
   return omega;
 }

@@ -52,8 +52,11 @@ Fit fitted(const Recording& recording, const Problem& problem) {
   const std::vector<Row> rows = thinned_rows(recording.file, recording.convention, most_fitted_rows,
                                              std::numeric_limits<std::size_t>::max());
   const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 2);
-  return fit(problem.inertia, rows, first_omega(recording, problem, first), recording.has_rates,
-             recording.has_attitude);
+  Vector3d omega = first_omega(recording, problem, first);
+  if (problem.omega) {
+    omega = motion::ExactMotion({problem.inertia, omega}).at(first.front().t).omega;
+  }
+  return fit(problem.inertia, rows, omega, recording.has_rates, recording.has_attitude);
 }
 
 /// With the frame of the first row.
@@ -104,8 +107,8 @@ double digit(double printed, double scale, const std::vector<Span>& spans,
   return std::max(printed, digit_of(*deviation));
 }
 
-Digits digits_of(const RowReader& reader, Comparison& comparison) {
-  Digits digits;
+LastDigits digits_of(const RowReader& reader, Comparison& comparison) {
+  LastDigits digits;
   digits.time = reader.time_resolution().at(comparison.last_time());
   if (reader.has_rates()) {
     const double most = comparison.largest_rate();
@@ -128,18 +131,17 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   for (const Span& span : judgement.course)
     times.push_back(span.last.t - judgement.reference.start);
   const motion::FreeBody& body = judgement.reference.body;
-  const Digits& digits = judgement.digits;
+  const LastDigits& digits = judgement.digits;
   const double speed = body.omega().norm();
   const double initial = judgement.has_rates ? digits.rate : digits.attitude * speed;
   const std::vector<Growth> growth = error_growth(body, times, initial);
-  const double of_time = digits.time * comparison.largest_acceleration();
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   judgement.within_digits = true;
   for (std::size_t i = 0; i < times.size(); ++i) {
     Span& span = judgement.course[i];
-    span.rate_limit = initial * (1 + growth[i].rates) + of_time;
-    span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial +
-                          speed * (digits.time + round_off * std::abs(times[i]));
+    const double time = digits.time + round_off * std::abs(times[i]);
+    span.rate_limit = initial * (1 + growth[i].rates) + comparison.largest_acceleration() * time;
+    span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial + speed * time;
     const bool is_within = (!judgement.has_rates || span.rate_error <= span.rate_limit) &&
                            (!judgement.has_attitude || span.attitude_error <= span.attitude_limit);
     judgement.within_digits = judgement.within_digits && is_within;

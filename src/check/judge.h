@@ -19,7 +19,7 @@
 namespace twrench::check {
 
 /// One unit of the last digit of a file's numbers, in our units.
-struct Digits {
+struct LastDigits {
   double rate = 0;              ///< rad/s: of what is printed, or, where that is more, of the noise
   double attitude = 0;          ///< rad; likewise
   double time = 0;              ///< s
@@ -52,7 +52,7 @@ struct Judgement {
   std::optional<ErrorParts> parts = {};
 
   Growth growth = {};  ///< of an initial error until the last row
-  Digits digits = {};
+  LastDigits digits = {};
   double rate_limit = 0;       ///< what the digits leave open at the last row, rad/s
   double attitude_limit = 0;   ///< likewise, rad
   bool within_digits = false;  ///< whether no error is larger than the digits explain

@@ -64,13 +64,13 @@ std::string data(const ErrorPanel& panel, std::span<const JudgedCurve> curves) {
   return text;
 }
 
-std::string color_of(std::size_t i) { return std::string(palette[i % palette.size()]); }
+std::string curve_color(std::size_t i) { return std::string(palette[i % palette.size()]); }
 
-std::string line_style(std::size_t i) { return fmt::format("lw 1.5 lc rgb '{}'", color_of(i)); }
+std::string line_style(std::size_t i) { return fmt::format("lw 1.5 lc rgb '{}'", curve_color(i)); }
 
 /// Of the limit of a curve: in its colour, or in gray where there is but one.
 std::string limit_style(std::size_t i, std::size_t curves) {
-  return fmt::format("dt (6,4) lw 1.2 lc rgb '{}'", curves == 1 ? "#606060" : color_of(i));
+  return fmt::format("dt (6,4) lw 1.2 lc rgb '{}'", curves == 1 ? "#606060" : curve_color(i));
 }
 
 /// The decades that hold all errors and limits.

@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// NASA's files, whose moments and initial rates are known.
+const std::string nasa_folder = TWRENCH_TESTS_DIR "/check/nasa/tumbling_brick_sim_";
+const std::string brick = " --inertia 0.001894220,0.006211019,0.007194665 ";
+const std::string brick_rates =
+    " --columns t=time,wx=bodyAngularRateWrtEi_deg_s_Roll,wy=bodyAngularRateWrtEi_deg_s_Pitch,"
+    "wz=bodyAngularRateWrtEi_deg_s_Yaw --units deg ";
+const std::string from_10_20_30 =
+    " --omega 0.17453292519943295,0.3490658503988659,0.5235987755982988 ";
+
+/// Files that `simulate` writes into a folder of its own.
+class CheckCommand : public testing::Test {
+ protected:
+  /// Runs `simulate` for the body of `body` into the file.
+  void simulate(const std::string& file, const std::string& options) const {
+    const Outcome run =
+        run_twrench(folder_, "simulate " + body + "--omega 0.4,1.5,0.3 --fps 10 --speed 1 " +
+                                 options + " -o " + file);
+    ASSERT_EQ(run.code, 0) << run.err;
+  }
+  Outcome check(const std::string& arguments) const {
+    return run_twrench(folder_, "check " + arguments);
+  }
+  json judged(const std::string& arguments) const {
+    const Outcome run = check(arguments + " --format json");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  }
+
+  const ScratchFolder folder_;
+  const std::string body = "--inertia 2,3,4 ";
+};
+
+TEST_F(CheckCommand, CannotFaultTheSimulatorThatIsRight) {
+  const json found = judged(nasa_folder + "01.csv" + brick + brick_rates + from_10_20_30);
+  EXPECT_EQ(found["rows"], 301);
+  EXPECT_EQ(found["rates"]["unit"], "deg/s");
+  EXPECT_NEAR(found["rates"]["max_error"].get<double>(), 3.59e-10, 0.01e-10);
+  EXPECT_TRUE(found["conditioning"]["within_digits"]);
+  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  EXPECT_TRUE(found["attitude"].is_null());
+  EXPECT_TRUE(found["orthogonality_error"].is_null());
+  EXPECT_FALSE(found["flips"].empty());
+}
+
+TEST_F(CheckCommand, FaultsTheSimulatorThatIsNot) {
+  const json found = judged(nasa_folder + "05.csv" + brick + brick_rates + from_10_20_30);
+  EXPECT_NEAR(found["rates"]["max_error"].get<double>(), 5.8e-5, 0.2e-5);
+  EXPECT_FALSE(found["conditioning"]["within_digits"]);
+  EXPECT_THAT(found["verdict"].get<std::string>(),
+              AllOf(StartsWith("off by up to 5."), HasSubstr("mostly phase")));
+  // Its times are of single precision.
+  EXPECT_GT(found["conditioning"]["time_digit"].get<double>(), 1e-7);
+}
+
+TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
+  const Outcome run = check(nasa_folder + "01.csv" + brick + "--sequence zyx");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("attitude and rates do not fit each other"),
+                    HasSubstr("the Earth's rate"), HasSubstr("the rates cannot be faulted")));
+}
+
+TEST_F(CheckCommand, HasTheKeysOfTheContract) {
+  simulate("exact.csv", "--method exact --duration 40");
+  const json found = judged("exact.csv " + body);
+  for (const char* key : {"rows", "rates", "attitude", "energy_drift", "momentum_drift",
+                          "orthogonality_error", "flips", "condition", "verdict"}) {
+    EXPECT_TRUE(found.contains(key)) << key;
+  }
+  for (const char* key : {"unit", "max_error", "max_error_at", "rms_error"}) {
+    EXPECT_TRUE(found["rates"].contains(key) && found["attitude"].contains(key)) << key;
+  }
+  EXPECT_EQ(found["rows"], 401);
+  EXPECT_EQ(found["attitude"]["unit"], "deg");
+  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  for (const json& flip : found["flips"]) {
+    EXPECT_NEAR(flip["t"].get<double>(), flip["exact"].get<double>(), 1e-9);
+  }
+}
+
+TEST_F(CheckCommand, SeesTheOrderOfAMethod) {
+  for (const auto& [method, order] : {std::pair("rkmk4", 4.0), {"rk4", 2.0}}) {
+    std::string files, steps;
+    for (const char* step : {"0.1", "0.05", "0.025"}) {
+      const std::string file = fmt::format("{}-{}.csv ", method, step);
+      simulate(file, fmt::format("--method {} --step {} --duration 20", method, step));
+      files += file;
+      steps += (steps.empty() ? "" : ",") + std::string(step);
+    }
+    const json found = judged(files + body + "--steps " + steps);
+    EXPECT_EQ(found["files"].size(), 3U);
+    EXPECT_NEAR(found["order"]["rates"].get<double>(), order, 0.2) << method;
+    EXPECT_NEAR(found["order"]["attitude"].get<double>(), order, 0.2) << method;
+    // The rows are equally far apart in all files.
+    EXPECT_THAT(check(files + body).out, HasSubstr("--steps tells their step sizes"));
+  }
+}
+
+TEST_F(CheckCommand, BoundsDecideTheExitCode) {
+  simulate("rk4.csv", "--method rk4 --step 0.1 --duration 20");
+  const json found = judged("rk4.csv " + body);
+  const double rate = found["rates"]["max_error"], attitude = found["attitude"]["max_error"],
+               drift = found["energy_drift"];
+  for (const auto& [option, value] : {std::pair("--max-rate-error", rate),
+                                      {"--max-attitude-error", attitude},
+                                      {"--max-energy-drift", drift}}) {
+    const auto bounded = [&](double bound) {
+      return check(fmt::format("rk4.csv {} {} {:.17g}", body, option, bound));
+    };
+    EXPECT_EQ(bounded(value).code, 0) << option;
+    const Outcome over = bounded(0.999 * value);
+    EXPECT_EQ(over.code, 1) << option;
+    EXPECT_THAT(over.err, HasSubstr(option));
+    EXPECT_THAT(over.out, HasSubstr("exceeded"));
+  }
+}
+
+TEST_F(CheckCommand, ABoundForWhatIsNotThereIsRefused) {
+  const Outcome run =
+      check(nasa_folder + "01.csv" + brick + brick_rates + "--max-attitude-error 1");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("has no attitude"));
+}
+
+TEST_F(CheckCommand, ReportsAsJUnit) {
+  simulate("a&b.csv", "--method rk4 --step 0.1 --duration 20");
+  const Outcome run = check("'a&b.csv' " + body +
+                            "--max-rate-error 1e-9 --max-energy-drift 1 --format junit -o r.xml");
+  EXPECT_EQ(run.code, 1);
+  const std::string xml = text_of(folder_ / "r.xml");
+  EXPECT_THAT(xml, StartsWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites "));
+  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"a&amp;b.csv\" tests=\"2\" failures=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"exceeded\" message="));
+  EXPECT_THAT(xml, HasSubstr("name=\"max-energy-drift 1\"/>"));
+  // Another program finds it well-formed.
+  EXPECT_EQ(run_shell(folder_,
+                      "python3 -c \"import xml.dom.minidom as x; "
+                      "d = x.parse('r.xml'); assert len(d.getElementsByTagName("
+                      "'testcase')) == 2\"")
+                .code,
+            0);
+}
+
+TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
+  simulate("radians.csv", "--method exact --duration 40");
+  const Outcome degrees = check("radians.csv " + body + "--units deg");
+  EXPECT_EQ(degrees.code, 0) << degrees.err;
+  EXPECT_THAT(degrees.out, HasSubstr("but fits with --units rad"));
+  EXPECT_THAT(check("radians.csv " + body + "--inverse").out, HasSubstr("fits with no --inverse"));
+  EXPECT_THAT(check("radians.csv --inertia 3,2,4").out, HasSubstr("fits with --inertia 2,3,4"));
+  EXPECT_THAT(check("radians.csv " + body + "--rates space").out,
+              HasSubstr("fits with --rates body"));
+}
+
+TEST_F(CheckCommand, AsksForAnOptionWhereNamesLeaveItOpen) {
+  ASSERT_EQ(
+      run_shell(folder_, "\"$TWRENCH\" simulate " + body +
+                             "--omega 0.4,1.5,0.3 --fps 10 --duration 20 --method exact | "
+                             "python3 -c \"import sys\n"
+                             "for i, line in enumerate(sys.stdin):\n"
+                             "  n = line.split(',')\n"
+                             "  if i == 0: print('t,q0,q1,q2,q3'); continue\n"
+                             "  x = [float(v) for v in n[1:10]]\n"
+                             "  k = [1 + x[0] + x[4] + x[8], x[7] - x[5], x[2] - x[6], x[3] - "
+                             "x[1]]\n"
+                             "  s = sum(v * v for v in k) ** .5\n"
+                             "  k = [v / s for v in k]\n"
+                             "  print(n[0], k[1], k[2], k[3], k[0], sep=',')\" > q.csv")
+          .code,
+      0);
+  const Outcome run = check("q.csv " + body + "--omega 0.4,1.5,0.3");
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("these quaternions fit as xyzw, space from body: add --columns"));
+}
+
+TEST_F(CheckCommand, FitsAnInitialState) {
+  simulate("exact.csv", "--method exact --duration 40");
+  const json found = judged("exact.csv --fit " + body);
+  EXPECT_EQ(found["fit"]["rows"], 401);
+  EXPECT_NEAR(found["omega"][1].get<double>(), 1.5, 1e-12);
+  EXPECT_LT(found["fit"]["omega_deviation"][1].get<double>(), 1e-13);
+  EXPECT_EQ(found["fit"]["omega_covariance"].size(), 3U);
+}
+
+TEST_F(CheckCommand, TakesTheBodyOfAScene) {
+  ASSERT_EQ(run_twrench(folder_, "simulate dzhanibekov --duration 30 --method exact -o s.csv").code,
+            0);
+  EXPECT_THAT(check("s.csv --scene dzhanibekov").out, HasSubstr("cannot be faulted"));
+  EXPECT_EQ(check("s.csv --scene dzhanibekov --inertia 1,2,3").code, 2);
+}
+
+TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
+  simulate("e.csv", "--method exact --duration 2");
+  const std::pair<std::string, std::string> cases[] = {
+      {"e.csv", "give its principal moments with --inertia"},
+      {"e.csv --inertia 1,2", "--inertia"},
+      {"e.csv --inertia 0,2,3", "--inertia"},
+      {"e.csv --inertia 1,-2,3", "--inertia"},
+      {"e.csv --inertia nan,2,3", "--inertia"},
+      {"e.csv --inertia 2,3,4 --columns t=time", "time"},
+      {"e.csv --inertia 2,3,4 --columns t=t,x11=x11", "x12"},
+      {"e.csv --inertia 2,3,4 --units rpm", "--units"},
+      {"e.csv --inertia 2,3,4 --sequence xyw", "--sequence"},
+      {"e.csv --inertia 2,3,4 --frame last", "--frame"},
+      {"e.csv --inertia 2,3,4 --steps 0.1,0.2", "--steps"},
+      {"e.csv --inertia 2,3,4 --max-rate-error -1", "--max-rate-error"},
+      {"e.csv --inertia 2,3,4 -o e.csv", "e.csv"},
+      {"e.csv --inertia 2,3,4 --plot e.txt", ".svg"},
+  };
+  for (const auto& [arguments, part] : cases) {
+    const Outcome run = check(arguments);
+    EXPECT_EQ(run.code, 2) << arguments << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_THAT(run.err, AllOf(StartsWith("twrench: error: "), HasSubstr(part))) << arguments;
+  }
+  EXPECT_EQ(check("missing.csv --inertia 2,3,4").code, 5);
+  EXPECT_THAT(check("e.csv --inertia 2,3,9").err, HasSubstr("no real body has them"));
+}
+
+TEST_F(CheckCommand, AttitudesAloneNeedARate) {
+  simulate("e.csv", "--method exact --duration 20");
+  ASSERT_EQ(run_shell(folder_, "cut -d, -f1-10 e.csv > x.csv").code, 0);
+  const Outcome run = check("x.csv " + body);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("give it with --omega X,Y,Z, or find it with --fit"));
+  EXPECT_THAT(check("x.csv --fit " + body).out, HasSubstr("cannot be faulted"));
+}
+
+TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
+  for (const char* inertia : {"2,2,2", "2,2,3", "2,3,4"}) {
+    ASSERT_EQ(run_twrench(folder_, fmt::format("simulate --inertia {} --omega 0,0,1 --duration 5 "
+                                               "--method exact -o n.csv",
+                                               inertia))
+                  .code,
+              0);
+    const Outcome run = check(fmt::format("n.csv --inertia {}", inertia));
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.out, AllOf(HasSubstr("none: the exact motion is steady"),
+                               HasSubstr("cannot be faulted"), Not(HasSubstr("nan"))));
+  }
+  ASSERT_EQ(run_shell(folder_, "head -2 n.csv > one.csv").code, 0);
+  EXPECT_THAT(check("one.csv --inertia 2,3,4").out, HasSubstr("one row tells nothing of a motion"));
+}
+
+TEST_F(CheckCommand, PlotsErrorsAgainstTime) {
+  simulate("rk4.csv", "--method rk4 --step 0.1 --duration 20");
+  const Outcome run = check("rk4.csv " + body + "--plot e.svg -o e.txt");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string svg = text_of(folder_ / "e.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr("Attitude"), HasSubstr("what the digits leave open")));
+  EXPECT_EQ(run_twrench(folder_, "check rk4.csv " + body + "--plot f.svg", "PATH=/nowhere ").code,
+            4);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f.svg"));
+}
+
+}  // namespace
+}  // namespace twrench
