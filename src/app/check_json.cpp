@@ -109,7 +109,9 @@ Json consistency_json(const Judgement& judgement) {
 Json proposal_json(const CheckedFile& file) {
   if (!file.proposal) return nullptr;
   const check::Reading& reading = *file.proposal;
-  return {{"options", option_text(file.judgement.convention, reading.convention)},
+  const check::Convention& before = file.judgement.convention;
+  return {{"options", option_text(before, reading.convention)},
+          {"without_inverse", before.inverse && !reading.convention.inverse},
           {"moment_order", reading.moment_order}};
 }
 

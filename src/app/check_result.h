@@ -53,7 +53,7 @@ RateUnit rate_unit(const check::Judgement& judgement);
 /// rad in degrees.
 double degrees(double angle);
 
-/// Returns the options by which a user says the second convention where the first is in force:
+/// Returns the options to add where the first convention is in force, so that the second is:
 /// "--units deg --inverse".
 std::string option_text(const check::Convention& before, const check::Convention& after);
 

@@ -25,19 +25,31 @@ std::string moments_text(const Judgement& judgement, const std::array<int, 3>& o
   return fmt::format("--inertia {},{},{}", moments[order[0]], moments[order[1]], moments[order[2]]);
 }
 
+/// "with --units deg", "without --inverse".
 std::string proposal_text(const CheckedFile& file) {
   const check::Reading& reading = *file.proposal;
-  const std::string options = option_text(file.judgement.convention, reading.convention);
-  return options.empty() ? moments_text(file.judgement, reading.moment_order) : options;
+  const check::Convention& before = file.judgement.convention;
+  const bool drops_inverse = before.inverse && !reading.convention.inverse;
+  const std::string options = option_text(before, reading.convention);
+  if (options.empty() && !drops_inverse) {
+    return "with " + moments_text(file.judgement, reading.moment_order);
+  }
+  std::vector<std::string> parts;
+  if (!options.empty()) parts.push_back("with " + options);
+  if (drops_inverse) parts.emplace_back("without --inverse");
+  return joined(parts, ", ");
 }
 
 std::string foreign_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (file.proposal) {
-    return "does not follow the motion of this body as it is read, but fits with " +
-           proposal_text(file);
+    return "does not follow the motion of this body as it is read, but fits " + proposal_text(file);
   }
   const check::Misfit& misfit = judgement.misfit;
+  if (misfit.constant_rates) {
+    return "does not follow the motion of this body: its rates never change, as where the "
+           "gyroscopic term of Euler's equations is left out";
+  }
   const bool rates_fit = check::Misfit{misfit.rates, {}}.fits();
   if (misfit.rates && misfit.attitude && rates_fit) {
     return "attitude and rates do not fit each other in any frame or unit, though the rates follow "
@@ -147,7 +159,6 @@ std::string option_text(const check::Convention& before, const check::Convention
   }
   if (after.sequence != before.sequence) options.push_back("--sequence " + after.sequence);
   if (after.inverse && !before.inverse) options.emplace_back("--inverse");
-  if (before.inverse && !after.inverse) options.emplace_back("no --inverse");
   if (after.rates_in_space != before.rates_in_space) {
     options.push_back(after.rates_in_space ? "--rates space" : "--rates body");
   }
@@ -159,8 +170,11 @@ bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 std::string verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.rows == 1) return "cannot be judged: one row tells nothing of a motion";
-  if (judgement.reference.body.omega().norm() == 0 && judgement.within_digits) {
-    return "cannot be faulted: the body is at rest, and stays so";
+  if (judgement.reference.body.omega().norm() == 0) {
+    return judgement.within_digits ? "cannot be faulted: the body is at rest, and stays so"
+                                   : "does not follow the motion of a free body: it is at rest at "
+                                     "first and turns later, by up to " +
+                                         sizes_text(judgement);
   }
   if (is_foreign(judgement)) return foreign_text(file);
   if (judgement.within_digits) return "cannot be faulted: " + faultless_text(judgement);

@@ -60,15 +60,11 @@ double FlipFinder::crossing(double t, double component) const {
 void FlipFinder::add(double t, const Vector3d& omega) {
   if (!has_axis_) return;
   const double component = axis_.dot(omega), before = axis_.dot(last_omega_);
-  if (side_ != 0 && !at_ && component * side_ < 0 && before * side_ > 0) {
-    at_ = crossing(t, component);
-  } else if (side_ != 0 && !at_ && component * side_ < 0) {
-    at_ = last_t_;  // it was zero there
-  }
+  if (side_ == 0 && component != 0) side_ = std::copysign(1.0, component);
+  if (!at_ && component * side_ < 0) at_ = before * side_ > 0 ? crossing(t, component) : last_t_;
   if (std::abs(component) > threshold_) {
-    const double side = std::copysign(1.0, component);
-    if (side_ * side < 0) keep({at_.value_or(t), side > 0});
-    side_ = side;
+    if (component * side_ < 0) keep({*at_, component > 0});
+    side_ = std::copysign(1.0, component);
     at_.reset();
   }
   last_t_ = t;

@@ -44,10 +44,10 @@ class FlipFinder {
   double crossing(double t, double component) const;
 
   Eigen::Matrix3d inertia_;
-  Eigen::Vector3d axis_;      ///< the intermediate one, in body axes
-  double threshold_ = 0;      ///< rad/s
-  bool has_axis_;             ///< whether there is an intermediate axis
-  double side_ = 0;           ///< sign of the component when it was last beyond the threshold
+  Eigen::Vector3d axis_;  ///< the intermediate one, in body axes
+  double threshold_ = 0;  ///< rad/s
+  bool has_axis_;         ///< whether there is an intermediate axis
+  double side_ = 0;  ///< sign of the component at first, and then when it was beyond the threshold
   std::optional<double> at_;  ///< where it crossed zero since then
   double last_t_ = 0;
   Eigen::Vector3d last_omega_ = Eigen::Vector3d::Zero();

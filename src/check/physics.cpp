@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 
 double angle(const Matrix3d& R) { return so3::log(R).norm(); }
 
-/// By how much a prediction misses, and how much changes.
+/// By how much a prediction misses, and how much changes: in the rows or in the prediction,
+/// whichever is more, so that what should change and does not is a miss too.
 struct Miss {
   double miss, change;
 };
@@ -32,15 +33,17 @@ motion::Sample predicted(const Matrix3d& inertia, const Vector3d& omega, const R
 Miss miss_of_rates(const Matrix3d& inertia, std::span<const Row> rows, std::size_t i,
                    std::size_t stride) {
   const Row &from = rows[i], &to = rows[i + stride];
-  return {(predicted(inertia, from.omega, from, to).omega - to.omega).norm(),
-          (to.omega - from.omega).norm()};
+  const Vector3d expected = predicted(inertia, from.omega, from, to).omega;
+  return {(expected - to.omega).norm(),
+          std::max((to.omega - from.omega).norm(), (expected - from.omega).norm())};
 }
 
 Miss miss_of_attitude(const Matrix3d& inertia, std::span<const Row> rows, std::size_t i,
                       std::size_t stride) {
   const Row &from = rows[i], &to = rows[i + stride];
   const Matrix3d turn = from.X.transpose() * to.X;
-  return {angle(predicted(inertia, from.omega, from, to).X.transpose() * turn), angle(turn)};
+  const Matrix3d expected = predicted(inertia, from.omega, from, to).X;
+  return {angle(expected.transpose() * turn), std::max(angle(turn), angle(expected))};
 }
 
 /// Without rates: the velocity that leads to the second row must lead on to the third.
@@ -49,9 +52,9 @@ Miss miss_of_attitude_alone(const Matrix3d& inertia, std::span<const Row> rows, 
   const Row &first = rows[i], &second = rows[i + stride], &third = rows[i + 2 * stride];
   const Vector3d omega = omega_between(inertia, first, second);
   const Matrix3d turn = first.X.transpose() * second.X, on = second.X.transpose() * third.X;
-  const Matrix3d to_third = predicted(inertia, omega, first, third).X;
-  return {angle(to_third.transpose() * first.X.transpose() * third.X),
-          angle(turn.transpose() * on)};
+  const Matrix3d expected = turn.transpose() * predicted(inertia, omega, first, third).X;
+  return {angle(expected.transpose() * on),
+          std::max(angle(turn.transpose() * on), angle(turn.transpose() * expected))};
 }
 
 using Measure = Miss (*)(const Matrix3d&, std::span<const Row>, std::size_t, std::size_t);
@@ -81,6 +84,11 @@ std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> 
 /// Changes below this tell nothing, as a part of |omega| or in rad.
 constexpr double too_small = 1e-6;
 
+bool constant_rates(std::span<const Row> rows, double speed) {
+  return std::ranges::all_of(
+      rows, [&](const Row& row) { return (row.omega - rows[0].omega).norm() < too_small * speed; });
+}
+
 }  // namespace
 
 std::optional<double> Misfit::worst() const {
@@ -99,6 +107,7 @@ Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates
     double speed = 0;
     for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
     result.rates = least_ratio(inertia, rows, miss_of_rates, 1, too_small * speed);
+    result.constant_rates = constant_rates(rows, speed);
   }
   if (has_attitude && has_rates) {
     result.attitude = least_ratio(inertia, rows, miss_of_attitude, 1, too_small);

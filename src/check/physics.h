@@ -13,8 +13,12 @@ namespace twrench::check {
 /// follow it, however inexactly; about 1 or more where they follow another law, or are read in
 /// another unit or frame than they were written in.
 struct Misfit {
-  std::optional<double> rates;     ///< absent where there are none, or where they do not change
+  std::optional<double> rates;     ///< absent where there are none, or where nothing changes
   std::optional<double> attitude;  ///< absent likewise; against the rates, where there are any
+
+  /// Whether the rates never change: those of a steady motion, or of a program that leaves the
+  /// gyroscopic term of Euler's equations out.
+  bool constant_rates = false;
 
   /// The larger of the two; nothing where neither tells anything.
   std::optional<double> worst() const;

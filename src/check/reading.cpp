@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 
 // Rows that tell the physics, of so many at the beginning.
-constexpr std::size_t told_by = 128, of_the_first = 8192;
+constexpr std::size_t told_by = 128, of_the_first = 4096;
 
 Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
 
@@ -75,6 +75,22 @@ void add_sequences(std::vector<Convention>& list) {
   }
 }
 
+/// Adds the other orders of moments that differ.
+void add_moment_orders(std::vector<Reading>& all, const std::filesystem::path& file,
+                       const Eigen::Vector3d& moments, const Convention& convention) {
+  const std::vector<Row> rows = thinned_rows(file, convention, told_by, of_the_first);
+  std::vector<Eigen::Vector3d> tried{moments};
+  std::array<int, 3> order{0, 1, 2};
+  while (std::ranges::next_permutation(order).found) {
+    const Eigen::Vector3d swapped(moments[order[0]], moments[order[1]], moments[order[2]]);
+    if (std::ranges::find(tried, swapped) != tried.end()) continue;
+    tried.push_back(swapped);
+    Reading reading = reading_of(rows, swapped.asDiagonal(), convention);
+    reading.moment_order = order;
+    all.push_back(reading);
+  }
+}
+
 }  // namespace
 
 std::vector<Reading> readings(const std::filesystem::path& file, const Matrix3d& inertia,
@@ -120,16 +136,7 @@ std::vector<Convention> variants(const Convention& convention) {
 std::optional<Reading> fitting_variant(const std::filesystem::path& file, const Matrix3d& inertia,
                                        const Convention& convention) {
   std::vector<Reading> all = readings(file, inertia, variants(convention));
-  const bool is_principal = inertia.isDiagonal(0);
-  const std::vector<Row> rows = thinned_rows(file, convention, told_by, of_the_first);
-  std::array<int, 3> order{0, 1, 2};
-  while (is_principal && std::ranges::next_permutation(order).found) {
-    const Eigen::Vector3d moments = inertia.diagonal();
-    const Eigen::Vector3d swapped(moments[order[0]], moments[order[1]], moments[order[2]]);
-    Reading reading = reading_of(rows, swapped.asDiagonal(), convention);
-    reading.moment_order = order;
-    all.push_back(reading);
-  }
+  if (inertia.isDiagonal(0)) add_moment_orders(all, file, inertia.diagonal(), convention);
   return only_fitting(std::move(all));
 }
 

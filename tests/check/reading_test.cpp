@@ -76,6 +76,16 @@ TEST(Misfit, SaysNothingOfASteadyMotion) {
   EXPECT_FALSE(misfit(inertia, rows, false, true).attitude);
 }
 
+// Constant rates, where Euler's equations change them.
+TEST(Misfit, IsLargeWhereWhatShouldChangeDoesNot) {
+  std::vector<Row> rows = exact_rows(128, 0.05);
+  for (Row& row : rows) row.omega = omega;
+  const Misfit found = misfit(inertia, rows, true, false);
+  EXPECT_FALSE(found.fits());
+  EXPECT_TRUE(found.constant_rates);
+  EXPECT_FALSE(misfit(inertia, exact_rows(128, 0.05), true, false).constant_rates);
+}
+
 // A first-order method with a step as long as games take still follows the motion.
 TEST(Misfit, ForgivesACoarseMethod) {
   std::vector<Row> rows;

@@ -163,7 +163,7 @@ TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
   const Outcome degrees = check("radians.csv " + body + "--units deg");
   EXPECT_EQ(degrees.code, 0) << degrees.err;
   EXPECT_THAT(degrees.out, HasSubstr("but fits with --units rad"));
-  EXPECT_THAT(check("radians.csv " + body + "--inverse").out, HasSubstr("fits with no --inverse"));
+  EXPECT_THAT(check("radians.csv " + body + "--inverse").out, HasSubstr("fits without --inverse"));
   EXPECT_THAT(check("radians.csv --inertia 3,2,4").out, HasSubstr("fits with --inertia 2,3,4"));
   EXPECT_THAT(check("radians.csv " + body + "--rates space").out,
               HasSubstr("fits with --rates body"));
