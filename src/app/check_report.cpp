@@ -92,21 +92,25 @@ std::string drift_text(const Judgement& judgement) {
   return text + (judgement.has_rates ? "" : " (of the rates that the attitude implies)");
 }
 
+/// How far an error of the initial state grows, and the digits of the file with it.
 std::string conditioning_text(const Judgement& judgement) {
   const RateUnit unit = rate_unit(judgement);
   const check::LastDigits& digits = judgement.digits;
-  std::string text =
-      fmt::format("an error at the start grows {:.3g} times", judgement.growth.rates);
+  std::string of_digits, open;
   if (judgement.has_rates) {
-    text += fmt::format("; a unit of the last digit, {:.2g} {}, leaves open {:.3g} {} at the end",
-                        digits.rate * unit.per_radian, unit.name,
-                        judgement.rate_limit * unit.per_radian, unit.name);
+    of_digits = fmt::format("{:.2g} {}, ", digits.rate * unit.per_radian, unit.name);
+    open = fmt::format("{:.3g} {}", judgement.rate_limit * unit.per_radian, unit.name);
   }
   if (judgement.has_attitude) {
-    text += fmt::format("; {:.2g} deg of attitude leaves open {:.3g} deg", degrees(digits.attitude),
-                        degrees(judgement.attitude_limit));
+    of_digits += fmt::format("{:.2g} deg, ", degrees(digits.attitude));
+    open +=
+        fmt::format("{}{:.3g} deg", open.empty() ? "" : " and ", degrees(judgement.attitude_limit));
   }
-  return text;
+  return fmt::format(
+      "an error of the first rates grows {:.3g} times; the last digits, {}{:.2g} s, leave open {} "
+      "at "
+      "the end",
+      judgement.growth.rates, of_digits, digits.time, open);
 }
 
 /// Where a program prints digits that it does not have.

@@ -51,6 +51,25 @@ std::string fit_text(const table::Header& header, const check::Convention& conve
   return "only one of them fits the physics";
 }
 
+/// The options that choose `one` of the open conventions: for that in which they differ.
+std::string choice_text(const check::Convention& said, const std::vector<check::Convention>& open,
+                        const check::Convention& one) {
+  check::Convention before = one;
+  const auto differ = [&](auto aspect) {
+    return std::ranges::any_of(
+        open, [&](const check::Convention& other) { return other.*aspect != one.*aspect; });
+  };
+  const auto take_back = [&](auto aspect) {
+    if (differ(aspect)) before.*aspect = said.*aspect;
+  };
+  take_back(&check::Convention::columns);
+  take_back(&check::Convention::unit);
+  take_back(&check::Convention::sequence);
+  take_back(&check::Convention::inverse);
+  take_back(&check::Convention::rates_in_space);
+  return option_text(before, one);
+}
+
 InvalidArgument ambiguous(const table::Header& header, const check::Convention& said,
                           const std::vector<check::Convention>& open,
                           const std::optional<check::Reading>& fitting) {
@@ -58,12 +77,12 @@ InvalidArgument ambiguous(const table::Header& header, const check::Convention& 
   if (fitting) {
     return {header.file, why,
             fmt::format("{}: add {}", fit_text(header, fitting->convention),
-                        option_text(said, fitting->convention))};
+                        choice_text(said, open, fitting->convention))};
   }
   constexpr std::size_t most = 8;
   std::vector<std::string> ways;
   for (const check::Convention& convention : open) {
-    if (ways.size() < most) ways.push_back(option_text(said, convention));
+    if (ways.size() < most) ways.push_back(choice_text(said, open, convention));
   }
   return {
       header.file, why,
@@ -156,7 +175,7 @@ check::Convention CheckSetup::convention(const std::string& file,
   // Perhaps none of them fits, but one that no name suggests does.
   if (!fitting) fitting = check::fitting_variant(file, problem.inertia, open.front());
   // The moments in another order are no way to read the columns.
-  if (fitting && option_text(said, fitting->convention).empty()) fitting.reset();
+  if (fitting && choice_text(said, open, fitting->convention).empty()) fitting.reset();
   throw ambiguous(header, said, open, fitting);
 }
 

@@ -61,7 +61,9 @@ std::string foreign_text(const CheckedFile& file) {
 /// "x, y and z": the unit vector of a rate to three places.
 std::string direction_text(const Eigen::Vector3d& rate) {
   const Eigen::Vector3d n = rate.normalized();
-  const auto places = [](double value) { return fmt::format("{:.3f}", value + 0.0); };
+  const auto places = [](double value) {
+    return fmt::format("{:.3f}", std::round(1e3 * value) / 1e3 + 0.0);  // no minus before 0
+  };
   return fmt::format("({}, {}, {})", places(n.x()), places(n.y()), places(n.z()));
 }
 

@@ -111,9 +111,9 @@ std::optional<Reading> only_fitting(std::vector<Reading> readings) {
   const auto worst = [](const Reading& reading) { return reading.misfit.worst().value_or(0); };
   std::ranges::sort(readings, {}, worst);
   if (readings.empty() || !readings[0].misfit.worst() || !readings[0].misfit.fits()) return {};
-  constexpr double far_worse = 3;
-  if (readings.size() > 1 && worst(readings[1]) < far_worse * worst(readings[0])) return {};
-  if (readings.size() > 1 && readings[1].misfit.fits()) return {};
+  if (readings.size() == 1) return readings[0];
+  constexpr double far_worse = 5, contradicts = 1e-3;
+  if (worst(readings[1]) < std::max(far_worse * worst(readings[0]), contradicts)) return {};
   return readings[0];
 }
 

@@ -154,6 +154,9 @@ TEST(OnlyFitting, IsNoneWhereTwoFit) {
   const Reading good{convention, {0, 1, 2}, {0.01, {}}}, bad{convention, {0, 1, 2}, {0.9, {}}};
   EXPECT_TRUE(only_fitting({bad, good, bad}));
   EXPECT_FALSE(only_fitting({bad, good, good}));
+  // Both would pass for what a coarse method makes, but one is far better.
+  const Reading fair{convention, {0, 1, 2}, {0.1, {}}};
+  EXPECT_TRUE(only_fitting({fair, good, bad}));
   EXPECT_FALSE(only_fitting({bad, bad}));
   EXPECT_FALSE(only_fitting({{convention, {0, 1, 2}, {}}}));
 }

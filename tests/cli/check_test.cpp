@@ -77,6 +77,13 @@ TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
                     HasSubstr("the Earth's rate"), HasSubstr("the rates cannot be faulted")));
 }
 
+TEST_F(CheckCommand, ProposesTheSequenceThatFits) {
+  const Outcome run = check(nasa_folder + "01.csv" + brick);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("its columns can be read in 6 ways\n  these angles fit in the "
+                                 "sequence zyx, space from body: add --sequence zyx\n"));
+}
+
 TEST_F(CheckCommand, HasTheKeysOfTheContract) {
   simulate("exact.csv", "--method exact --duration 40");
   const json found = judged("exact.csv " + body);
