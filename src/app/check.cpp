@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/arguments.h"
@@ -153,7 +154,9 @@ std::string report(const CheckOptions& options, const CheckResult& result) {
 
 void draw(const std::string& path, const CheckResult& result) {
   std::vector<plot::JudgedCurve> curves;
-  for (const CheckedFile& file : result.files) curves.push_back({file.name, &file.judgement});
+  for (const CheckedFile& file : result.files) {
+    curves.push_back({std::filesystem::path(file.name).filename().string(), &file.judgement});
+  }
   plot::draw_plot(path, plot::check_plot(curves));
 }
 

@@ -93,7 +93,7 @@ Json conditioning_json(const Judgement& judgement, double factor) {
           {"rate_digit_printed", of_rates(digits.printed_rate)},
           {"attitude_digit", of_attitude(digits.attitude)},
           {"attitude_digit_printed", of_attitude(digits.printed_attitude)},
-          {"time_digit", digits.time},
+          {"time_digit", digits.time.at(judgement.last_time)},
           {"rate_limit", of_rates(judgement.rate_limit)},
           {"attitude_limit", of_attitude(judgement.attitude_limit)},
           {"within_digits", judgement.within_digits}};

@@ -96,6 +96,7 @@ std::string drift_text(const Judgement& judgement) {
 std::string conditioning_text(const Judgement& judgement) {
   const RateUnit unit = rate_unit(judgement);
   const check::LastDigits& digits = judgement.digits;
+  if (judgement.rows == 1) return {};
   std::string of_digits, open;
   if (judgement.has_rates) {
     of_digits = fmt::format("{:.2g} {}, ", digits.rate * unit.per_radian, unit.name);
@@ -110,7 +111,7 @@ std::string conditioning_text(const Judgement& judgement) {
       "an error of the first rates grows {:.3g} times; the last digits, {}{:.2g} s, leave open {} "
       "at "
       "the end",
-      judgement.growth.rates, of_digits, digits.time, open);
+      judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
 }
 
 /// Where a program prints digits that it does not have.

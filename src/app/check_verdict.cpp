@@ -126,6 +126,23 @@ double beyond_digits(const Judgement& judgement) {
   return most;
 }
 
+/// Whether the first row is not in the state that was told, and that explains what is off later.
+bool begins_otherwise(const Judgement& judgement) {
+  const double error = judgement.first_rate_error;
+  constexpr double at_least_mostly = 3;
+  return !judgement.within_digits && error > judgement.course.front().rate_limit &&
+         at_least_mostly * judgement.growth.rates * error > judgement.rates->max;
+}
+
+std::string beginning_text(const Judgement& judgement) {
+  const RateUnit unit = rate_unit(judgement);
+  return fmt::format(
+      "begins otherwise: its first row is off by {:.3g} {} already, and what that grows to "
+      "explains "
+      "the largest error, {}",
+      judgement.first_rate_error * unit.per_radian, unit.name, sizes_text(judgement));
+}
+
 bool rates_within_digits(const Judgement& judgement) {
   return std::ranges::all_of(
       judgement.course, [](const check::Span& span) { return span.rate_error <= span.rate_limit; });
@@ -172,6 +189,7 @@ bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 std::string verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.rows == 1) return "cannot be judged: one row tells nothing of a motion";
+  if (begins_otherwise(judgement)) return beginning_text(judgement);
   if (judgement.reference.body.omega().norm() == 0) {
     return judgement.within_digits ? "cannot be faulted: the body is at rest, and stays so"
                                    : "does not follow the motion of a free body: it is at rest at "

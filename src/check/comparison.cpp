@@ -48,6 +48,7 @@ void Comparison::add_row(const Row& row, const motion::Sample& exact) {
   ++rows_;
   Span span{row};
   const double rate_error = compare_rates(row, exact, span);
+  if (rows_ == 1) first_rate_error_ = span.rate_error;
   if (rows_ > 1) accumulated_ += (row.t - last_time_) * (rate_error + last_rate_error_) / 2;
   last_rate_error_ = rate_error;
   last_time_ = row.t;

@@ -44,6 +44,7 @@ class Comparison {
 
   // Over all rows so far, of which there must be one.
   ErrorSize rates() const { return size_of(rates_, 3); }
+  double first_rate_error() const { return first_rate_error_; }
   ErrorSize attitude() const { return size_of(attitude_, 1); }
   /// Relative to the first row's own: largest |drift|. Where there are no rates, those that the
   /// attitude implies with the exact L are taken.
@@ -84,7 +85,7 @@ class Comparison {
 
   std::size_t rows_ = 0;
   Row first_;
-  double last_time_ = 0, last_rate_error_ = 0;
+  double last_time_ = 0, last_rate_error_ = 0, first_rate_error_ = 0;
   Sums rates_, attitude_;
   double first_energy_ = 0, energy_drift_ = 0, energy_error_ = 0;
   double momentum_drift_ = 0, momentum_error_ = 0, direction_drift_ = 0, orthogonality_error_ = 0;

@@ -109,7 +109,7 @@ double digit(double printed, double scale, const std::vector<Span>& spans,
 
 LastDigits digits_of(const RowReader& reader, Comparison& comparison) {
   LastDigits digits;
-  digits.time = reader.time_resolution().at(comparison.last_time());
+  digits.time = reader.time_resolution();
   if (reader.has_rates()) {
     const double most = comparison.largest_rate();
     digits.printed_rate = reader.rate_resolution().at(most);
@@ -139,7 +139,7 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   judgement.within_digits = true;
   for (std::size_t i = 0; i < times.size(); ++i) {
     Span& span = judgement.course[i];
-    const double time = digits.time + round_off * std::abs(times[i]);
+    const double time = digits.time.at(span.last.t) + round_off * std::abs(times[i]);
     span.rate_limit = initial * (1 + growth[i].rates) + comparison.largest_acceleration() * time;
     span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial + speed * time;
     const bool is_within = (!judgement.has_rates || span.rate_error <= span.rate_limit) &&
@@ -159,6 +159,7 @@ void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm
   judgement.energy_error = comparison.energy_error();
   if (judgement.has_rates) {
     judgement.rates = comparison.rates();
+    judgement.first_rate_error = comparison.first_rate_error();
     judgement.momentum_drift = comparison.momentum_drift();
     judgement.momentum_error = comparison.momentum_error();
   }

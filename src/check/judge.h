@@ -15,6 +15,7 @@
 #include "check/phase.h"
 #include "check/physics.h"
 #include "check/problem.h"
+#include "check/resolution.h"
 
 namespace twrench::check {
 
@@ -22,7 +23,7 @@ namespace twrench::check {
 struct LastDigits {
   double rate = 0;              ///< rad/s: of what is printed, or, where that is more, of the noise
   double attitude = 0;          ///< rad; likewise
-  double time = 0;              ///< s
+  Resolution time = {};         ///< of the times, s
   double printed_rate = 0;      ///< rad/s, of what is printed
   double printed_attitude = 0;  ///< rad, likewise
 };
@@ -40,6 +41,7 @@ struct Judgement {
   std::optional<Fit> fit = {};
 
   std::optional<ErrorSize> rates = {}, attitude = {};  ///< rad/s and rad
+  double first_rate_error = 0;  ///< of the first row: largest of the components, rad/s
   double energy_drift = 0;
   std::optional<double> momentum_drift = {};       ///< of |L|, relative
   std::optional<double> direction_drift = {};      ///< of L in space, rad

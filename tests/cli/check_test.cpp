@@ -107,7 +107,7 @@ TEST_F(CheckCommand, SeesTheOrderOfAMethod) {
     std::string files, steps;
     for (const char* step : {"0.1", "0.05", "0.025"}) {
       const std::string file = fmt::format("{}-{}.csv ", method, step);
-      simulate(file, fmt::format("--method {} --step {} --duration 20", method, step));
+      simulate(file, fmt::format("--method {} --step {} --duration 5", method, step));
       files += file;
       steps += (steps.empty() ? "" : ",") + std::string(step);
     }
@@ -211,6 +211,16 @@ TEST_F(CheckCommand, TakesTheBodyOfAScene) {
             0);
   EXPECT_THAT(check("s.csv --scene dzhanibekov").out, HasSubstr("cannot be faulted"));
   EXPECT_EQ(check("s.csv --scene dzhanibekov --inertia 1,2,3").code, 2);
+}
+
+TEST_F(CheckCommand, SeesThatAFileBeginsOtherwise) {
+  simulate("exact.csv", "--method exact --duration 40");
+  for (const char* told : {"-0.4,1.5,0.3", "0.4,1.50001,0.3", "0,0,0"}) {
+    EXPECT_THAT(check(fmt::format("exact.csv {} --omega {}", body, told)).out,
+                HasSubstr("begins otherwise: its first row is off by"))
+        << told;
+  }
+  EXPECT_THAT(check("exact.csv --omega 0.4,1.5,0.3 " + body).out, HasSubstr("cannot be faulted"));
 }
 
 TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {

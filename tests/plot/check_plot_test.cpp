@@ -21,7 +21,8 @@ check::Span span(double t, double rate_error, double attitude_error) {
 
 check::Judgement judgement(bool has_rates, bool has_attitude) {
   const motion::FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d(0, 0, 1));
-  return {.has_rates = has_rates,
+  return {.convention = {},
+          .has_rates = has_rates,
           .has_attitude = has_attitude,
           .rate_unit = check::Angle::degrees,
           .first_time = 5,
