@@ -130,7 +130,8 @@ double beyond_digits(const Judgement& judgement) {
 bool begins_otherwise(const Judgement& judgement) {
   const double error = judgement.first_rate_error;
   constexpr double at_least_mostly = 3;
-  return !judgement.within_digits && error > judgement.course.front().rate_limit &&
+  return !judgement.fit && !judgement.within_digits &&
+         error > judgement.course.front().rate_limit &&
          at_least_mostly * judgement.growth.rates * error > judgement.rates->max;
 }
 
