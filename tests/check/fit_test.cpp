@@ -19,7 +19,7 @@ std::vector<Row> noisy(double of_rates, double of_attitude, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   const auto vector = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
-  std::vector<Row> rows = exact_rows(2001, 0.1, 5);
+  std::vector<Row> rows = exact_rows(501, 0.4, 5);
   for (Row& row : rows) {
     row.omega += of_rates * vector();
     row.X *= so3::exp(of_attitude * vector());

@@ -147,7 +147,7 @@ TEST_F(CheckCommand, ABoundForWhatIsNotThereIsRefused) {
 }
 
 TEST_F(CheckCommand, ReportsAsJUnit) {
-  simulate("a&b.csv", "--method rk4 --step 0.1 --duration 20");
+  simulate("'a&b.csv'", "--method rk4 --step 0.1 --duration 20");
   const Outcome run = check("'a&b.csv' " + body +
                             "--max-rate-error 1e-9 --max-energy-drift 1 --format junit -o r.xml");
   EXPECT_EQ(run.code, 1);
