@@ -55,6 +55,11 @@ std::string foreign_text(const CheckedFile& file) {
     return "attitude and rates do not fit each other in any frame or unit, though the rates follow "
            "the motion of this body";
   }
+  if (!judgement.has_attitude) {
+    return "does not follow the motion of this body, in whatever unit it is read (whether rates "
+           "are "
+           "in space axes, only an attitude tells)";
+  }
   return "does not follow the motion of this body, in whatever unit or frame it is read";
 }
 
@@ -76,6 +81,13 @@ std::string contradiction_text(const Judgement& judgement) {
   const check::FrameTurn& turn = judgement.frame_turn;
   constexpr double steady = 0.99;
   if (turn.share < steady) return text;
+  const Eigen::Vector3d L = judgement.reference.frame * judgement.reference.body.momentum();
+  if (std::abs(turn.rate.normalized().dot(L.normalized())) > steady) {
+    return text + fmt::format(
+                      ", by {:.3g} deg/s about L, as of one that is integrated less exactly "
+                      "than the rates",
+                      degrees(turn.rate.norm()));
+  }
   text += fmt::format(", as against a frame that itself turns, at {:.4g} deg/s about {} of space",
                       degrees(turn.rate.norm()), direction_text(turn.rate));
   constexpr double earth = 7.292115e-5;  // rad/s, sidereal

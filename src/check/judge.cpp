@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "check/error.h"
@@ -107,6 +108,14 @@ double digit(double printed, double scale, const std::vector<Span>& spans,
   return std::max(printed, digit_of(*deviation));
 }
 
+/// One unit of the last digit of an attitude as an angle, rad: of entries of about 1, or of an
+/// Euler angle as large as they come. A quaternion has half the angle.
+double printed_angle(const RowReader& reader) {
+  const Resolution resolution = reader.attitude_resolution();
+  if (reader.attitude() == AttitudeForm::euler) return resolution.at(std::numbers::pi);
+  return (reader.attitude() == AttitudeForm::quaternion ? 2 : 1) * resolution.at(1);
+}
+
 LastDigits digits_of(const RowReader& reader, Comparison& comparison) {
   LastDigits digits;
   digits.time = reader.time_resolution();
@@ -116,9 +125,7 @@ LastDigits digits_of(const RowReader& reader, Comparison& comparison) {
     digits.rate = digit(digits.printed_rate, most, comparison.spans(), &Span::rate_differences);
   }
   if (reader.attitude() != AttitudeForm::none) {
-    // A quaternion has half the angle.
-    const double angle = reader.attitude() == AttitudeForm::quaternion ? 2 : 1;
-    digits.printed_attitude = angle * reader.attitude_resolution().at(1);
+    digits.printed_attitude = printed_angle(reader);
     digits.attitude =
         digit(digits.printed_attitude, 1, comparison.spans(), &Span::attitude_differences);
   }

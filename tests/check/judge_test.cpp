@@ -211,6 +211,28 @@ TEST(Judge, LetsRoundedDigitsPass) {
   }
 }
 
+// Of Euler angles with six significant digits the large ones have three decimals of a degree.
+TEST(Judge, LetsRoundedEulerAnglesPass) {
+  std::string text = "t,yaw,pitch,roll,wx,wy,wz\n";
+  for (const Row& row : exact_rows()) {
+    const Matrix3d& X = row.X;
+    const Vector3d w = in_degrees(1) * row.omega;
+    text += fmt::format("{:.1f},{:.6g},{:.6g},{:.6g},{:.9g},{:.9g},{:.9g}\n", row.t,
+                        in_degrees(std::atan2(X(1, 0), X(0, 0))), in_degrees(-std::asin(X(2, 0))),
+                        in_degrees(std::atan2(X(2, 1), X(2, 2))), w[0], w[1], w[2]);
+  }
+  const ScratchFolder folder;
+  system::write_file_atomically(folder / "euler.csv", text);
+  Convention convention = own_names(Parts::rates);
+  for (const char* name : {"yaw", "pitch", "roll"}) convention.columns[name] = name;
+  convention.unit = Angle::degrees;
+  convention.sequence = "zyx";
+  const Judgement judgement = judge(folder / "euler.csv", convention, tumbling_problem());
+  EXPECT_TRUE(judgement.within_digits) << in_degrees(judgement.attitude->max);
+  EXPECT_GT(in_degrees(judgement.attitude->max), 4e-4);
+  EXPECT_FALSE(judgement.attitude_contradicts_rates);
+}
+
 // Computed with 12 digits, turned and then printed with 17.
 TEST(Judge, FindsTheDigitsThatAProgramReallyHas) {
   const Matrix3d turn = so3::exp(Vector3d(0.3, 0.2, 0.1));

@@ -176,6 +176,28 @@ TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
               HasSubstr("fits with --rates body"));
 }
 
+/// Python that prints the rows of `simulate` through stdin, with x the 9 numbers of X, w the rates.
+std::string rewritten(const std::string& header, const std::string& line) {
+  return "python3 -c \"import sys\nprint('" + header +
+         "')\nfor n in list(sys.stdin)[1:]:\n  n = [float(v) for v in n.split(',')]\n"
+         "  t, x, w = n[0], n[1:10], n[10:13]\n  print(" +
+         line + ", sep=',')\"";
+}
+
+TEST_F(CheckCommand, NamesAMistakeForWhatItIs) {
+  simulate("e.csv", "--method exact --duration 40");
+  const std::pair<std::string, std::string> cases[] = {
+      // The same rates for ever; and rates in space without an attitude.
+      {rewritten("t,wx,wy,wz", "t, 0.4, 1.5, 0.3"), "the gyroscopic term"},
+      {rewritten("t,wx,wy,wz", "t, *[sum(x[3*i+j]*w[j] for j in range(3)) for i in range(3)]"),
+       "whether rates are in space axes, only an attitude tells"},
+  };
+  for (const auto& [command, part] : cases) {
+    ASSERT_EQ(run_shell(folder_, command + " < e.csv > wrong.csv").code, 0);
+    EXPECT_THAT(check("wrong.csv " + body).out, HasSubstr(part));
+  }
+}
+
 TEST_F(CheckCommand, AsksForAnOptionWhereNamesLeaveItOpen) {
   ASSERT_EQ(
       run_shell(folder_, "\"$TWRENCH\" simulate " + body +
