@@ -32,7 +32,7 @@ std::string start_text(const Judgement& judgement) {
   const RateUnit unit = rate_unit(judgement);
   const check::Reference& reference = judgement.reference;
   const std::string rates = vector_text(reference.body.omega() * unit.per_radian);
-  std::string text = fmt::format("omega {} {} at t = {:.6g} s", rates, unit.name, reference.start);
+  std::string text = fmt::format("omega {} {} at t = {:.10g} s", rates, unit.name, reference.start);
   if (!judgement.fit) return text;
   const check::Fit& fit = *judgement.fit;
   text += fmt::format(", fitted to {} rows, +- {:.2g},{:.2g},{:.2g}", fit.rows,
@@ -51,7 +51,7 @@ std::string start_text(const Judgement& judgement) {
 std::string size_text(const std::optional<check::ErrorSize>& size, double factor,
                       const char* unit) {
   if (!size) return {};
-  return fmt::format("{:.3g} {} at {:.6g} s, rms {:.3g} {}", size->max * factor, unit, size->at,
+  return fmt::format("{:.3g} {} at {:.10g} s, rms {:.3g} {}", size->max * factor, unit, size->at,
                      size->rms * factor, unit);
 }
 
@@ -59,7 +59,7 @@ std::string phase_text(const Judgement& judgement) {
   if (!judgement.parts) return "none: the motion is steady, so that no time differs from another";
   const check::ErrorParts& parts = *judgement.parts;
   const RateUnit unit = rate_unit(judgement);
-  std::string text = fmt::format("{:.3g} s {} at {:.6g} s, {:.3g} {}", std::abs(parts.delay),
+  std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),
                                  parts.delay < 0 ? "early" : "late", parts.delay_at,
                                  parts.phase_rate * unit.per_radian, unit.name);
   if (judgement.has_attitude) {
@@ -171,7 +171,7 @@ std::string bounds_text(const CheckedFile& file) {
 std::string file_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   const RateUnit unit = rate_unit(judgement);
-  return fmt::format("{}: {} rows, {:.6g} to {:.6g} s\n", escape(file.name), judgement.rows,
+  return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", escape(file.name), judgement.rows,
                      judgement.first_time, judgement.last_time) +
          line("read as", escape(reading_text(judgement.convention))) +
          line("from", start_text(judgement)) +

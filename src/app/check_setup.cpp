@@ -97,9 +97,16 @@ void CheckSetup::add_options(CLI::App& command) {
                   "principal moments of inertia about the body's axes, in any unit")
       ->type_name("A,B,C");
   command.add_option("--scene", scene_, "take the body of this scene instead")->type_name("SCENE");
-  command.add_option("--omega", omega_, "initial angular velocity at t = 0, body axes, rad/s")
+  command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
       ->default_str("the first row's, at its time");
+  command
+      .add_option(
+          "--omega-at", omega_at_,
+          "the time at which --omega holds, s, on the file's clock: a number, or first, that "
+          "of the first row")
+      ->type_name("T")
+      ->capture_default_str();
   command.add_flag("--fit", fit_, "fit the initial state to all rows by least squares");
   command
       .add_option(
@@ -148,6 +155,11 @@ check::Problem CheckSetup::problem() const {
   check::Problem problem{.inertia = inertia()};
   if (!omega_.empty()) {
     problem.omega = scene::limits::check_omega("--omega", parse_vector(omega_, "--omega"));
+  }
+  problem.omega_time.reset();
+  if (omega_at_ != "first") {
+    problem.omega_time = scene::limits::check(scene::limits::coordinate, "--omega-at",
+                                              parse_number(omega_at_, "--omega-at"));
   }
   problem.fit = fit_;
   if (frame_ == "momentum") problem.frame = check::FrameFrom::momentum;

@@ -30,7 +30,7 @@ class CheckSetup {
   check::Convention said() const;
   Eigen::Matrix3d inertia() const;
 
-  std::string inertia_, scene_, omega_, frame_ = "first";
+  std::string inertia_, scene_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
   std::string columns_, units_, sequence_, rates_ = "body";
   bool inverse_ = false;

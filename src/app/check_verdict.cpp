@@ -116,11 +116,11 @@ std::string sizes_text(const Judgement& judgement) {
   std::vector<std::string> sizes;
   if (judgement.rates) {
     const RateUnit unit = rate_unit(judgement);
-    sizes.push_back(fmt::format("{:.3g} {} at {:.6g} s", judgement.rates->max * unit.per_radian,
+    sizes.push_back(fmt::format("{:.3g} {} at {:.10g} s", judgement.rates->max * unit.per_radian,
                                 unit.name, judgement.rates->at));
   }
   if (judgement.attitude && !judgement.attitude_contradicts_rates) {
-    sizes.push_back(fmt::format("{:.3g} deg at {:.6g} s", degrees(judgement.attitude->max),
+    sizes.push_back(fmt::format("{:.3g} deg at {:.10g} s", degrees(judgement.attitude->max),
                                 judgement.attitude->at));
   }
   return joined(sizes, " and ");

@@ -55,7 +55,9 @@ Fit fitted(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 2);
   Vector3d omega = first_omega(recording, problem, first);
   if (problem.omega) {
-    omega = motion::ExactMotion({problem.inertia, omega}).at(first.front().t).omega;
+    const double t = first.front().t;
+    omega =
+        motion::ExactMotion({problem.inertia, omega}).at(t - problem.omega_time.value_or(t)).omega;
   }
   return fit(problem.inertia, rows, omega, recording.has_rates, recording.has_attitude);
 }
@@ -63,9 +65,10 @@ Fit fitted(const Recording& recording, const Problem& problem) {
 /// With the frame of the first row.
 Reference told_reference(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
-  const double start = problem.omega ? 0 : first.front().t;
+  const double t = first.front().t;
+  const double start = problem.omega ? problem.omega_time.value_or(t) : t;
   Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
-  const Matrix3d X = motion::ExactMotion(reference.body).at(first.front().t - start).X;
+  const Matrix3d X = motion::ExactMotion(reference.body).at(t - start).X;
   reference.frame = nearest_rotation(first.front().X) * X.transpose();
   return reference;
 }

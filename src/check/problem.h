@@ -17,9 +17,11 @@ enum class FrameFrom {
 struct Problem {
   /// Body axes, positive definite; in any unit, for only its ratios matter to the motion.
   Eigen::Matrix3d inertia;
-  /// At t = 0 of the file's clock, body axes, rad/s. Absent: that of the first row, at its time.
-  /// With `fit` it is where the fit begins.
+  /// At `omega_time`, body axes, rad/s. Absent: that of the first row, at its time. With `fit` it is
+  /// where the fit begins.
   std::optional<Eigen::Vector3d> omega = {};
+  /// On the file's clock, s. Absent: that of the first row.
+  std::optional<double> omega_time = 0;
   /// Whether the initial state is fitted to all rows by least squares.
   bool fit = false;
   FrameFrom frame = FrameFrom::first_row;

@@ -172,6 +172,11 @@ TEST(Judge, CountsTimeFromTheFirstRow) {
   const Judgement told = judged(later, Parts::both, problem);
   EXPECT_LT(told.rates->max, 1e-12);
   EXPECT_EQ(told.reference.start, 0);
+  problem.omega = omega;
+  for (const std::optional<double> at_five : {std::optional<double>(5), std::optional<double>()}) {
+    problem.omega_time = at_five;
+    EXPECT_TRUE(judged(later, Parts::attitude, problem).within_digits);
+  }
 }
 
 TEST(Judge, AttitudesAloneTakeARateFromElsewhere) {

@@ -258,6 +258,7 @@ TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
       {"e.csv --inertia 2,3,4 --units rpm", "--units"},
       {"e.csv --inertia 2,3,4 --sequence xyw", "--sequence"},
       {"e.csv --inertia 2,3,4 --frame last", "--frame"},
+      {"e.csv --inertia 2,3,4 --omega 1,2,3 --omega-at last", "--omega-at"},
       {"e.csv --inertia 2,3,4 --steps 0.1,0.2", "--steps"},
       {"e.csv --inertia 2,3,4 --max-rate-error -1", "--max-rate-error"},
       {"e.csv --inertia 2,3,4 -o e.csv", "e.csv"},
