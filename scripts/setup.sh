@@ -58,6 +58,7 @@ python   | setuptools, for pip           | python3-setuptools
 python   | wheel, for the same           | python3-wheel
 test     | pytest                        | python3-pytest
 test     | SciPy, to compare with        | python3-scipy
+test     | scikit-image, for the same    | python3-skimage           | its numbers that the tests store are used
 test     | pandas                        | python3-pandas
 test     | Pillow, to read our PNG       | python3-pil
 test     | mypy                          | mypy

@@ -42,8 +42,9 @@ std::map<std::string, Candidates> named_values() {
       {"--output", {Kind::file, {}}},
       {"--plot", {Kind::file, {}}},
       {"--diff", {Kind::file, {}}},
-      {"A", {Kind::file, {}}},
-      {"B", {Kind::file, {}}},
+      {"--report", {Kind::file, {}}},
+      {"EXPECTED", {Kind::file, {}}},
+      {"ACTUAL", {Kind::file, {}}},
       {"--frames-dir", {Kind::folder, {}}},
       {"FRAMES_DIR", {Kind::folder, {}}},
   };

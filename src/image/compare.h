@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "image/area.h"
 #include "image/image.h"
 
 namespace twrench::image {
@@ -15,16 +16,25 @@ struct Difference {
   double mean = 0.0;
   /// Fraction of pixels, 0 to 1, with a channel that differs by more than the threshold.
   double share = 0.0;
+  /// The smallest rectangle with all of those pixels; empty if there are none.
+  Area area;
 };
 
 /// Returns the difference of two images; nothing if they differ in size or channels (`twrench
 /// compare` then reports "different"). `threshold`, 0 to 255, is the one that `share` uses.
-std::optional<Difference> compare(const Image& a, const Image& b, int threshold);
-std::optional<Difference> compare(const DeepImage& a, const DeepImage& b, int threshold);
+///
+/// With `edges` above 0, samples are equal that lie between the least and the greatest value of
+/// their channel within that many pixels, across and down, in the other image; otherwise they
+/// differ by what they are outside of that range. So an edge may lie up to that many pixels
+/// elsewhere, however it is antialiased, but nothing may be in one image alone: each is held
+/// against the other, and the larger difference counts.
+std::optional<Difference> compare(const Image& a, const Image& b, int threshold, int edges = 0);
+std::optional<Difference> compare(const DeepImage& a, const DeepImage& b, int threshold,
+                                  int edges = 0);
 
 /// Returns an RGB image of the differences of two images of the same size and channels: black where
 /// they are equal, scaled so that the largest difference is white. A difference in alpha is gray.
-Image difference_image(const Image& a, const Image& b);
-Image difference_image(const DeepImage& a, const DeepImage& b);
+Image difference_image(const Image& a, const Image& b, int edges = 0);
+Image difference_image(const DeepImage& a, const DeepImage& b, int edges = 0);
 
 }  // namespace twrench::image

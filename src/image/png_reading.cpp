@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 #include <spng.h>
 
@@ -18,8 +19,6 @@ namespace twrench::image {
 namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
-
-constexpr std::size_t longest = 1U << 30U;  // of a file that is read
 
 /// Of texts, colour profiles and the like, inflated. libspng keeps them while it decodes.
 constexpr std::size_t max_metadata_mebibytes = 64;
@@ -57,17 +56,41 @@ std::uint32_t number_at(ByteSpan file, std::size_t at) {
   return value;
 }
 
+constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::size_t around_data = 12;  // a chunk's length, type and checksum
+
+std::string_view chunk_type(ByteSpan file, std::size_t at) {
+  return {reinterpret_cast<const char*>(&file[at + 4]), 4};
+}
+
 /// The pieces of compressed data in a file whose chunks are known to be whole.
 std::vector<ByteSpan> compressed_data(ByteSpan file) {
-  constexpr std::size_t signature = 8, around = 12;  // a chunk's length, type and checksum
   std::vector<ByteSpan> pieces;
-  for (std::size_t at = signature;;) {
+  for (std::size_t at = signature.size();;) {
     const std::size_t length = number_at(file, at);
-    const std::string_view type(reinterpret_cast<const char*>(&file[at + 4]), 4);
+    const std::string_view type = chunk_type(file, at);
     if (type == "IEND") return pieces;
     if (type == "IDAT") pieces.push_back(file.subspan(at + 8, length));
-    at += length + around;
+    at += length + around_data;
   }
+}
+
+/// What is wrong with the chunks of a file, as an error of libspng.
+int chunk_error(ByteSpan file) {
+  if (file.size() < signature.size() ||
+      !std::ranges::equal(file.first(signature.size()), signature)) {
+    return SPNG_ESIGNATURE;
+  }
+  for (std::size_t at = signature.size(); at + around_data <= file.size();) {
+    const std::size_t length = number_at(file, at);
+    if (length > file.size() - at - around_data) return SPNG_IO_EOF;
+    if (crc32_gzip_refl(0, &file[at + 4], length + 4) != number_at(file, at + 8 + length)) {
+      return SPNG_ECHUNK_CRC;
+    }
+    if (chunk_type(file, at) == "IEND") return SPNG_OK;
+    at += length + around_data;
+  }
+  return SPNG_IO_EOF;
 }
 
 /// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
@@ -201,14 +224,24 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   return decode_8_bits(decoder);
 }
 
-Image read_png(const std::filesystem::path& path) {
-  return decode_png(system::read_file(path, longest), path.string());
+DeepImage decode_deep_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  Decoder decoder(bytes, name);
+  return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
 }
 
-DeepImage read_deep_png(const std::filesystem::path& path) {
-  const auto bytes = system::read_file(path, longest);
-  Decoder decoder(bytes, path.string());
-  return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
+PngHeader png_header(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t width = 16, height = 20, bit_depth = 24;  // PNG specification, 5.3, 11.2.2
+  if (bytes.size() <= bit_depth) return {};
+  return {number_at(bytes, width), number_at(bytes, height), bytes[bit_depth]};
+}
+
+void require_whole_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const int error = chunk_error(bytes);
+  if (error != SPNG_OK) throw system::FileError("cannot read " + name, explanation(error));
+}
+
+Image read_png(const std::filesystem::path& path) {
+  return decode_png(system::read_file(path, max_png_size), path.string());
 }
 
 }  // namespace twrench::image

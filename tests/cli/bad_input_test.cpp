@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"inertia nothing", 2, "unknown name 'nothing'"},
         Mistake{"encode missing -o a.mp4", 5, "missing"},
         Mistake{"encode missing -o a.mp4", 5, "the folder that twrench render wrote"},
-        Mistake{"compare key.toml", 2, "B"}));
+        Mistake{"compare key.toml", 2, "ACTUAL"}));
 
 TEST(BadInput, ADamagedFontIsOneClearLine) {
   const ScratchFolder folder;

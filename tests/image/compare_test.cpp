@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <initializer_list>
+
+#include "image/sample_image.h"
+
 namespace twrench::image {
 namespace {
 
@@ -66,6 +71,90 @@ TEST(Compare, SixteenBitsTellPartsOfAStep) {
   EXPECT_DOUBLE_EQ(compare(a, b, 0)->share, 0.5);
   EXPECT_DOUBLE_EQ(compare(a, b, 1)->share, 0.0);
   EXPECT_THAT(difference_image(a, b).pixels, ElementsAre(0, 0, 0, 0, 255, 0));
+}
+
+TEST(Compare, TellsWhereItIs) {
+  const Image a = flat(5, 4, 3, 100);
+  Image b = a;
+  EXPECT_EQ(compare(a, b, 0)->area, Area());
+  b.pixels[3 * (1 * 5 + 3)] = 110;
+  EXPECT_EQ(compare(a, b, 0)->area, (Area{3, 1, 1, 1}));
+  b.pixels[3 * (3 * 5 + 1) + 2] = 105;
+  EXPECT_EQ(compare(a, b, 0)->area, (Area{1, 1, 3, 3}));
+  EXPECT_EQ(compare(a, b, 5)->area, (Area{3, 1, 1, 1}));
+}
+
+/// Two flat halves with the edge between them after so many columns, and a column of a mixture.
+Image edge(int column, std::uint8_t between) {
+  Image image = flat(12, 6, 3, 20);
+  for (int y = 0; y < 6; ++y) {
+    for (int x = column; x < 12; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        image.pixels[static_cast<std::size_t>((y * 12 + x) * 3 + c)] = x == column ? between : 200;
+      }
+    }
+  }
+  return image;
+}
+
+TEST(Compare, EdgesMayLieElsewhereHoweverAntialiased) {
+  for (const std::uint8_t between : std::initializer_list<std::uint8_t>{20, 60, 130, 200}) {
+    const Image a = edge(5, 100), b = edge(5, between), moved = edge(6, between);
+    EXPECT_EQ(compare(a, b, 0, 1)->max, 0) << int{between};
+    EXPECT_EQ(compare(b, a, 0, 1)->max, 0) << int{between};
+    EXPECT_EQ(compare(a, moved, 0, 2)->max, 0) << int{between};
+  }
+  EXPECT_EQ(compare(edge(5, 200), edge(7, 200), 0, 1)->max, 180);
+  EXPECT_EQ(compare(edge(5, 200), edge(7, 200), 0, 2)->max, 0);
+}
+
+// Among neighbours like the background it would be overlooked if only one image were held against
+// the other.
+TEST(Compare, NoToleranceForEdgesHidesWhatIsInOneImageAlone) {
+  const Image a = flat(9, 9, 3, 100);
+  for (const std::size_t pixel : {0U, 8U, 40U, 72U, 80U}) {
+    Image b = a;
+    b.pixels[3 * pixel] = 140;
+    for (const auto& difference : {compare(a, b, 0, 2), compare(b, a, 0, 2)}) {
+      EXPECT_EQ(difference->max, 40) << pixel;
+      EXPECT_DOUBLE_EQ(difference->share, 1.0 / 81) << pixel;
+    }
+  }
+}
+
+/// The least difference of the sample from the range of its neighbours, both ways, as documented.
+int edge_difference(const Image& a, const Image& b, int x, int y, int c, int radius) {
+  const auto at = [&](const Image& image, int i, int j) {
+    return int{image.pixels[static_cast<std::size_t>((j * image.width + i) * image.channels + c)]};
+  };
+  const auto outside = [&](const Image& one, const Image& other) {
+    int low = 255, high = 0;
+    for (int j = std::max(y - radius, 0); j <= std::min(y + radius, a.height - 1); ++j) {
+      for (int i = std::max(x - radius, 0); i <= std::min(x + radius, a.width - 1); ++i) {
+        low = std::min(low, at(other, i, j));
+        high = std::max(high, at(other, i, j));
+      }
+    }
+    return std::max({low - at(one, x, y), at(one, x, y) - high, 0});
+  };
+  return std::max(outside(a, b), outside(b, a));
+}
+
+TEST(Compare, TheToleranceForEdgesIsTheSameEverywhere) {
+  for (const int channels : {3, 4}) {
+    const Image a = sample_image(13, 7, channels, 1);
+    Image b = sample_image(13, 7, channels, 2);
+    for (std::size_t i = 0; i < b.pixels.size(); i += 5) b.pixels[i] ^= 0x1F;
+    for (const int radius : {1, 2, 9, 16}) {
+      double sum = 0;
+      for (int y = 0; y < 7; ++y) {
+        for (int x = 0; x < 13; ++x) {
+          for (int c = 0; c < channels; ++c) sum += edge_difference(a, b, x, y, c, radius);
+        }
+      }
+      EXPECT_DOUBLE_EQ(compare(a, b, 0, radius)->mean, sum / (13 * 7 * channels)) << radius;
+    }
+  }
 }
 
 TEST(Compare, OtherSizesAndChannelsHaveNoDifference) {

@@ -81,11 +81,7 @@ std::string failure(const Bytes& bytes) {
   return "no error";
 }
 
-DeepImage decode_deep(const Bytes& bytes) {
-  const ScratchFolder scratch;
-  system::write_file_atomically(scratch / "a.png", bytes);
-  return read_deep_png(scratch / "a.png");
-}
+DeepImage decode_deep(const Bytes& bytes) { return decode_deep_png(bytes, "a.png"); }
 
 TEST(PngReading, GrayBecomesRgb) {
   const ScratchFolder scratch;
@@ -223,6 +219,38 @@ TEST(PngReading, RefusesWhatNoPngCanBe) {
   EXPECT_THAT(failure(PngFile(1, 1, 8, rgb).with({5, 0, 0, 0})), HasSubstr("damaged"));  // filter
   EXPECT_THAT(failure(PngFile(1, 1, 8, rgb).add("ABCD", {1}).with(row)), HasSubstr("damaged"));
   EXPECT_THAT(failure(PngFile(1, 1, 8, rgb).end()), HasSubstr("damaged"));  // no data
+}
+
+std::string chunk_failure(const Bytes& bytes) {
+  try {
+    require_whole_png(bytes, "a.png");
+  } catch (const system::FileError& error) {
+    return error.what();
+  }
+  return "whole";
+}
+
+TEST(PngReading, ChecksThatChunksAreWholeWithoutDecoding) {
+  const auto whole = encode_png(sample_image(40, 30, 3, 3));
+  EXPECT_EQ(chunk_failure(whole), "whole");
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const auto end = whole.begin() + static_cast<std::ptrdiff_t>(length);
+    EXPECT_NE(chunk_failure({whole.begin(), end}), "whole") << length;
+  }
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    Bytes damaged = whole;
+    damaged[i] ^= 0x10;
+    EXPECT_NE(chunk_failure(damaged), "whole") << i;
+  }
+  EXPECT_THAT(chunk_failure(Bytes(1000, 'x')), HasSubstr("cannot read a.png: it is no PNG image"));
+}
+
+TEST(PngReading, ReadsTheHeader) {
+  const PngHeader header = png_header(PngFile(40, 30, 16, gray).end());
+  EXPECT_EQ(header.width, 40U);
+  EXPECT_EQ(header.height, 30U);
+  EXPECT_EQ(header.bit_depth, 16);
+  EXPECT_EQ(png_header({}).width, 0U);
 }
 
 TEST(PngReading, RefusesTruncatedFiles) {

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/frames.h"
+#include "comparison/picture_pair.h"
+#include "image/area.h"
+#include "image/compare.h"
+#include "system/error.h"
+
+namespace twrench::comparison {
+
+/// What decides whether two frames are alike.
+enum class Metric {
+  share,       ///< The fraction of pixels that differ by more than a threshold.
+  similarity,  ///< The structural similarity.
+};
+
+/// How frames are compared, and what makes two of them alike.
+struct Criteria {
+  Metric metric = Metric::share;
+  /// The largest difference of a channel, of 255, at which pixels count as equal.
+  int threshold = 0;
+  /// The largest fraction of pixels that may differ, 0 to 1.
+  double share = 0.0;
+  /// The least structural similarity, -1 to 1.
+  double min_similarity = 1.0;
+  /// By how many pixels edges may lie elsewhere, as image::compare() says.
+  int edges = 0;
+  /// What these areas show counts as equal.
+  std::vector<image::Area> ignored;
+};
+
+/// What was found about a frame.
+enum class Outcome {
+  identical,     ///< The files have the same bytes.
+  alike,         ///< The images differ by no more than they may.
+  different,     ///< They differ by more.
+  other_format,  ///< They differ in size or channels.
+  missing,       ///< There is no actual frame.
+  extra,         ///< There is no expected frame.
+  unreadable,    ///< A file could not be read, or is no whole PNG file.
+};
+
+/// A frame, and how it differs.
+struct FrameResult {
+  /// The name of the files.
+  std::string name;
+  Outcome outcome = Outcome::identical;
+  /// Of alike and different ones; zero for identical ones.
+  image::Difference difference{};
+  /// Of the same, where the metric is the similarity.
+  std::optional<double> similarity{};
+  /// The formats of the images, where they differ in that.
+  std::string formats{};
+  /// Why a frame is unreadable.
+  std::shared_ptr<const system::FileError> failure{};
+
+  /// Whether it is what was expected.
+  bool passed() const { return outcome == Outcome::identical || outcome == Outcome::alike; }
+};
+
+/// Returns how a frame differs from the expected one. Throws FileError as PicturePair does, and
+/// InvalidArgument if an ignored area is not within the image, or an image is too small for its
+/// structural similarity.
+FrameResult compare_pictures(const PngFile& expected, const PngFile& actual,
+                             const Criteria& criteria);
+
+/// All frames of a comparison, in the order of their names.
+struct Comparison {
+  Inputs inputs;
+  Criteria criteria;
+  std::vector<FrameResult> frames;
+
+  std::size_t count(Outcome outcome) const;
+  bool passed() const;
+  /// Returns the first frame that could not be read, or null.
+  const FrameResult* first_unreadable() const;
+};
+
+/// Compares the frames of two folders on all processors; each processor holds one pair of frames at
+/// a time. Files of the same bytes are not decoded, only checked to be whole. A frame that cannot
+/// be read is among the results. `progress`, which may be empty, is called with the number of
+/// frames done and of all, from one thread at a time. Throws FileError if a folder cannot be read
+/// or neither has frames, and InvalidArgument as compare_pictures() does.
+Comparison compare_folders(const Inputs& folders, const Criteria& criteria,
+                           const std::function<void(int done, int total)>& progress);
+
+}  // namespace twrench::comparison

@@ -1,0 +1,94 @@
+#include "comparison/picture_pair.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+
+#include "image/png.h"
+#include "image/similarity.h"
+
+namespace twrench::comparison {
+namespace {
+
+template <typename Kind>
+void copy_area(const image::Area& area, const Kind& from, Kind& to) {
+  const auto sample = [&](int x, int y) {
+    return (std::ptrdiff_t{y} * from.width + x) * from.channels;
+  };
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    std::copy_n(from.pixels.begin() + sample(area.x, y), area.width * from.channels,
+                to.pixels.begin() + sample(area.x, y));
+  }
+}
+
+}  // namespace
+
+void require_within(std::span<const image::Area> areas, int width, int height,
+                    const std::string& name) {
+  for (const image::Area& area : areas) {
+    if (image::common(area, {0, 0, width, height}) == area) continue;
+    throw InvalidArgument(
+        fmt::format("the area {},{},{}x{}", area.x, area.y, area.width, area.height),
+        fmt::format("it is not within {}, which has {}x{} pixels", name, width, height));
+  }
+}
+
+PicturePair::PicturePair(const PngFile& expected, const PngFile& actual) : name_(actual.name) {
+  if (image::png_header(expected.bytes).bit_depth == 16 ||
+      image::png_header(actual.bytes).bit_depth == 16) {
+    images_ = Pair<image::DeepImage>{image::decode_deep_png(expected.bytes, expected.name),
+                                     image::decode_deep_png(actual.bytes, actual.name)};
+  } else {
+    images_ = Pair<image::Image>{image::decode_png(expected.bytes, expected.name),
+                                 image::decode_png(actual.bytes, actual.name)};
+  }
+}
+
+bool PicturePair::same_format() const {
+  return std::visit(
+      [](const auto& pair) {
+        const auto& [a, b] = pair;
+        return a.width == b.width && a.height == b.height && a.channels == b.channels;
+      },
+      images_);
+}
+
+std::string PicturePair::formats() const {
+  return std::visit(
+      [](const auto& pair) {
+        const auto& [a, b] = pair;
+        return fmt::format("{}x{} with {} channels, and {}x{} with {}", a.width, a.height,
+                           a.channels, b.width, b.height, b.channels);
+      },
+      images_);
+}
+
+void PicturePair::ignore(std::span<const image::Area> areas) {
+  std::visit(
+      [&](auto& pair) {
+        require_within(areas, pair.first.width, pair.first.height, name_);
+        for (const image::Area& area : areas) copy_area(area, pair.first, pair.second);
+      },
+      images_);
+}
+
+image::Difference PicturePair::difference(int threshold, int edges) const {
+  return std::visit(
+      [&](const auto& pair) { return *image::compare(pair.first, pair.second, threshold, edges); },
+      images_);
+}
+
+double PicturePair::similarity() const {
+  return std::visit(
+      [](const auto& pair) { return image::structural_similarity(pair.first, pair.second); },
+      images_);
+}
+
+image::Image PicturePair::difference_image(int edges) const {
+  return std::visit(
+      [&](const auto& pair) { return image::difference_image(pair.first, pair.second, edges); },
+      images_);
+}
+
+}  // namespace twrench::comparison

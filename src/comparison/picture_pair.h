@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "image/area.h"
+#include "image/compare.h"
+#include "image/image.h"
+#include "system/error.h"
+
+namespace twrench::comparison {
+
+/// The bytes of a PNG file, and its name in errors.
+struct PngFile {
+  std::span<const std::uint8_t> bytes;
+  std::string name;
+};
+
+/// Throws InvalidArgument unless the areas lie within an image of that size; `name` is its file.
+void require_within(std::span<const image::Area> areas, int width, int height,
+                    const std::string& name);
+
+/// Two images that are compared: of 16 bits a channel if either file has them, otherwise of 8.
+class PicturePair {
+ public:
+  /// Throws FileError as image::decode_png() does.
+  PicturePair(const PngFile& expected, const PngFile& actual);
+
+  /// Whether they have the same size and number of channels. Everything below needs that.
+  bool same_format() const;
+
+  /// "640x360 with 3 channels, and 640x360 with 4"
+  std::string formats() const;
+
+  /// Makes the actual image equal to the expected one within the areas. Throws InvalidArgument
+  /// unless they lie within the image.
+  void ignore(std::span<const image::Area> areas);
+
+  /// As image::compare().
+  image::Difference difference(int threshold, int edges) const;
+
+  /// As image::structural_similarity().
+  double similarity() const;
+
+  /// As image::difference_image().
+  image::Image difference_image(int edges) const;
+
+ private:
+  template <typename Kind>
+  using Pair = std::pair<Kind, Kind>;
+
+  std::variant<Pair<image::Image>, Pair<image::DeepImage>> images_;
+  std::string name_;  ///< Of the actual file.
+};
+
+}  // namespace twrench::comparison
