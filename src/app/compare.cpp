@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/arguments.h"
 #include "app/commands.h"
@@ -44,7 +45,7 @@ struct CompareOptions {
 /// Parses "X,Y,WxH", in pixels.
 image::Area parse_area(const std::string& text, const std::string& what) {
   const std::vector<std::string> words = parse_words(text);
-  if (words.size() != 3) {
+  if (words.size() != 3 || words[2].find('x') == std::string::npos) {
     throw InvalidArgument(what, fmt::format("'{}' is not X,Y,WIDTHxHEIGHT", text));
   }
   const auto whole = [&](double least, double value) {
@@ -114,6 +115,8 @@ Inputs inputs_of(const CompareOptions& options) {
 /// Nothing that is written may take the place of what is compared.
 void require_free_outputs(const CompareOptions& options, const Inputs& inputs) {
   for (const std::string& output : {options.diff, options.report}) {
+    if (output == "-")
+      throw InvalidArgument("compare", "standard output is for the findings", "name a file");
     if (output.empty()) continue;
     system::require_not_input(output, inputs.expected);
     system::require_not_input(output, inputs.actual);
@@ -152,25 +155,22 @@ Comparison compare_two_files(const CompareOptions& options, const Inputs& files,
 Comparison compare_inputs(const CompareOptions& options, const Inputs& inputs,
                           const Criteria& criteria) {
   if (!inputs.folders) return compare_two_files(options, inputs, criteria);
+  Progress progress(isatty(STDERR_FILENO) != 0 ? "auto" : "none");
+  Comparison comparison = comparison::compare_folders(
+      inputs, criteria, [&](int done, int total) { progress.update(done, total); });
+  progress.finish();
   std::error_code unknown;
   if (std::filesystem::equivalent(inputs.expected, inputs.actual, unknown)) {
     warn("both folders are the same one, so nothing can differ");
   }
-  Progress progress(isatty(STDERR_FILENO) != 0 ? "auto" : "none");
-  return comparison::compare_folders(inputs, criteria,
-                                     [&](int done, int total) { progress.update(done, total); });
+  return comparison;
 }
 
-void write_comparison(const CompareOptions& options, const Comparison& comparison) {
-  if (!options.report.empty()) {
-    Output page(options.report);
-    write_compare_page(comparison, page);
-    page.finish();
-  }
+void write_findings(const std::string& format, const Comparison& comparison) {
   Output output("-");
-  if (options.format == "json") {
+  if (format == "json") {
     write_compare_json(comparison, output);
-  } else if (options.format == "junit") {
+  } else if (format == "junit") {
     write_compare_junit(comparison, output);
   } else {
     write_compare_text(comparison, output);
@@ -193,8 +193,14 @@ ExitCode compare(const CompareOptions& options) {
                           "--report FILE.html shows the differences of folders");
   }
   require_free_outputs(options, inputs);
+  std::optional<Output> page;  // opened before the work, which may take minutes
+  if (!options.report.empty()) page.emplace(options.report);
   const Comparison comparison = compare_inputs(options, inputs, criteria);
-  write_comparison(options, comparison);
+  if (page) {
+    write_compare_page(comparison, *page);
+    page->finish();
+  }
+  write_findings(options.format, comparison);
   if (const FrameResult* frame = comparison.first_unreadable()) throw *frame->failure;
   if (options.update && !comparison.passed()) return update(comparison);
   return comparison.passed() ? ExitCode::done : ExitCode::answer_is_no;
@@ -220,7 +226,7 @@ void add_bounds(CLI::App& command, CompareOptions& options) {
       ->capture_default_str();
   command
       .add_option("--edges", options.edges,
-                  "a pixel may have any value that lies within N pixels in the other image")
+                  "edges may lie N pixels elsewhere: a pixel may match any of its neighbours")
       ->type_name("N")
       ->capture_default_str();
   command
@@ -255,8 +261,8 @@ void add_compare(CLI::App& app, ExitCode& code) {
   CLI::App* command =
       app.add_subcommand("compare", "Compare two PNG images, or two folders of frames");
   command->footer(
-      "Examples: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
-      "          twrench compare golden out/dzhanibekov --edges 1 --report report.html\n"
+      "Example: twrench compare golden.png actual.png --threshold 8 --share 0.001\n"
+      "Example: twrench compare golden out/dzhanibekov --edges 1 --report report.html\n"
       "Exit codes: 0 alike, 1 different, 5 an image cannot be read or is damaged.");
   const auto options = std::make_shared<CompareOptions>(*command);
   command->add_option("EXPECTED", options->expected, "PNG file, or folder of PNG files")

@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <span>
 #include <tuple>
 #include <vector>
 
+#include "app/compare_article.h"
 #include "app/compare_chart.h"
-#include "app/compare_report.h"
 #include "app/xml.h"
 #include "embedded/compare_page.h"
-#include "image/png.h"
-#include "system/base64.h"
-#include "system/file.h"
 
 namespace twrench::app {
 namespace {
@@ -24,7 +20,6 @@ using comparison::Comparison;
 using comparison::FrameResult;
 using comparison::Metric;
 using comparison::Outcome;
-using Bytes = std::vector<std::uint8_t>;
 
 /// Frames that a person looks at one by one, and bytes of PNG files that a browser still loads in a
 /// second. The first frame is shown however large it is.
@@ -33,14 +28,6 @@ constexpr std::size_t most_bytes = 32U << 20U;
 
 /// Lines of the list of frames that have no pictures.
 constexpr std::size_t most_lines = 1000;
-
-/// The pictures of a frame; empty where there is none.
-struct Pictures {
-  Bytes expected, actual, difference;
-  int width = 0, height = 0;  ///< Of the larger one.
-
-  std::size_t size() const { return expected.size() + actual.size() + difference.size(); }
-};
 
 /// How bad it is: what could be compared and is different comes first, then what could not be.
 int rank(Outcome outcome) {
@@ -80,115 +67,6 @@ std::vector<const FrameResult*> worst_first(const Comparison& comparison) {
   }
   std::ranges::stable_sort(frames, is_worse);
   return frames;
-}
-
-Bytes read_picture(const std::filesystem::path& path, Pictures& pictures) {
-  Bytes bytes = system::read_regular_file(path, image::max_png_size);
-  const image::PngHeader header = image::png_header(bytes);
-  pictures.width = std::max(pictures.width, static_cast<int>(header.width));
-  pictures.height = std::max(pictures.height, static_cast<int>(header.height));
-  return bytes;
-}
-
-/// The image of a difference as a page shows it: the square root makes faint ones visible, too.
-Bytes shown_difference(image::Image difference) {
-  for (std::uint8_t& sample : difference.pixels) {
-    sample = static_cast<std::uint8_t>(std::lround(std::sqrt(255.0 * sample)));
-  }
-  return image::encode_png(difference);
-}
-
-Pictures pictures_of(const FrameResult& frame, const Comparison& comparison) {
-  Pictures pictures;
-  const auto expected = comparison.inputs.expected_frame(frame.name);
-  const auto actual = comparison.inputs.actual_frame(frame.name);
-  if (frame.outcome == Outcome::unreadable) return pictures;
-  if (frame.outcome != Outcome::extra) pictures.expected = read_picture(expected, pictures);
-  if (frame.outcome != Outcome::missing) pictures.actual = read_picture(actual, pictures);
-  if (frame.outcome == Outcome::different || frame.outcome == Outcome::alike) {
-    comparison::PicturePair pair({pictures.expected, expected.string()},
-                                 {pictures.actual, actual.string()});
-    pair.ignore(comparison.criteria.ignored);
-    pictures.difference = shown_difference(pair.difference_image(comparison.criteria.edges));
-  }
-  return pictures;
-}
-
-std::string verdict_of(const FrameResult& frame) {
-  switch (frame.outcome) {
-    case Outcome::missing:
-      return "missing";
-    case Outcome::extra:
-      return "extra";
-    case Outcome::unreadable:
-      return "unreadable";
-    default:
-      return frame.passed() ? "within the bounds" : "different";
-  }
-}
-
-std::string finding_html(const FrameResult& frame, const comparison::Criteria& criteria) {
-  if (frame.failure) return xml_text(frame.failure->what());
-  if (frame.outcome == Outcome::missing) return "there is no actual frame";
-  if (frame.outcome == Outcome::extra) return "there is no expected frame";
-  if (frame.outcome == Outcome::other_format) return xml_text(frame.formats);
-  return xml_text(difference_text(frame, criteria));
-}
-
-std::string figure(const char* kind, const char* caption, const Bytes& png,
-                   const FrameResult& frame, const Pictures& pictures) {
-  if (png.empty()) return {};
-  const double width = 100.0 * image::png_header(png).width / pictures.width;
-  return fmt::format(
-      "<figure class=\"{0}\" style=\"--part:{1:.6g}\"><img alt=\"{2}: {3}\" decoding=\"async\" "
-      "src=\"data:image/png;base64,{4}\"><figcaption class=\"tag\">{3}</figcaption></figure>\n",
-      kind, width, xml_text(frame.name), caption, system::base64(png));
-}
-
-/// A rectangle around what differs, unless that is most of the picture.
-std::string mark(const FrameResult& frame, const Pictures& pictures) {
-  const image::Area& area = frame.difference.area;
-  const double share =
-      static_cast<double>(area.width) * area.height / pictures.width / pictures.height;
-  if (area.width == 0 || share > 0.5) return {};
-  const auto percent = [](int part, int whole) { return 100.0 * part / whole; };
-  return fmt::format(
-      "<i class=\"mark\" style=\"left:{:.4f}%;top:{:.4f}%;width:{:.4f}%;height:{:.4f}%\"></i>\n",
-      percent(area.x, pictures.width), percent(area.y, pictures.height),
-      percent(area.width, pictures.width), percent(area.height, pictures.height));
-}
-
-std::string stage(const FrameResult& frame, const Pictures& pictures) {
-  if (pictures.size() == 0) return {};
-  const bool has_slider = !pictures.difference.empty();
-  std::string text =
-      fmt::format("<div class=\"view\"><div class=\"stage{}\" style=\"--w:{};--h:{}\">\n",
-                  has_slider ? "" : " single", pictures.width, pictures.height);
-  text += figure("expected base", "Expected", pictures.expected, frame, pictures);
-  text += figure("actual top", "Actual", pictures.actual, frame, pictures);
-  text += figure("difference", "Difference, amplified", pictures.difference, frame, pictures);
-  if (has_slider) {
-    text += mark(frame, pictures);
-    text += fmt::format(
-        "<i class=\"line\"></i><input type=\"range\" min=\"0\" max=\"100\" step=\"0.1\" "
-        "value=\"50\" aria-label=\"Where the one picture of {} ends and the other begins\">\n",
-        xml_text(frame.name));
-  }
-  return text + "</div></div>\n";
-}
-
-std::string article(const FrameResult& frame, const Pictures& pictures,
-                    const comparison::Criteria& criteria) {
-  return fmt::format(
-      "<article>\n<header><h2>{}</h2> <span class=\"verdict{}\">{}</span> <p>{}</p></header>\n"
-      "{}</article>\n",
-      xml_text(frame.name), frame.passed() ? " passed" : "", verdict_of(frame),
-      finding_html(frame, criteria), stage(frame, pictures));
-}
-
-std::string table_row(const FrameResult& frame, const comparison::Criteria& criteria) {
-  return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", xml_text(frame.name),
-                     verdict_of(frame), finding_html(frame, criteria));
 }
 
 std::string title_of(const Comparison& comparison) {
@@ -283,10 +161,10 @@ std::size_t write_articles(const std::vector<const FrameResult*>& frames,
                            const Comparison& comparison, Output& page) {
   std::size_t shown = 0, bytes = 0;
   for (; shown < std::min(frames.size(), most_frames); ++shown) {
-    const Pictures pictures = pictures_of(*frames[shown], comparison);
-    bytes += pictures.size();
+    const Article article = compare_article(*frames[shown], comparison);
+    bytes += article.picture_bytes;
     if (shown > 0 && bytes > most_bytes) break;
-    page.write(article(*frames[shown], pictures, comparison.criteria));
+    page.write(article.html);
   }
   return shown;
 }
@@ -298,7 +176,7 @@ void write_table(std::span<const FrameResult* const> frames, const comparison::C
                   "<tr><th>Frame<th>Verdict<th>Finding</tr>\n",
                   frames.size()));
   for (const FrameResult* frame : frames.first(std::min(frames.size(), most_lines))) {
-    page.write(table_row(*frame, criteria));
+    page.write(compare_table_row(*frame, criteria));
   }
   page.write("</table></div>\n");
   if (frames.size() > most_lines) {

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/parallel.h"
+#include "image/picture_memory.h"
 #include "image/png.h"
 #include "system/file.h"
 
@@ -100,6 +101,7 @@ Comparison compare_folders(const Inputs& folders, const Criteria& criteria,
         "cannot compare " + folders.expected.string() + " with " + folders.actual.string(),
         "neither has a frame, a file called *.png");
   }
+  image::keep_memory_of_pictures(1920, 1080);  // larger ones take more time for themselves
   Comparison comparison{folders, criteria, std::vector<FrameResult>(names.size())};
   std::mutex mutex;
   int done = 0;

@@ -31,9 +31,7 @@ class RowRange {
     std::copy_n(&image_.pixels[first * samples_], samples_, low);
     std::copy_n(low, samples_, high);
     for (std::size_t y = first + 1; y <= last; ++y) {
-      const Sample* const samples = &image_.pixels[y * samples_];
-      for (std::size_t i = 0; i < samples_; ++i) low[i] = std::min(low[i], samples[i]);
-      for (std::size_t i = 0; i < samples_; ++i) high[i] = std::max(high[i], samples[i]);
+      widen(&image_.pixels[y * samples_], &image_.pixels[y * samples_], low, high);
     }
     repeat_ends(column_low_);
     repeat_ends(column_high_);
@@ -41,19 +39,22 @@ class RowRange {
     std::copy_n(column_high_.data(), samples_, high_.data());
     const auto channels = static_cast<std::size_t>(image_.channels);
     for (std::size_t offset = channels; offset <= 2 * margin(); offset += channels) {
-      const Sample* const lows = &column_low_[offset];
-      const Sample* const highs = &column_high_[offset];
-      for (std::size_t i = 0; i < samples_; ++i) low_[i] = std::min(low_[i], lows[i]);
-      for (std::size_t i = 0; i < samples_; ++i) high_[i] = std::max(high_[i], highs[i]);
+      widen(&column_low_[offset], &column_high_[offset], low_.data(), high_.data());
     }
   }
 
-  /// By how much a sample is outside of the range there.
-  Sample distance(std::size_t at, Sample value) const {
-    return static_cast<Sample>(std::max(low_[at], value) - std::min(high_[at], value));
-  }
+  const Sample* low() const { return low_.data(); }
+  const Sample* high() const { return high_.data(); }
 
  private:
+  /// Takes the range of each sample into another one. Its arguments are no members: a byte that is
+  /// written could be one of a member's, which would then be read anew for each sample.
+  void widen(const Sample* lows, const Sample* highs, Sample* low, Sample* high) const {
+    const std::size_t samples = samples_;
+    for (std::size_t i = 0; i < samples; ++i) low[i] = std::min(low[i], lows[i]);
+    for (std::size_t i = 0; i < samples; ++i) high[i] = std::max(high[i], highs[i]);
+  }
+
   std::size_t margin() const { return static_cast<std::size_t>(radius_ * image_.channels); }
 
   /// The outermost pixels are in every range that reaches beyond them, and change nothing there.
@@ -91,21 +92,29 @@ class SampleDifferences {
     const Sample* const a = &a_.pixels[static_cast<std::size_t>(y) * samples];
     const Sample* const b = &b_.pixels[static_cast<std::size_t>(y) * samples];
     if (std::memcmp(a, b, samples * sizeof(Sample)) == 0) return {};
+    std::ranges::fill(row_, Sample{0});
     if (edges_ == 0) {
-      for (std::size_t i = 0; i < samples; ++i) {
-        row_[i] = static_cast<Sample>(std::max(a[i], b[i]) - std::min(a[i], b[i]));
-      }
+      add_distances(a, b, b, row_.data());
       return row_;
     }
     range_of_a_.move_to(y);
     range_of_b_.move_to(y);
-    for (std::size_t i = 0; i < samples; ++i) {
-      row_[i] = std::max(range_of_b_.distance(i, a[i]), range_of_a_.distance(i, b[i]));
-    }
+    add_distances(a, range_of_b_.low(), range_of_b_.high(), row_.data());
+    add_distances(b, range_of_a_.low(), range_of_a_.high(), row_.data());
     return row_;
   }
 
  private:
+  /// By how much each value is outside of its range, where that is more than before.
+  void add_distances(const Sample* value, const Sample* low, const Sample* high,
+                     Sample* row) const {
+    const std::size_t samples = row_.size();
+    for (std::size_t i = 0; i < samples; ++i) {
+      const int distance = std::max(low[i], value[i]) - std::min(high[i], value[i]);
+      row[i] = std::max(row[i], static_cast<Sample>(distance));
+    }
+  }
+
   const BasicImage<Sample>& a_;
   const BasicImage<Sample>& b_;
   const int edges_;
