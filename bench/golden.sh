@@ -72,7 +72,8 @@ print(*sys.argv[2:], *(f"{cell:.3g}" for cell in cells), f"{lost:.2g}", "", sep=
 }
 
 renderer() { # SUITE: "22.3.6"
-  in_suite "$1" "$program doctor" | grep -m 1 -oE 'Mesa [0-9.]+' | cut -d ' ' -f 2
+  in_suite "$1" "$program doctor" |
+    awk '/ found .* Mesa / && !seen++ { sub(/.* Mesa /, ""); sub(/[^0-9.].*/, ""); print }'
 }
 
 half_a_degree=0.0087266 # s: the body rotates at 1 rad/s
