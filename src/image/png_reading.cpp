@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 #include <spng.h>
 
@@ -8,10 +7,11 @@
 #include <cstddef>
 #include <memory>
 #include <new>
-#include <string_view>
 #include <utility>
 
+#include "image/plain_png.h"
 #include "image/png.h"
+#include "image/png_chunks.h"
 #include "system/error.h"
 #include "system/file.h"
 
@@ -49,48 +49,27 @@ std::string explanation(int code) {
   }
 }
 
-/// Four bytes, the greatest first (PNG specification, 7.1).
-std::uint32_t number_at(ByteSpan file, std::size_t at) {
-  std::uint32_t value = 0;
-  for (const std::uint8_t byte : file.subspan(at, 4)) value = value << 8U | byte;
-  return value;
-}
-
-constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::size_t around_data = 12;  // a chunk's length, type and checksum
-
-std::string_view chunk_type(ByteSpan file, std::size_t at) {
-  return {reinterpret_cast<const char*>(&file[at + 4]), 4};
+int error_of(ChunkState state) {
+  switch (state) {
+    case ChunkState::whole:
+      return SPNG_OK;
+    case ChunkState::no_png:
+      return SPNG_ESIGNATURE;
+    case ChunkState::cut_short:
+      return SPNG_IO_EOF;
+    case ChunkState::wrong_checksum:
+      break;
+  }
+  return SPNG_ECHUNK_CRC;
 }
 
 /// The pieces of compressed data in a file whose chunks are known to be whole.
 std::vector<ByteSpan> compressed_data(ByteSpan file) {
   std::vector<ByteSpan> pieces;
-  for (std::size_t at = signature.size();;) {
-    const std::size_t length = number_at(file, at);
-    const std::string_view type = chunk_type(file, at);
-    if (type == "IEND") return pieces;
-    if (type == "IDAT") pieces.push_back(file.subspan(at + 8, length));
-    at += length + around_data;
+  for (const Chunk& chunk : chunks_of(file)) {
+    if (chunk.type == "IDAT") pieces.push_back(chunk.data);
   }
-}
-
-/// What is wrong with the chunks of a file, as an error of libspng.
-int chunk_error(ByteSpan file) {
-  if (file.size() < signature.size() ||
-      !std::ranges::equal(file.first(signature.size()), signature)) {
-    return SPNG_ESIGNATURE;
-  }
-  for (std::size_t at = signature.size(); at + around_data <= file.size();) {
-    const std::size_t length = number_at(file, at);
-    if (length > file.size() - at - around_data) return SPNG_IO_EOF;
-    if (crc32_gzip_refl(0, &file[at + 4], length + 4) != number_at(file, at + 8 + length)) {
-      return SPNG_ECHUNK_CRC;
-    }
-    if (chunk_type(file, at) == "IEND") return SPNG_OK;
-    at += length + around_data;
-  }
-  return SPNG_IO_EOF;
+  return pieces;
 }
 
 /// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
@@ -134,7 +113,6 @@ class Decoder {
 
   int width() const { return static_cast<int>(header_.width); }
   int height() const { return static_cast<int>(header_.height); }
-  int bit_depth() const { return header_.bit_depth; }
 
   /// Whether anything can be transparent: by a channel, or as a colour or palette entries that are.
   bool has_alpha() {
@@ -221,23 +199,25 @@ DeepImage widened(const Image& image) {
 }  // namespace
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (std::optional<Image> image = decode_plain_png(bytes)) return std::move(*image);
   Decoder decoder(bytes, name);
   return decode_8_bits(decoder);
 }
 
 DeepImage decode_deep_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (png_header(bytes).bit_depth != 16) return widened(decode_png(bytes, name));
   Decoder decoder(bytes, name);
-  return decoder.bit_depth() == 16 ? decode_16_bits(decoder) : widened(decode_8_bits(decoder));
+  return decode_16_bits(decoder);
 }
 
 PngHeader png_header(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t width = 16, height = 20, bit_depth = 24;  // PNG specification, 5.3, 11.2.2
   if (bytes.size() <= bit_depth) return {};
-  return {number_at(bytes, width), number_at(bytes, height), bytes[bit_depth]};
+  return {png_number(bytes, width), png_number(bytes, height), bytes[bit_depth]};
 }
 
 void require_whole_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const int error = chunk_error(bytes);
+  const int error = error_of(check_chunks(bytes));
   if (error != SPNG_OK) throw system::FileError("cannot read " + name, explanation(error));
 }
 
