@@ -78,6 +78,12 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
     if (!line.has("output")) add_file("out/" + name + ".mp4");
     asked.frame_folders.insert(place_of(line.value("frames-dir", "out/" + name), folder));
   }
+  if (line.command == "render" || line.command == "encode") {
+    for (const std::string& video : std::set(asked.files)) {
+      asked.files.insert(fs::path(video).replace_extension(".vtt").string());
+      asked.files.insert(fs::path(video).replace_extension(".chapters.vtt").string());
+    }
+  }
   return asked;
 }
 

@@ -46,7 +46,7 @@ film::ProgressCallback progress_for(const py::object& callback, const std::atomi
 
 /// Returns the number of frames.
 std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& video,
-                   const std::optional<std::string>& container,
+                   const std::optional<std::string>& container, bool chapters,
                    const std::optional<fs::path>& frames_folder, const std::string& range,
                    const std::string& existing, std::optional<int> jobs, const std::string& backend,
                    const std::vector<fs::path>& inputs, const py::object& progress) {
@@ -54,7 +54,8 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
   settings.frames_folder = frames_folder;
   if (video) {
     settings.video = film::VideoOutput{
-        *video, container ? video::container_named(*container) : video::container_of(*video)};
+        *video, container ? video::container_named(*container) : video::container_of(*video),
+        chapters};
     for (const fs::path& input : inputs) system::require_not_input(*video, input);
   }
   settings.range = range;

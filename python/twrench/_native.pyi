@@ -178,6 +178,7 @@ def render(
     scene: Scene,
     video: Path | None,
     container: str | None,
+    chapters: bool,
     frames_folder: Path | None,
     frames: str,
     existing: str,

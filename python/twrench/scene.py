@@ -289,6 +289,7 @@ class Scene:
         frames_dir: StrPath | None = None,
         frames: str | Iterable[int] | None = None,
         container: str | None = None,
+        chapters: bool = True,
         resume: bool = False,
         overwrite: bool = False,
         jobs: int | None = None,
@@ -297,10 +298,12 @@ class Scene:
     ) -> Film:
         """Draws the frames and writes the film.
 
-        :param path: the video, .mp4, .mov, .mkv or .webm; None for frames alone.
+        :param path: the video, .mp4, .mov, .mkv or .webm, or an animated image, .gif or .webp; None for
+            frames alone.
         :param frames_dir: folder for the frames as PNG, with their manifest; None for a video alone.
         :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
-        :param container: mp4, mov, mkv or webm, if the ending of ``path`` does not say.
+        :param container: mp4, mov, mkv, webm, gif or webp, if the ending of ``path`` does not say.
+        :param chapters: make the flips chapters of a video.
         :param resume: keep the intact frames of this scene that are there.
         :param overwrite: replace frames and a video of another scene.
         :param jobs: number of threads that compress frames, 1 to 256; None: half the processors.
@@ -329,6 +332,7 @@ class Scene:
             self._native,
             video,
             None if container is None else _arguments.text("container", container),
+            bool(chapters),
             folder,
             _range(frames),
             existing,
@@ -370,9 +374,12 @@ class Film:
     def _repr_html_(self) -> str | None:
         if self.path is None:
             return None
-        # Players take what is in MOV, and mostly what is in MKV, as MP4.
-        kind = "webm" if self.path.suffix.lower() == ".webm" else "mp4"
         data = base64.b64encode(self.path.read_bytes()).decode("ascii")
+        ending = self.path.suffix.lower()[1:]
+        if ending in ("gif", "webp"):
+            return f'<img style="max-width: 100%" src="data:image/{ending};base64,{data}">'
+        # Players take what is in MOV, and mostly what is in MKV, as MP4.
+        kind = "webm" if ending == "webm" else "mp4"
         return (
             f'<video controls loop style="max-width: 100%" '
             f'src="data:video/{kind};base64,{data}"></video>'

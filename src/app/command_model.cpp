@@ -35,7 +35,7 @@ std::map<std::string, Candidates> named_values() {
       {"--hide", list(scene::feature_names())},
       {"--background", words({"black", "gray", "white", "transparent"})},
       {"--color", words({"black", "gray", "white"})},
-      {"--container", words({"mp4", "mov", "mkv", "webm"})},
+      {"--container", words({"mp4", "mov", "mkv", "webm", "gif", "webp"})},
       {"--egl-device", words({"software"})},
       {"SCENE", {Kind::scene, scene::builtin_scene_names()}},
       {"--font", {Kind::file, {}}},

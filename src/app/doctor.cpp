@@ -135,6 +135,10 @@ Diagnosis diagnose() {
       encoder("libvpx-vp9", "video in WebM, optionally with alpha", video::Container::webm, true));
   diagnosis.others.push_back(
       encoder("prores_ks", "video with alpha in MOV", video::Container::mov, true));
+  diagnosis.others.push_back(
+      encoder("gif", "animated images in GIF", video::Container::gif, false));
+  diagnosis.others.push_back(
+      encoder("libwebp_anim", "animated images in WebP", video::Container::webp, true));
   diagnosis.others.push_back(examine("fonts", "text in the picture", [] {
     for (const char* name : {"sans", "mono"}) canvas::load_typeface(name);
     return "sans and mono, built in";

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/progress.h"
 #include "app/video_options.h"
+#include "scene/limits.h"
 #include "video/encode_frames.h"
 #include "video/frame_range.h"
 
@@ -17,13 +19,29 @@ struct EncodeOptions {
   VideoOptions film;
   bool allow_missing = false;
   bool overwrite = false;
+  std::string width;
   std::string progress = "auto";
+
+  /// Throws InvalidArgument.
+  video::VideoOutput video_output() const;
 };
+
+video::VideoOutput EncodeOptions::video_output() const {
+  const video::Container container = film.container(film.output);
+  video::VideoOutput video{film.output, container, overwrite, film.chapters_in(container), {}};
+  if (width.empty()) return video;
+  if (!video::is_animated_image(container)) {
+    throw InvalidArgument("--width", "only GIF and WebP are scaled",
+                          "leave it out, or render frames of that --size");
+  }
+  const double pixels = parse_number(width, "--width");
+  video.width = scene::limits::check_whole(scene::limits::pixels, "--width", pixels);
+  return video;
+}
 
 void encode(const EncodeOptions& options) {
   options.film.require_free_output(options.progress);
-  const video::VideoOutput output{options.film.output, options.film.container(options.film.output),
-                                  options.overwrite};
+  const video::VideoOutput output = options.video_output();
   Progress progress(options.progress);
   const std::vector<int> left_out = video::encode_frames(
       options.folder, output,
@@ -46,6 +64,9 @@ void add_encode(CLI::App& app) {
                    "folder with frames and their manifest.json, or the manifests of all shards")
       ->required();
   options->film.add_to(*command, "");
+  command->add_option("--width", options->width, "width of a GIF or WebP in pixels")
+      ->type_name("N")
+      ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation));
   command->add_flag("--allow-missing", options->allow_missing,
                     "encode the frames that exist even if some are missing");
   command->add_flag("--overwrite", options->overwrite,

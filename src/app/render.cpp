@@ -42,7 +42,7 @@ void render(const RenderOptions& options) {
   const Clock::time_point start = Clock::now();
   const ProcessorTime before = processor_time();
   options.require_consistent();
-  const scene::Scene scene = options.scene.scene();
+  const scene::Scene scene = options.scene_to_draw();
   options.scene.require_drawable(scene);
   image::keep_memory_of_pictures(scene.film.width, scene.film.height);
   const film::RenderSettings settings = options.settings(scene);

@@ -1,6 +1,8 @@
 #include "app/render_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/arguments.h"
@@ -25,15 +27,24 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
       ->type_name("N");
 }
 
+/// Makes the film as small as an animated image should be, with the same aspect ratio.
+void fit_animation(scene::Film& film) {
+  if (film.width <= video::widest_animation) return;
+  const double height = double(film.height) * video::widest_animation / film.width;
+  film.width = video::widest_animation;
+  film.height = std::max(static_cast<int>(scene::limits::pixels.low),
+                         2 * static_cast<int>(std::lround(height / 2)));
+}
+
 }  // namespace
 
-RenderOptions::RenderOptions(CLI::App& command) : scene(command) {
+RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(command) {
   scene.add_motion_options();
   scene.add_picture_options();
   video.add_to(command, "out/SCENE.mp4");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames")
       ->type_name("DIR")
-      ->default_str("out/SCENE/");
+      ->default_str("out/SCENE/; none for .gif and .webp");
   command
       .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");
@@ -82,14 +93,30 @@ void RenderOptions::require_consistent() const {
   }
 }
 
+video::Container RenderOptions::container() const {
+  return video.output.empty() ? video.container("film.mp4") : video.container(video.output);
+}
+
+scene::Scene RenderOptions::scene_to_draw() const {
+  scene::Scene drawn = scene.scene();
+  if (no_video || !video::is_animated_image(container()) || command_.count("--size") > 0)
+    return drawn;
+  fit_animation(drawn.film);
+  for (scene::Shot& shot : drawn.shots) fit_animation(shot.scene.film);
+  return drawn;
+}
+
 film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
   film::RenderSettings settings;
   const fs::path out = "out";
-  if (!no_frames)
+  // Frames of the size of an animated image would be in the way of those of a video.
+  const bool wants_frames =
+      no_video || !frames_dir.empty() || !video::is_animated_image(container());
+  if (!no_frames && wants_frames)
     settings.frames_folder = frames_dir.empty() ? out / of.name : fs::path(frames_dir);
   if (!no_video) {
     const fs::path path = video.output.empty() ? out / (of.name + ".mp4") : fs::path(video.output);
-    settings.video = film::VideoOutput{path, video.container(path)};
+    settings.video = film::VideoOutput{path, container(), video.chapters_in(container())};
     if (!video.is_streamed()) scene.require_not_input(path);
   }
   settings.range = range;

@@ -17,6 +17,10 @@ struct RenderOptions {
   /// Throws InvalidArgument if options contradict each other.
   void require_consistent() const;
 
+  /// Returns the scene, at most video::widest_animation wide if the video is an animated image and
+  /// no size is given. Throws as SceneOptions::scene().
+  scene::Scene scene_to_draw() const;
+
   /// Returns what to write, where, and how. Throws InvalidArgument, and OverwriteError if the video
   /// would replace a file that the scene comes from.
   film::RenderSettings settings(const scene::Scene& of) const;
@@ -34,6 +38,11 @@ struct RenderOptions {
   gl::BackendChoice backend;
   std::string jobs;
   std::string progress = "auto";
+
+ private:
+  video::Container container() const;
+
+  const CLI::App& command_;
 };
 
 }  // namespace twrench::app

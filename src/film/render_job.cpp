@@ -29,10 +29,15 @@ std::array<double, count> row_major(const Matrix& matrix) {
 }
 
 /// The frame with the first motion's pose.
-video::FrameRecord record_of(const timeline::FrameState& state, const render::Camera& camera) {
+video::FrameRecord record_of(const timeline::FilmFrame& frame, const timeline::FlipsSoFar& flips,
+                             const render::Camera& camera) {
+  const timeline::FrameState& state = frame.state;
   video::FrameRecord record;
   record.frame = state.frame;
   record.t = state.solutions.front().sample.t;
+  record.shot = static_cast<int>(frame.shot);
+  record.flips = flips.count;
+  record.last_flip = flips.last;
   record.X = row_major<9>(state.solutions.front().sample.X);
   record.view = row_major<16>(camera.view);
   record.projection = row_major<16>(camera.projection);
@@ -68,22 +73,21 @@ std::future<void> try_encoder(const RenderSettings& settings, const scene::Scene
   });
 }
 
-/// Opens the encoder, tested before; null without a video. It starts while the test finishes; a
-/// missing folder is created only after the test has passed, so that none is left behind on
-/// failure.
+/// Opens the encoder, tested before. It starts while the test finishes; a missing folder is created
+/// only after the test has passed, so that none is left behind on failure.
 std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings,
                                                   const scene::Scene& scene,
                                                   const std::string& identity,
+                                                  const video::TextTracks& tracks,
                                                   std::future<void> trial) {
-  if (!settings.video) return nullptr;
   const fs::path& path = settings.video->path;
   std::error_code failed;
   if (path.has_parent_path() && !fs::exists(path.parent_path(), failed)) {
     trial.get();
     system::make_folder(path.parent_path());
   }
-  auto encoder = std::make_unique<video::VideoEncoder>(path, video_format(scene, *settings.video),
-                                                       identity, patience_of(settings));
+  auto encoder = std::make_unique<video::VideoEncoder>(
+      path, video_format(scene, *settings.video), identity, tracks.chapters, patience_of(settings));
   if (trial.valid()) trial.get();
   return encoder;
 }
@@ -141,31 +145,20 @@ timeline::FilmTimeline timed_timeline(const scene::Scene& scene, const std::vect
   return timeline::FilmTimeline(scene, numbers);
 }
 
-/// When each caption is seen in a video of the timeline's frames.
-std::vector<video::Cue> cues_of(const scene::Scene& scene, const timeline::FilmTimeline& timeline) {
-  std::vector<video::Cue> cues;
-  for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const auto& caption = timeline::scene_of_shot(scene, timeline.shot(i)).caption;
-    if (!caption) continue;
-    const double begin = static_cast<double>(i) / scene.film.fps;
-    const double end = static_cast<double>(i + 1) / scene.film.fps;
-    if (cues.empty() || cues.back().text != *caption) cues.push_back({begin, end, *caption});
-    cues.back().end = end;
-  }
-  std::erase_if(cues, [](const video::Cue& cue) { return cue.text.empty(); });
-  return cues;
-}
-
-/// Opens the captions' file beside the video; null where there are none, or no file to be beside.
-std::unique_ptr<video::CaptionFile> open_captions(const RenderSettings& settings,
-                                                  const std::string& identity,
-                                                  const std::vector<video::Cue>& cues) {
-  const std::optional<fs::path> file = video_file(settings);
-  std::error_code failed;
-  const bool is_device = file && fs::exists(*file, failed) && !fs::is_regular_file(*file, failed);
-  if (!file || is_device || cues.empty()) return nullptr;
-  return std::make_unique<video::CaptionFile>(*file, cues, identity,
-                                              settings.reuse == Reuse::overwrite);
+/// The captions and chapters of a video of the timeline's frames; an animated image has none.
+video::TextTracks text_tracks_of(const scene::Scene& scene, const timeline::FilmTimeline& timeline,
+                                 const VideoOutput& video) {
+  video::TextTracks tracks;
+  if (video::is_animated_image(video.container)) return tracks;
+  tracks.captions = video::cues_of(timeline.size(), scene.film.fps, [&](std::size_t i) {
+    return timeline::scene_of_shot(scene, timeline.shot(i)).caption.value_or("");
+  });
+  if (!video.chapters) return tracks;
+  tracks.chapters = video::chapters_of(timeline.size(), scene.film.fps, [&](std::size_t i) {
+    const auto [count, last] = timeline.flips(i);
+    return video::chapter_title(count, last);
+  });
+  return tracks;
 }
 
 }  // namespace
@@ -194,15 +187,19 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     require_space(planned_output(settings_, scene_, output_, frames_.size()),
                   [&] { return renderer_.begin(timeline_, timeline_.frame(0)).get().image; });
   }
-  encoder_ = open_encoder(settings_, scene_, identity, std::move(trial_));
-  captions_ = open_captions(settings_, identity, cues_of(scene_, timeline_));
+  if (settings_.video) {
+    const auto tracks = text_tracks_of(scene_, timeline_, *settings_.video);
+    encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(trial_));
+    text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,
+                                                           settings_.reuse == Reuse::overwrite);
+  }
   if (output_) sequence_ = &output_->open();
 }
 
 void RenderJob::run(const ProgressCallback& progress) {
   const auto begin = [&](std::size_t index) {
     const timeline::FilmFrame frame = timeline_.frame(index);
-    frames_[index] = record_of(frame.state, renderer_.camera(timeline_, frame));
+    frames_[index] = record_of(frame, timeline_.flips(index), renderer_.camera(timeline_, frame));
     const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
     if (!kept) return renderer_.begin(timeline_, frame);
     return std::async(std::launch::deferred, read_frame, output_->folder() / kept->file,
@@ -215,7 +212,7 @@ void RenderJob::run(const ProgressCallback& progress) {
                {sequence_, encoder_.get(), settings_.jobs, start_}, progress, times_);
   if (sequence_ != nullptr) sequence_->finish();
   if (encoder_) encoder_->finish();
-  if (captions_) captions_->finish();
+  if (text_tracks_) text_tracks_->finish();
 }
 
 std::optional<std::size_t> RenderJob::record_frames() {

@@ -16,9 +16,9 @@
 #include "render/film_renderer.h"
 #include "scene/scene.h"
 #include "timeline/film_timeline.h"
-#include "video/caption_file.h"
 #include "video/encoder.h"
 #include "video/shard.h"
+#include "video/text_tracks.h"
 
 namespace twrench::film {
 
@@ -32,6 +32,8 @@ struct VideoOutput {
   /// A file, or "-" for standard output.
   std::filesystem::path path;
   video::Container container = video::Container::mp4;
+  /// Whether the flips become chapters.
+  bool chapters = true;
 
   bool is_streamed() const { return path == "-"; }
 };
@@ -95,7 +97,7 @@ class RenderJob {
   std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;
   std::unique_ptr<video::VideoEncoder> encoder_;
-  std::unique_ptr<video::CaptionFile> captions_;
+  std::unique_ptr<video::TextTrackFiles> text_tracks_;
   video::FrameSequence* sequence_ = nullptr;
 };
 

@@ -45,6 +45,13 @@ class FilmTimeline {
   /// Returns the index of the shot to which it belongs; 0 in a film without shots.
   std::size_t shot(std::size_t index) const { return frames_[index].own.shot; }
 
+  /// Returns the flips that the frame with number frames[index] has behind it, of the first motion
+  /// of its shot that has any.
+  FlipsSoFar flips(std::size_t index) const {
+    const Place& own = frames_[index].own;
+    return timelines_.at(own.shot).flips(own.index);
+  }
+
   /// Returns the motions of a shot that any of the frames shows.
   const std::vector<Solution>& solutions(std::size_t shot) const {
     return timelines_.at(shot).solutions();

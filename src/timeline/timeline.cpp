@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scene/limits.h"
 
@@ -180,6 +181,16 @@ std::vector<motion::Sample> Timeline::trail(const Record& record, std::size_t in
 
 double SolutionState::trail_age(const motion::Sample& of_trail, double trail_length) const {
   return std::clamp((sample.t - of_trail.t) / trail_length, 0.0, 1.0);
+}
+
+FlipsSoFar Timeline::flips(std::size_t index) const {
+  const auto flipping = std::ranges::find_if(
+      solutions_, [](const Solution& solution) { return !solution.flip_times.empty(); });
+  if (flipping == solutions_.end()) return {};
+  const std::vector<double>& times = flipping->flip_times;
+  const auto next = std::ranges::upper_bound(times, frames_[index].t);
+  if (next == times.begin()) return {};
+  return {static_cast<int>(next - times.begin()), *std::prev(next)};
 }
 
 FrameState Timeline::frame_state(std::size_t index) const {

@@ -80,6 +80,14 @@ struct FrameState {
   std::vector<SolutionState> solutions;
 };
 
+/// The flips of a motion up to a time.
+struct FlipsSoFar {
+  /// Their number.
+  int count = 0;
+  /// The time in s of the last one; 0 if there is none.
+  double last = 0.0;
+};
+
 /// Returns the duration in s of motion that the trail covers: the scene's value, or the time in
 /// which the body rotates by about 12 rad.
 double trail_length(const scene::Scene& scene);
@@ -101,6 +109,9 @@ class Timeline {
 
   /// Returns the state of frames[index].
   FrameState frame_state(std::size_t index) const;
+
+  /// Returns the flips that frames[index] has behind it, of the first motion that has any.
+  FlipsSoFar flips(std::size_t index) const;
 
  private:
   /// The samples of one motion: at the frames, for their motion blur, and on the grid of the

@@ -17,6 +17,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 #include "video/manifest_folder.h"
+#include "video/text_tracks.h"
 #include "video/video_file.h"
 
 namespace twrench::video {
@@ -75,6 +76,35 @@ void require_no_input(const std::filesystem::path& output, const std::filesystem
   }
 }
 
+/// The caption of a shot of the scene as its manifest has it, which may come from anywhere.
+std::string caption_of(const nlohmann::ordered_json& scene, int shot) {
+  const nlohmann::ordered_json::json_pointer place(fmt::format("/shot/{}/caption", shot));
+  if (!scene.contains(place) || !scene.at(place).is_string()) return "";
+  return scene.at(place).get<std::string>();
+}
+
+/// An animated image has none.
+TextTracks text_tracks_of(const Manifest& manifest, const VideoOutput& output) {
+  const std::vector<FrameRecord>& frames = manifest.frames;
+  TextTracks tracks;
+  if (is_animated_image(output.container)) return tracks;
+  tracks.captions = cues_of(frames.size(), manifest.fps, [&](std::size_t i) {
+    return caption_of(manifest.scene, frames[i].shot);
+  });
+  if (!output.chapters) return tracks;
+  tracks.chapters = chapters_of(frames.size(), manifest.fps, [&](std::size_t i) {
+    return chapter_title(frames[i].flips, frames[i].last_flip);
+  });
+  return tracks;
+}
+
+VideoFormat format_of(const Manifest& manifest, const VideoOutput& output, bool transparent) {
+  VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container, transparent};
+  if (is_animated_image(format.container))
+    format.scaled_width = output.width.value_or(std::min(format.width, widest_animation));
+  return format;
+}
+
 }  // namespace
 
 std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,
@@ -91,11 +121,12 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   if (!output.overwrite) require_replaceable(output.path, identity);
   image::keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
-  const VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container,
-                           transparent};
+  const VideoFormat format = format_of(manifest, output, transparent);
   require_encoder(format);
   if (output.path.has_parent_path()) system::make_folder(output.path.parent_path());
-  VideoEncoder encoder(output.path, format, identity);
+  const TextTracks tracks = text_tracks_of(manifest, output);
+  VideoEncoder encoder(output.path, format, identity, tracks.chapters);
+  TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);
   // Decoding a frame takes longer than encoding it, so several are decoded in parallel.
   const std::size_t at_once = system::processor_count();
   std::deque<std::future<image::Image>> begun;
@@ -111,6 +142,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
     begun.pop_front();
   }
   encoder.finish();
+  track_files.finish();
   return missing;
 }
 

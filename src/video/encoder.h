@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,34 +16,13 @@
 #include "image/yuv.h"
 #include "system/child_process.h"
 #include "system/error.h"
+#include "system/memory_file.h"
 #include "system/pending_file.h"
-#include "video/codec.h"
+#include "video/animated_image.h"
+#include "video/encoder_arguments.h"
+#include "video/text_tracks.h"
 
 namespace twrench::video {
-
-/// The size, rate and container of a video.
-struct VideoFormat {
-  /// Width in pixels, even.
-  int width = 0;
-  /// Height in pixels, even.
-  int height = 0;
-  /// Frames per second.
-  double fps = 0.0;
-  /// Container of the video.
-  Container container = Container::mp4;
-  /// Whether frames are RGBA and the container keeps their alpha.
-  bool transparent = false;
-  /// Whether the output is a pipe or another file that is not seekable.
-  bool streamed = false;
-
-  bool has_alpha() const { return transparent && keeps_alpha(container); }
-};
-
-/// Returns ffmpeg's arguments except the output file: from raw frames on its standard input (as
-/// Yuv420::bytes() provides them, or RGBA with alpha) to what codec_arguments() describes, tagged
-/// BT.709. Throws InvalidArgument for odd sizes, which yuv420p does not allow, and for an invalid
-/// rate.
-std::vector<std::string> encoder_arguments(const VideoFormat& format);
 
 /// Encodes a one-frame video with the same arguments; call it before the first frame is drawn.
 /// Throws EncoderError if ffmpeg or ffprobe is missing, fails or hangs, and InvalidArgument as
@@ -55,11 +35,12 @@ void require_encoder(const VideoFormat& format, system::Patience patience = {});
 class VideoEncoder {
  public:
   /// `output` is a file, or "-" for standard output; the video is streamed to that, to devices and
-  /// to pipes. `identity` becomes the video's comment. Throws InvalidArgument as
-  /// encoder_arguments() does, FileError if the output is not writable or another process is
-  /// writing it, and EncoderError if ffmpeg is missing.
+  /// to pipes. `identity` becomes the video's comment, and `chapters` its own, where the container
+  /// has such. Throws InvalidArgument as encoder_arguments() does, FileError if the output is not
+  /// writable or another process is writing it, and EncoderError if ffmpeg is missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
-               const std::string& identity = {}, system::Patience patience = {});
+               const std::string& identity = {}, const std::vector<Cue>& chapters = {},
+               system::Patience patience = {});
 
   /// Adds a frame, which must have the video's size, and be RGBA if the video has alpha. Otherwise
   /// RGBA is composited over black. Throws EncoderError if ffmpeg failed.
@@ -79,31 +60,43 @@ class VideoEncoder {
 
   void convert(const image::Image& frame, std::span<const image::Area> damage,
                const Background& background);
+  Arguments rest_of_command() const;
+  void start(Arguments command);
+  /// The second pass of a GIF.
+  void draw_in_palette();
+  /// Returns whether the next frame is one of those that the video keeps.
+  bool is_kept() const { return frames_ % step_ == 0; }
   [[noreturn]] void fail();
   void require_whole() const;
 
-  VideoFormat format_;
+  const VideoFormat format_;
+  const std::int64_t step_;  ///< Of how many frames one is kept.
+  const std::string identity_;
+  const system::Patience patience_;
   /// Name of the output, for messages.
-  std::string name_;
+  const std::string name_;
+  std::optional<system::MemoryFile> chapters_;
   system::PendingFile file_;
-  std::vector<std::string> command_;
-  system::ChildProcess
-      ffmpeg_;  // declared after the file, so that it is killed before the file is removed
+  std::optional<GifPasses> passes_;  ///< Of a GIF.
+  Arguments command_;
+  std::unique_ptr<system::ChildProcess>
+      ffmpeg_;  // declared after the files, so that it is killed before they are removed
   /// An RGBA frame composited over black.
   image::Image opaque_;
-  /// RGBA, for a video with alpha.
-  std::vector<std::uint8_t> with_alpha_;
+  /// A frame as it is, for a video that takes RGB.
+  std::vector<std::uint8_t> rgb_;
   /// A frame in ffmpeg's format, and its damaged areas relative to the static background.
   struct Converted {
     explicit Converted(const VideoFormat& format)
-        : planes(format.width, format.height), damage{{0, 0, format.width, format.height}} {}
+        : planes(format.is_rgb() ? 0 : format.width, format.is_rgb() ? 0 : format.height),
+          damage{{0, 0, format.width, format.height}} {}
     image::Yuv420 planes;
     std::vector<image::Area> damage;
     Background background;
   };
   std::array<Converted, 2> converted_;  ///< One is filled while the other is read.
   std::size_t current_ = 0;
-  std::int64_t frames_ = 0;  ///< Number of frames written.
+  std::int64_t frames_ = 0;  ///< Number of frames written, kept or not.
 };
 
 }  // namespace twrench::video

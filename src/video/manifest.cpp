@@ -31,6 +31,9 @@ std::string format_head(const Manifest& manifest) {
 std::string format_frame(const FrameRecord& record) {
   return Json{{"frame", record.frame},
               {"t", record.t},
+              {"shot", record.shot},
+              {"flips", record.flips},
+              {"last_flip", record.flips > 0 ? Json(record.last_flip) : Json()},
               {"X", record.X},
               {"view", record.view},
               {"projection", record.projection},

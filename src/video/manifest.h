@@ -20,6 +20,12 @@ struct FrameRecord {
   int frame = 0;
   /// Time of the motion in s.
   double t = 0.0;
+  /// Index of the shot; 0 in a film without shots.
+  int shot = 0;
+  /// How often the body has turned over by then.
+  int flips = 0;
+  /// When it last did, in s; meaningless before the first flip.
+  double last_flip = 0.0;
   /// The pose, space_from_body.
   std::array<double, 9> X{};
   /// View matrix.

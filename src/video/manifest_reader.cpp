@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -38,9 +39,23 @@ std::string sha256(const ManifestValue& place) {
   return digest;
 }
 
+/// Frames drawn before there were such records have none.
+int count(const ManifestValue& place, const char* key) {
+  return place.value().contains(key) ? place.key(key).integer(0, std::numeric_limits<int>::max())
+                                     : 0;
+}
+
+/// Null before the first flip.
+double last_flip(const ManifestValue& place) {
+  return count(place, "flips") > 0 ? place.key("last_flip").number() : 0.0;
+}
+
 FrameRecord frame_record(const ManifestValue& place) {
   return {.frame = place.key("frame").integer(0, max_frame_count - 1),
           .t = place.key("t").number(),
+          .shot = count(place, "shot"),
+          .flips = count(place, "flips"),
+          .last_flip = last_flip(place),
           .X = place.key("X").numbers<9>(),
           .view = place.key("view").numbers<16>(),
           .projection = place.key("projection").numbers<16>(),

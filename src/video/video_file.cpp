@@ -11,6 +11,7 @@
 #include "system/error.h"
 #include "system/program.h"
 #include "system/sha256.h"
+#include "video/animated_image.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 
@@ -63,6 +64,7 @@ system::ChildProcess::Time disk_time(const fs::path& file) {
 }
 
 std::optional<VideoProperties> probe_video(const fs::path& file) {
+  if (const auto webp = probe_webp(file)) return webp;
   return ask(file, {"-count_packets"}, [](const nlohmann::json& said) {
     const nlohmann::json& stream = said.at("streams").at(0);
     return VideoProperties{stream.at("width").get<int>(), stream.at("height").get<int>(),
@@ -75,15 +77,16 @@ std::string video_identity(const Manifest& film, const std::vector<int>& frames)
   const nlohmann::json all{film.scene, film.width, film.height, film.fps,
                            format_frame_range(frames)};
   const std::string text = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return "twrench:" + system::sha256_hex(std::span(
-                          reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return any_identity + system::sha256_hex(std::span(
+                            reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 void require_replaceable(const fs::path& file, const std::string& identity) {
   std::error_code failed;
   const bool stands = fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
-  if (!stands) return;
-  const auto comment = ask(file, {}, &comment_of);
+  if (!stands || has_comment(file, identity)) return;
+  const auto comment =
+      probe_webp(file) ? std::optional<std::string>("") : ask(file, {}, &comment_of);
   if (comment == identity) return;
   throw system::OverwriteError(file.string(), comment ? "it exists and is a video of something else"
                                                       : "it exists and is not a video");

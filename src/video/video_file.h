@@ -31,9 +31,12 @@ system::ChildProcess::Time disk_time(const std::filesystem::path& file);
 /// it is not a video. Throws EncoderError if ffprobe cannot be started.
 std::optional<VideoProperties> probe_video(const std::filesystem::path& file);
 
-/// Returns the comment that identifies a video: the digest of everything that determines its
-/// contents, namely scene, size, rate and frame numbers. Program and machine are not included: the
-/// same video rendered again by another version counts as the same.
+/// How the comment begins that identifies a video.
+inline constexpr const char* any_identity = "twrench:";
+
+/// Returns the comment that identifies a video: any_identity and the digest of everything that
+/// determines its contents, namely scene, size, rate and frame numbers. Program and machine are not
+/// included: the same video rendered again by another version counts as the same.
 std::string video_identity(const Manifest& film, const std::vector<int>& frames);
 
 /// Throws OverwriteError where the file stands already, and is not empty, nor the film of that

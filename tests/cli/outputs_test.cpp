@@ -111,7 +111,7 @@ TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
   const ScratchFolder folder;
   fs::create_directory(folder / "folder.mp4");
   const std::string both = "render " + picture + "--frames-dir f -o ";
-  for (const std::string& name : {std::string("out/x"), std::string("x.gif"), std::string("x.avi"),
+  for (const std::string& name : {std::string("out/x"), std::string("x.apng"), std::string("x.avi"),
                                   std::string("x.txt"), std::string("x.mp4.")}) {
     expect_refused(run_twrench(folder, both + name), 2, ".webm");
   }
@@ -140,7 +140,7 @@ TEST(Outputs, AFilmGoesToStandardOutput) {
   }
   EXPECT_FALSE(fs::exists(folder / "-"));
   expect_refused(run_twrench(folder, "render --no-frames -o - --progress openjd"), 2, "openjd");
-  expect_refused(run_twrench(folder, film_command + "-o - --container gif"), 2, "gif");
+  expect_refused(run_twrench(folder, film_command + "-o - --container apng"), 2, "apng");
   const Outcome gone =
       run_shell(folder,
                 "{ \"$TWRENCH\" render --size 320x180 --progress none --no-frames -o -; "

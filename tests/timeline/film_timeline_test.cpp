@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -137,6 +138,37 @@ TEST(FilmTimeline, AFrameDoesNotDependOnTheOthers) {
       }
     }
   }
+}
+
+TEST(FilmTimeline, CountsTheFlipsOnTheClockOfEachShot) {
+  scene::Scene scene = story_of_three();
+  for (scene::Shot& shot : scene.shots) shot.scene.motion.omega *= 4;
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  const motion::ExactMotion motion(film.solutions(0)[0].body);
+  const std::vector<double> flips = motion.flip_times(40);
+  ASSERT_GE(flips.size(), 3u);
+  int least = 99, most = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const double t = motion_time(film.frame(i).state);
+    const auto count = std::ranges::count_if(flips, [&](double flip) { return flip <= t; });
+    const auto [found, last] = film.flips(i);
+    EXPECT_EQ(found, count) << i;
+    EXPECT_EQ(last, count == 0 ? 0 : flips[static_cast<std::size_t>(count) - 1]) << i;
+    least = std::min(least, found);
+    most = std::max(most, found);
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_GE(most, 2);
+}
+
+TEST(FilmTimeline, CountsTheFlipsOfTheFirstMotionThatHasAny) {
+  scene::Scene scene = story_of_three();
+  scene.shots.clear();
+  scene.overlay.compare_omega = {{1, 0, 0}, {0.05, 1, 0}};
+  const FilmTimeline film(scene, {299});
+  EXPECT_GT(film.flips(0).count, 0);
+  scene.overlay.compare_omega = {{1, 0, 0}, {0, 0, 1}};
+  EXPECT_EQ(FilmTimeline(scene, {299}).flips(0).count, 0);
 }
 
 TEST(MotionTimes, AreThoseOfTheFrames) {

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -18,6 +20,7 @@
 #include "system/error.h"
 #include "system/file.h"
 #include "video/error.h"
+#include "video/video_file.h"
 
 namespace twrench::video {
 namespace {
@@ -338,6 +341,191 @@ TEST(Encoder, TakesRatesThatAreNotWhole) {
   }
 }
 
+/// What ffprobe says of the chapters: start, end and title of each.
+std::string chapters_in(const ScratchFolder& scratch, const std::string& film) {
+  const std::string out = (scratch / (film + ".chapters")).string();
+  run_command(
+      "ffprobe -v error -show_chapters -of csv=p=0 -show_entries "
+      "chapter=start_time,end_time:chapter_tags=title '" +
+      (scratch / film).string() + "' >'" + out + "'");
+  const auto text = system::read_file(out, 100'000);
+  return {text.begin(), text.end()};
+}
+
+TEST(Encoder, MakesChaptersInEveryContainerThatHasThem) {
+  const ScratchFolder scratch;
+  const std::vector<Cue> chapters{{0, 4.0 / 30, "start"}, {4.0 / 30, 0.3, "flip 1 at 2.5 s"}};
+  for (const char* name : {"film.mp4", "film.mov", "film.mkv", "film.webm"}) {
+    VideoFormat of = format;
+    of.container = container_of(name);
+    VideoEncoder encoder(scratch / name, of, "twrench:1", chapters);
+    for (int i = 0; i < 9; ++i) encoder.write(flat({40, 80, 120}));
+    encoder.finish();
+    EXPECT_EQ(chapters_in(scratch, name),
+              "0.000000,0.134000,start\n0.134000,0.300000,flip 1 at 2.5 s\n")
+        << name;
+    EXPECT_THAT(probe(scratch, name), HasSubstr("nb_read_frames=9\n")) << name;
+  }
+}
+
+TEST(Encoder, StreamsChapters) {
+  const ScratchFolder scratch;
+  run_command("mkfifo '" + (scratch / "pipe.mp4").string() + "'");
+  auto reader = std::async(std::launch::async, [&] {
+    run_command("cat '" + (scratch / "pipe.mp4").string() + "' >'" +
+                (scratch / "film.mp4").string() + "'");
+  });
+  VideoEncoder encoder(scratch / "pipe.mp4", format, {}, {{0, 0.1, "start"}, {0.1, 0.2, "flip"}});
+  for (int i = 0; i < 6; ++i) encoder.write(flat({40, 80, 120}));
+  encoder.finish();
+  reader.get();
+  EXPECT_THAT(chapters_in(scratch, "film.mp4"), HasSubstr("0.100000,0.200000,flip"));
+}
+
+/// A square that moves over a gradient, in an odd size; with alpha, its right third is faint, and
+/// the gradient transparent.
+image::Image square_at(int k, int channels) {
+  image::Image image(65, 47, channels);
+  for (int y = 0; y < 47; ++y) {
+    for (int x = 0; x < 65; ++x) {
+      auto* pixel = &image.pixels[static_cast<std::size_t>((y * 65 + x) * channels)];
+      const bool inside = x >= 4 * k && x < 4 * k + 12 && y >= 10 && y < 22;
+      pixel[0] = static_cast<std::uint8_t>(inside ? 230 : 3 * y);
+      pixel[1] = static_cast<std::uint8_t>(inside ? 120 : 3 * y);
+      pixel[2] = static_cast<std::uint8_t>(inside ? 20 : 40 + 3 * y);
+      if (channels == 4) pixel[3] = inside ? (x < 4 * k + 8 ? 255 : 100) : 0;
+    }
+  }
+  return image;
+}
+
+/// Encodes 10 frames, and returns them as Pillow decodes them: RGBA, and the durations in ms.
+std::pair<std::vector<std::uint8_t>, std::string> animated(const ScratchFolder& scratch,
+                                                           const std::string& name, double fps,
+                                                           int channels, int width = 0) {
+  VideoFormat animation{65, 47, fps, container_of(name), channels == 4};
+  animation.scaled_width = width;
+  require_encoder(animation);
+  VideoEncoder encoder(scratch / name, animation, "twrench:1");
+  for (int k = 0; k < 10; ++k) encoder.write(square_at(k, channels));
+  encoder.finish();
+  const std::string base = (scratch / name).string();
+  run_command(
+      "python3 -c \"import sys; from PIL import Image, ImageSequence as S; i = Image.open('" +
+      base + "'); raw = open('" + base + ".raw', 'wb'); t = open('" + base +
+      ".txt', 'w'); print(i.size, i.info.get('loop'), file=t)\nfor f in S.Iterator(i): "
+      "raw.write(f.convert('RGBA').tobytes()); print(f.info['duration'], end=' ', file=t)\"");
+  const auto said = system::read_file(base + ".txt", 10'000);
+  return {system::read_file(base + ".raw", 10'000'000), {said.begin(), said.end()}};
+}
+
+TEST(AnimatedImage, ShowsItsFramesForEver) {
+  const ScratchFolder scratch;
+  const std::size_t size = std::size_t{65} * 47 * 4;
+  for (const auto& [name, said] :
+       {std::pair{"film.gif", "(65, 47) 0\n40 40 40 40 40 40 40 40 40 40 "},
+        {"film.webp", "(65, 47) 0\n40 40 40 40 40 40 40 40 40 40 "}}) {
+    const auto [pixels, text] = animated(scratch, name, 25, 3);
+    EXPECT_EQ(text, said) << name;
+    ASSERT_EQ(pixels.size(), 10 * size) << name;
+    for (int k = 0; k < 10; ++k) {
+      const image::Image expected = square_at(k, 3);
+      double sum = 0;
+      for (std::size_t i = 0; i < size; ++i) {
+        if (i % 4 == 3) continue;
+        sum += std::abs(pixels[static_cast<std::size_t>(k) * size + i] -
+                        expected.pixels[i / 4 * 3 + i % 4]);
+      }
+      EXPECT_LT(sum / static_cast<double>(size), 3) << name << " " << k;
+    }
+  }
+}
+
+/// How long the frames are shown, from what animated() returns, in ms.
+std::vector<int> durations_in(const std::string& said) {
+  std::istringstream words(said.substr(said.find('\n')));
+  return {std::istream_iterator<int>(words), {}};
+}
+
+// GIF counts hundredths of a second, and browsers show a frame for no less than two.
+TEST(AnimatedImage, LeavesOutFramesThatAreTooFast) {
+  using ::testing::AllOf, ::testing::Each, ::testing::Ge, ::testing::Le, ::testing::SizeIs;
+  const ScratchFolder scratch;
+  EXPECT_THAT(durations_in(animated(scratch, "film.gif", 60, 3).second),
+              AllOf(SizeIs(5), Each(AllOf(Ge(30), Le(40)))));
+  EXPECT_THAT(durations_in(animated(scratch, "even.gif", 50, 3).second),
+              AllOf(SizeIs(10), Each(20)));
+  for (const auto& [fps, frames] : {std::pair{60.0, 10U}, {120.0, 5U}}) {
+    EXPECT_THAT(durations_in(animated(scratch, "film.webp", fps, 3).second),
+                AllOf(SizeIs(frames), Each(AllOf(Ge(16), Le(17)))));
+  }
+}
+
+TEST(AnimatedImage, KeepsAlpha) {
+  const ScratchFolder scratch;
+  const std::size_t size = std::size_t{65} * 47 * 4;
+  for (const char* name : {"film.gif", "film.webp"}) {
+    const auto pixels = animated(scratch, name, 25, 4).first;
+    ASSERT_EQ(pixels.size(), 10 * size) << name;
+    for (int k = 0; k < 10; ++k) {
+      const auto alpha = [&](int x) {
+        return pixels[static_cast<std::size_t>(k) * size +
+                      static_cast<std::size_t>(4 * (16 * 65 + x) + 3)];
+      };
+      EXPECT_EQ(alpha(4 * k + 6), 255) << name << " " << k;
+      EXPECT_EQ(alpha((4 * k + 30) % 65), 0) << name << " " << k << ": what was there before";
+    }
+  }
+}
+
+TEST(AnimatedImage, IsScaled) {
+  const ScratchFolder scratch;
+  EXPECT_THAT(animated(scratch, "film.gif", 25, 3, 32).second, testing::StartsWith("(32, 23) 0\n"));
+  EXPECT_THAT(animated(scratch, "film.webp", 25, 3, 32).second,
+              testing::StartsWith("(32, 23) 0\n"));
+}
+
+TEST(AnimatedImage, SaysWhatItIsOf) {
+  const ScratchFolder scratch;
+  for (const char* name : {"film.gif", "film.webp"}) {
+    animated(scratch, name, 25, 3);
+    EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1"));
+    EXPECT_THROW(require_replaceable(scratch / name, "twrench:2"), system::OverwriteError);
+    EXPECT_THAT(scratch.names(), testing::Contains(name));
+  }
+  for (const std::string& name : scratch.names())
+    EXPECT_THAT(name, testing::Not(HasSubstr(".tmp")));
+}
+
+TEST(AnimatedImage, OfOnePictureIsThatPicture) {
+  const ScratchFolder scratch;
+  for (const char* name : {"film.gif", "film.webp"}) {
+    VideoEncoder encoder(scratch / name, {65, 47, 25, container_of(name)}, "twrench:1");
+    for (int k = 0; k < 5; ++k) encoder.write(square_at(2, 3));
+    EXPECT_NO_THROW(encoder.finish()) << name;
+    EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1"));
+    VideoEncoder single(scratch / name, {65, 47, 60, container_of(name)}, "twrench:1");
+    single.write(square_at(2, 3));
+    EXPECT_NO_THROW(single.finish()) << name;
+  }
+}
+
+TEST(AnimatedImage, IsStreamed) {
+  const ScratchFolder scratch;
+  for (const char* name : {"film.gif", "film.webp"}) {
+    const std::string pipe = (scratch / (std::string("pipe-") + name)).string();
+    run_command("mkfifo '" + pipe + "'");
+    auto reader = std::async(std::launch::async, [&] {
+      run_command("cat '" + pipe + "' >'" + (scratch / name).string() + "'");
+    });
+    VideoEncoder encoder(pipe, {65, 47, 25, container_of(name)});
+    for (int k = 0; k < 10; ++k) encoder.write(square_at(k, 3));
+    encoder.finish();
+    reader.get();
+    EXPECT_EQ(probe_video(scratch / name).value().frames, 10) << name;
+  }
+}
+
 TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
   const ScratchFolder scratch;
   for (const auto& [width, height] : {std::pair{641, 480}, {640, 481}, {0, 0}}) {
@@ -438,7 +626,7 @@ TEST(Encoder, ThatHangsIsStoppedAndTold) {
   for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
     const StubFfmpeg stub(scratch, script);
     try {
-      VideoEncoder encoder(scratch / "film.mp4", format, {}, patience);
+      VideoEncoder encoder(scratch / "film.mp4", format, {}, {}, patience);
       for (int i = 0; i < 500; ++i) encoder.write(flat({1, 2, 3}));
       encoder.finish();
       FAIL();

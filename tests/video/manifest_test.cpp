@@ -19,6 +19,9 @@ using ::testing::HasSubstr;
 FrameRecord record_of(int frame) {
   FrameRecord result{.frame = frame,
                      .t = frame * 0.1,
+                     .shot = frame / 4,
+                     .flips = frame / 4,
+                     .last_flip = frame < 4 ? 0 : 0.1 + 1e-17 * frame,
                      .file = frame_file_name(frame),
                      .sha256 = std::string(64, 'a')};
   for (std::size_t i = 0; i < result.X.size(); ++i) {
@@ -74,6 +77,9 @@ TEST(Manifest, IsReadBackAsItWasToTheLastBit) {
   for (std::size_t i = 0; i < read.frames.size(); ++i) {
     EXPECT_EQ(read.frames[i].frame, written.frames[i].frame);
     EXPECT_EQ(read.frames[i].t, written.frames[i].t);
+    EXPECT_EQ(read.frames[i].shot, written.frames[i].shot);
+    EXPECT_EQ(read.frames[i].flips, written.frames[i].flips);
+    EXPECT_EQ(read.frames[i].last_flip, written.frames[i].last_flip);
     EXPECT_EQ(read.frames[i].X, written.frames[i].X);
     EXPECT_EQ(read.frames[i].view, written.frames[i].view);
     EXPECT_EQ(read.frames[i].projection, written.frames[i].projection);
@@ -93,9 +99,20 @@ TEST(Manifest, HasTheKeysThatScriptsReadInTheirOrder) {
   for (const auto& [key, value] : json["frames"][1].items()) {
     keys += key + " ";
   }
-  EXPECT_EQ(keys, "frame t X view projection file sha256 ");
+  EXPECT_EQ(keys, "frame t shot flips last_flip X view projection file sha256 ");
   EXPECT_EQ(json["size"], nlohmann::ordered_json({1920, 1080}));
   EXPECT_EQ(json["frames"][1]["file"], "frame_000005.png");
+}
+
+TEST(Manifest, MayLackShotsAndFlips) {
+  auto json = nlohmann::ordered_json::parse(format_manifest(sample()));
+  EXPECT_TRUE(json["frames"][0]["last_flip"].is_null());
+  for (auto& frame : json["frames"]) {
+    for (const char* key : {"shot", "flips", "last_flip"}) frame.erase(key);
+  }
+  const FrameRecord read = parse_manifest(json.dump(), "m.json").frames[1];
+  EXPECT_EQ(read.shot, 0);
+  EXPECT_EQ(read.flips, 0);
 }
 
 TEST(Manifest, HasAFrameALine) {
@@ -136,6 +153,10 @@ TEST(Manifest, SaysWhereItIsWrong) {
   EXPECT_EQ(failure("3-9:2", "9-3"), cannot + "range must be a range of frames");
   EXPECT_EQ(failure("\"frame\":5", "\"frame\":-5"),
             cannot + "frames[1].frame must be an integer from 0 to 9999999");
+  EXPECT_EQ(failure("\"shot\":1", "\"shot\":-1"),
+            cannot + "frames[1].shot must be an integer from 0 to 2147483647");
+  EXPECT_EQ(failure("\"flips\":1,\"last_flip\":", "\"flips\":1,\"last_flip\":null,\"\":"),
+            cannot + "frames[1].last_flip must be a number");
   EXPECT_EQ(failure("\"X\":[", "\"X\":[1,"), cannot + "frames[0].X must be an array of 9 numbers");
   EXPECT_EQ(failure("\"view\":[", "\"view\":[[],"),
             cannot + "frames[0].view must be an array of 16 numbers");

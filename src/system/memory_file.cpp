@@ -1,0 +1,25 @@
+#include "system/memory_file.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "system/file.h"
+
+namespace twrench::system {
+
+MemoryFile::MemoryFile(std::string_view text) : descriptor_(::memfd_create("twrench", 0)) {
+  const std::string what = "cannot write a file in memory";
+  if (!descriptor_) throw file_error(what, errno);
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_.get(), text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw file_error(what, errno);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string MemoryFile::path() const { return "/dev/fd/" + std::to_string(descriptor_.get()); }
+
+}  // namespace twrench::system

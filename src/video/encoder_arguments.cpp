@@ -1,0 +1,96 @@
+#include "video/encoder_arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "video/animated_image.h"
+#include "video/error.h"
+
+namespace twrench::video {
+namespace {
+
+/// Returns fps as a fraction for ffmpeg, the simplest one within 1e-9 (by continued fractions): 60
+/// is 60/1, 59.94 is 2997/50.
+std::string rational(double fps) {
+  constexpr double largest = 1e6;
+  if (!(fps >= 1e-3 && fps <= 1e3)) {
+    throw OutOfRange(fmt::format("fps {}", fps),
+                     "a video must have 0.001 to 1000 frames per second", {fps, 1e-3, 1e3});
+  }
+  double p = 1, q = 0, p_before = 0, q_before = 1, rest = fps;
+  while (true) {
+    const double whole = std::floor(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    const bool close = std::abs(p / q - fps) <= 1e-9 * fps;
+    if (close || std::max(p, q) > largest) {
+      return fmt::format("{:.0f}/{:.0f}", p, q);
+    }
+    rest = 1.0 / (rest - whole);
+  }
+}
+
+/// From RGBA. ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
+/// conversion darkens colours by a tenth of a level on average.
+constexpr const char* conversion =
+    "-vf scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=bicubic+accurate_rnd,"
+    "setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709";
+
+const char* pixel_format(const VideoFormat& format) {
+  if (format.has_alpha()) return "rgba";
+  return format.is_rgb() ? "rgb24" : "yuv420p";
+}
+
+void require_valid_size(const VideoFormat& format) {
+  const int width = format.width, height = format.height;
+  const bool is_even = width % 2 == 0 && height % 2 == 0;
+  if (width >= 2 && height >= 2 && (is_even || is_animated_image(format.container))) return;
+  throw FilmSizeError(fmt::format("a video of {}x{}", width, height),
+                      "the width and height of a video must be even",
+                      std::max(2, width + width % 2), std::max(2, height + height % 2));
+}
+
+}  // namespace
+
+Arguments words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+Arguments joined(std::initializer_list<Arguments> groups) {
+  Arguments all;
+  for (const Arguments& group : groups) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
+
+Arguments input_arguments(const VideoFormat& format) {
+  require_valid_size(format);
+  // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders tag a video as its
+  // frames are tagged, whatever the output options say.
+  const std::string frame_tags =
+      format.is_rgb() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
+  return words(
+      fmt::format("{} -f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0",
+                  quiet_options, pixel_format(format), format.width, format.height,
+                  rational(format.fps / format.frame_step()), frame_tags));
+}
+
+Arguments output_arguments(const VideoFormat& format) {
+  const auto& [container, alpha] = std::pair(format.container, format.has_alpha());
+  return joined(
+      {is_animated_image(container) ? animation_filters(format) : words(alpha ? conversion : ""),
+       words(codec_arguments(container, alpha, format.streamed))});
+}
+
+Arguments encoder_arguments(const VideoFormat& format) {
+  return joined({input_arguments(format), output_arguments(format)});
+}
+
+}  // namespace twrench::video

@@ -1,0 +1,143 @@
+#include "video/text_tracks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "system/error.h"
+#include "video/video_file.h"
+
+namespace twrench::video {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string timestamp(double seconds) {
+  const std::int64_t ms = std::llround(seconds * 1000);
+  return fmt::format("{:02}:{:02}:{:02}.{:03}", ms / 3'600'000, ms / 60'000 % 60, ms / 1000 % 60,
+                     ms % 1000);
+}
+
+/// The text on one line, without characters that mean something in WebVTT.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else {
+      result += c == '\n' || c == '\r' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+constexpr const char* note = "NOTE ";
+
+/// The beginning of a file, in which its note stands; empty if there is none.
+std::string head_of(const fs::path& path) {
+  std::string head(256, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
+bool stands(const fs::path& path) {
+  std::error_code failed;
+  return fs::is_regular_file(path, failed) && fs::file_size(path, failed) > 0;
+}
+
+/// Whether that is the beginning of a track of the video with that identity, or with one that
+/// begins so.
+bool is_track_of(const std::string& text, const std::string& identity) {
+  return text.find(note + identity) != std::string::npos;
+}
+
+}  // namespace
+
+std::vector<Cue> cues_of(std::size_t frames, double fps,
+                         const std::function<std::string(std::size_t)>& text_of) {
+  std::vector<Cue> cues;
+  for (std::size_t i = 0; i < frames; ++i) {
+    std::string text = text_of(i);
+    const double begin = static_cast<double>(i) / fps;
+    if (cues.empty() || cues.back().text != text) cues.push_back({begin, begin, std::move(text)});
+    cues.back().end = static_cast<double>(i + 1) / fps;
+  }
+  std::erase_if(cues, [](const Cue& cue) { return cue.text.empty(); });
+  return cues;
+}
+
+std::vector<Cue> chapters_of(std::size_t frames, double fps,
+                             const std::function<std::string(std::size_t)>& title_of) {
+  std::vector<Cue> chapters = cues_of(frames, fps, title_of);
+  if (chapters.size() == 1) chapters.clear();
+  return chapters;
+}
+
+std::string chapter_title(int flips, double last_flip) {
+  if (flips == 0) return "start";
+  return last_flip < 10 ? fmt::format("flip {} at {:.3g} s", flips, last_flip)
+                        : fmt::format("flip {} at {:.1f} s", flips, last_flip);
+}
+
+std::string web_vtt(const std::vector<Cue>& cues, const std::string& identity) {
+  std::string text = "WEBVTT\n\n" + (note + identity) + "\n";
+  for (const auto& [begin, end, words] : cues) {
+    text += fmt::format("\n{} --> {}\n{}\n", timestamp(begin), timestamp(end), escaped(words));
+  }
+  return text;
+}
+
+std::string chapter_metadata(const std::vector<Cue>& chapters) {
+  const auto ms = [](double seconds) {
+    constexpr double round_off = 1e-6;
+    return static_cast<std::int64_t>(std::ceil(seconds * 1000 - round_off));
+  };
+  std::string text = ";FFMETADATA1\n";
+  for (const auto& [begin, end, title] : chapters) {
+    text += fmt::format("[CHAPTER]\nTIMEBASE=1/1000\nSTART={}\nEND={}\ntitle={}\n", ms(begin),
+                        ms(end), title);
+  }
+  return text;
+}
+
+TextTrackFiles::TextTrackFiles(const fs::path& video, const TextTracks& tracks,
+                               const std::string& identity, bool overwrite) {
+  std::error_code failed;
+  if (video == "-" || (fs::exists(video, failed) && !fs::is_regular_file(video, failed))) return;
+  for (const auto& [cues, ending] :
+       {std::pair(&tracks.captions, ".vtt"), std::pair(&tracks.chapters, ".chapters.vtt")}) {
+    const fs::path path = fs::path(video).replace_extension(ending);
+    const std::string before = stands(path) ? head_of(path) : "";
+    const bool is_own = is_track_of(before, identity);
+    if (cues->empty()) {
+      if (is_own || (overwrite && is_track_of(before, any_identity))) outdated_.push_back(path);
+      continue;
+    }
+    if (stands(path) && !is_own && !overwrite) {
+      throw system::OverwriteError(path.string(), "it exists and has texts of something else");
+    }
+    const std::string text = web_vtt(*cues, identity);
+    files_.emplace_back(path).write(
+        {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+}
+
+void TextTrackFiles::finish() {
+  for (system::PendingFile& file : files_) file.commit();
+  for (const fs::path& path : outdated_) {
+    std::error_code gone;
+    fs::remove(path, gone);
+  }
+}
+
+}  // namespace twrench::video
