@@ -6,6 +6,7 @@
 #   setup.sh check    running the project's checks as well
 #   setup.sh tidy     running clang-tidy and the fuzzers as well
 #   setup.sh bench    building the benchmarks and the programs they compare with
+#   setup.sh foreign  judging the motion of other programs' free bodies
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
 #   setup.sh package  making Debian's packages
@@ -79,6 +80,9 @@ bench    | SUNDIALS                      | libsundials-dev
 bench    | VTK                           | python3-vtk9
 bench    | a screen for VTK              | xvfb
 bench    | its access control            | xauth
+foreign  | MuJoCo                        | libmujoco-dev
+foreign  | Bullet                        | libbullet-dev
+foreign  | the Open Dynamics Engine      | libode-dev
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind
 package  | the tools for packages        | dpkg-dev
@@ -124,11 +128,11 @@ END
 case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
   python) uses=(render python) ;;
-  bench) uses=(render bench) ;;
+  bench | foreign) uses=(render "$1") ;;
   test | package) uses=(render python "$1") ;;
   check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|coverage|docs|arm64|package|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|distros" >&2
     exit 2
     ;;
 esac
