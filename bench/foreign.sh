@@ -61,7 +61,9 @@ folder, document = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 def number(value):
     """Two digits are enough to see what a program is like, and do not depend on the compiler."""
-    return "" if value is None else f"{value:.2g}"
+    if value is None:
+        return "-"
+    return f"{value:.2g}" if abs(value) < 100 else f"{value:.0f}"
 
 
 def flips(found):

@@ -298,8 +298,8 @@ class Scene:
     ) -> Film:
         """Draws the frames and writes the film.
 
-        :param path: the video, .mp4, .mov, .mkv or .webm, or an animated image, .gif or .webp; None for
-            frames alone.
+        :param path: the video, .mp4, .mov, .mkv or .webm, or an animated image of the scene's size,
+            .gif or .webp; None for frames alone.
         :param frames_dir: folder for the frames as PNG, with their manifest; None for a video alone.
         :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
         :param container: mp4, mov, mkv, webm, gif or webp, if the ending of ``path`` does not say.

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "system/file.h"
@@ -40,7 +41,11 @@ std::string palette_graph(const VideoFormat& format) {
 }
 
 fs::path temporary_beside(const system::PendingFile& output) {
-  return output.is_direct() ? fs::temp_directory_path() / "twrench.gif" : output.target();
+  if (!output.is_direct()) return output.target();
+  std::error_code failed;
+  const fs::path folder = fs::temp_directory_path(failed);
+  if (failed) throw system::file_error("cannot use the folder for temporary files", failed.value());
+  return folder / "twrench.gif";
 }
 
 std::uint32_t little_endian(const char* bytes, int count) {

@@ -24,8 +24,8 @@ def recorded(folder: Path) -> list[str]:
 
 
 def probed_frames(film: Path) -> int:
-    command = ["ffprobe", "-v", "error", "-count_packets", "-show_entries",
-               "stream=nb_read_packets", "-of", "csv=p=0", str(film)]  # fmt: skip
+    command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-count_packets",
+               "-show_entries", "stream=nb_read_packets", "-of", "csv=p=0", str(film)]  # fmt: skip
     return int(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
 
@@ -59,6 +59,22 @@ def test_parts_of_a_film(small, tmp_path):
     assert probed_frames(tmp_path / "no-ending") == 2
 
 
+def test_a_film_has_chapters_unless_it_should_not(small, tmp_path):
+    small.render(tmp_path / "f.mp4")
+    assert "flip 1 at 11.8 s" in (tmp_path / "f.chapters.vtt").read_text()
+    small.render(tmp_path / "f.mp4", chapters=False)
+    assert not (tmp_path / "f.chapters.vtt").exists()
+
+
+def test_an_animated_image(small, tmp_path):
+    for name in ("f.gif", "f.webp"):
+        film = small.render(tmp_path / name, frames="0-3")
+        assert probed_frames(tmp_path / name) == 4 or name == "f.webp"
+        kind = name[2:]
+        assert (film._repr_html_() or "").startswith("<img ") and f"image/{kind}" in film._repr_html_()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["f.gif", "f.webp"]
+
+
 def test_nothing_of_another_film_is_overwritten(small, tmp_path):
     small.render(tmp_path / "f.mp4", frames_dir=tmp_path / "f", frames="0-1")
     before = (tmp_path / "f.mp4").read_bytes(), (tmp_path / "f/frame_000000.png").read_bytes()
@@ -89,7 +105,7 @@ def test_an_input_is_no_output(tmp_path):
         ({}, twrench.UsageError, "path, frames_dir or both"),
         ({"path": 3}, twrench.UsageError, "path: must be a path"),
         ({"path": b"f.mp4"}, twrench.UsageError, "path: must be a path"),
-        ({"path": "f.gif"}, twrench.UsageError, "gif"),
+        ({"path": "f.apng"}, twrench.UsageError, "apng"),
         ({"path": "f"}, twrench.UsageError, "f"),
         ({"path": "f.mp4", "container": "avi"}, twrench.UsageError, "avi"),
         ({"path": "f.mp4", "container": 3}, twrench.UsageError, "container: must be a string"),
