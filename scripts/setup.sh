@@ -11,6 +11,7 @@
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
 #   setup.sh package  making Debian's packages
 #   setup.sh docs     building the reference pages
+#   setup.sh interchange running other programs on what is exported
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -93,6 +94,9 @@ docs     | Sphinx                        | python3-sphinx
 docs     | MyST, which reads Markdown    | python3-myst-parser
 docs     | Sphinx's theme Furo           | furo
 distros  | debootstrap                   | debootstrap
+interchange | Node.js                    | nodejs
+interchange | npm                        | npm
+interchange | Blender, to import glTF    | blender                   | its importer is not tested
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
 arm64    | pkg-config                    | pkgconf pkg-config
@@ -129,10 +133,10 @@ case "${1-}" in
   render | arm64 | distros) uses=("$1") ;;
   python) uses=(render python) ;;
   bench | foreign) uses=(render "$1") ;;
-  test | package) uses=(render python "$1") ;;
+  test | package | interchange) uses=(render python "$1") ;;
   check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|distros" >&2
     exit 2
     ;;
 esac

@@ -34,6 +34,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   app.require_subcommand(1);
   add_render(app);
   add_simulate(app);
+  add_export(app);
   add_plot(app);
   add_inertia(app);
   add_study(app, code);

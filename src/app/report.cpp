@@ -16,6 +16,7 @@
 #include "check/error.h"
 #include "film/error.h"
 #include "gl/error.h"
+#include "interchange/error.h"
 #include "plot/gnuplot.h"
 #include "system/error.h"
 #include "system/file.h"
@@ -170,6 +171,8 @@ std::string remedy_for(const Error& error) {
   }
   if (const std::string remedy = remedy_for_run(error); !remedy.empty()) return remedy;
   if (is<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (is<interchange::AccuracyError>(error))
+    return "take a larger --max-angle, or a shorter --duration";
   if (is<canvas::MissingGlyph>(error)) {
     return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
            "none";

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 
 #include "app/arguments.h"
 #include "app/message.h"
@@ -125,6 +126,14 @@ void SceneOptions::add_motion_options() {
     if (determines_motion(field)) add_field(field);
   }
   add_inertia_option();
+}
+
+void SceneOptions::add_look_options() {
+  static constexpr std::array keys{"size",    "theme",     "color",    "metallic",     "roughness",
+                                   "azimuth", "elevation", "distance", "field_of_view"};
+  for (const scene::Field& field : scene::fields()) {
+    if (std::ranges::find(keys, field.key) != keys.end()) add_field(field);
+  }
 }
 
 void SceneOptions::add_picture_options() {

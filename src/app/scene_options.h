@@ -36,6 +36,9 @@ class SceneOptions {
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
+  /// Adds the options for the colours and the material, the camera and the size of its picture.
+  void add_look_options();
+
   /// Adds an option for each other field of a scene, and --bare, --show and --hide.
   void add_picture_options();
 

@@ -43,7 +43,8 @@ TEST(Outputs, AreNoInputs) {
   for (const std::string& command :
        {film_command + "my.toml -o my.toml", film_command + "my.toml -o link.mp4 --overwrite",
         std::string("simulate my.toml -o my.toml"), std::string("inertia my.toml -o ./my.toml"),
-        std::string("study my.toml -o my.toml"), std::string("plot my.toml -o my.toml"),
+        std::string("study my.toml -o my.toml"), std::string("export my.toml -o my.toml"),
+        std::string("plot my.toml -o my.toml"),
         std::string("compare f/frame_000000.png f/frame_000001.png --diff f/frame_000000.png"),
         std::string("compare f/frame_000000.png f/frame_000001.png --diff f/frame_000001.png"),
         std::string("encode f -o f/manifest.json --overwrite"),

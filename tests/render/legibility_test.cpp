@@ -192,7 +192,7 @@ TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
     const std::vector<image::Image> images = seen(drawn({axes, momentum, omega}, frame));
     const timeline::Timeline timeline(scene, {frame});
     const double radius = bounding_radius(scene::visible_parts(scene.body));
-    const BodyOverlay overlay(scene, timeline.solutions()[0], radius);
+    const BodyOverlay overlay(scene, timeline.solutions()[0].body, radius);
     const motion::Sample sample = timeline.frame_state(0).solutions[0].sample;
     std::map<std::string, std::pair<Vector3d, scene::Color>> arrows{
         {"L", {overlay.momentum_tip(), colors.momentum}},

@@ -69,7 +69,7 @@ TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
       with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
   const timeline::Timeline timeline(scene, {0, 100, 300, 500, 900});
   const double radius = bounding_radius(scene::visible_parts(scene.body));
-  const BodyOverlay overlay(scene, timeline.solutions()[0], radius);
+  const BodyOverlay overlay(scene, timeline.solutions()[0].body, radius);
   const Vector3d up = timeline.solutions()[0].body.momentum().normalized();
   EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
   EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
@@ -87,7 +87,7 @@ TEST(BodyOverlay, BoundsALongOmega) {
   scene.motion.omega = {20, 1, 0};
   scene.motion.duration = 1;
   const timeline::Timeline timeline(scene, {0, 5});
-  const BodyOverlay overlay(scene, timeline.solutions()[0], 3);
+  const BodyOverlay overlay(scene, timeline.solutions()[0].body, 3);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     EXPECT_LT(overlay.omega_tip(timeline.frame_state(i).solutions[0].sample).norm(), 4.6);
   }

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 // As multiples of the bounding radius.
 constexpr double plane_distance = 1.18, longest_omega = 1.5, least_plane = 0.85;
-constexpr double momentum_shaft = 0.017, omega_shaft = 0.015, axis_shaft = 0.010;
+constexpr double momentum_thickness = 0.017, omega_thickness = 0.015, axis_thickness = 0.010;
 constexpr double trail_width = 0.016, plane_line = 0.004;
 
 /// Points on the circle of that radius about `centre`, normal to `normal`.
@@ -36,8 +36,7 @@ std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, dou
 
 }  // namespace
 
-BodyOverlay::BodyOverlay(const scene::Scene& scene, const timeline::Solution& solution,
-                         double radius)
+BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body, double radius)
     : colors_(emphasised(style_of(scene.look.theme).overlay, scene.overlay)),
       shows_axes_(scene.overlay.shows(scene::Feature::axes)),
       shows_momentum_(scene.overlay.shows(scene::Feature::momentum)),
@@ -45,15 +44,14 @@ BodyOverlay::BodyOverlay(const scene::Scene& scene, const timeline::Solution& so
       shows_plane_(scene.overlay.shows(scene::Feature::plane)),
       shows_trail_(scene.overlay.shows(scene::Feature::trail)),
       shows_labels_(scene.overlay.shows(scene::Feature::labels)),
-      momentum_shaft_(momentum_shaft * thickness_of(scene.overlay, scene::Feature::momentum)),
-      omega_shaft_(omega_shaft * thickness_of(scene.overlay, scene::Feature::omega)),
-      axis_shaft_(axis_shaft * thickness_of(scene.overlay, scene::Feature::axes)),
+      momentum_shaft_(momentum_thickness * thickness_of(scene.overlay, scene::Feature::momentum)),
+      omega_shaft_(omega_thickness * thickness_of(scene.overlay, scene::Feature::omega)),
+      axis_shaft_(axis_thickness * thickness_of(scene.overlay, scene::Feature::axes)),
       trail_width_(trail_width * thickness_of(scene.overlay, scene::Feature::trail)),
       radius_(radius),
       trail_length_(timeline::trail_length(scene)),
       trail_point_(trail_point(scene)),
-      up_(solution.body.momentum().stableNormalized()) {
-  const motion::FreeBody& body = solution.body;
+      up_(body.momentum().stableNormalized()) {
   if (body.momentum().isZero(0.0)) {
     shows_momentum_ = shows_omega_ = shows_plane_ = false;
     return;
@@ -87,15 +85,15 @@ void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
   const Vector3d centre = Vector3d::Zero();
   if (shows_axes_) {
     for (int i = 0; i < 3; ++i) {
-      opaque.arrow(centre, axis_length * radius_ * X.col(i), axis_shaft_ * radius_,
+      opaque.arrow(centre, axis_arrow_length() * X.col(i), axis_shaft(),
                    {colors_.axis[static_cast<std::size_t>(i)]});
     }
   }
   if (shows_momentum_) {
-    opaque.arrow(centre, momentum_tip(), momentum_shaft_ * radius_, {colors_.momentum});
+    opaque.arrow(centre, momentum_tip(), momentum_shaft(), {colors_.momentum});
   }
   if (shows_omega_) {
-    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft_ * radius_, {colors_.omega});
+    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft(), {colors_.omega});
   }
   if (shows_plane_) draw_plane(translucent);
   if (shows_trail_) draw_trail(instant, translucent);
@@ -171,7 +169,7 @@ std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, c
   };
   static constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; shows_axes_ && i < 3; ++i) {
-    const Vector3d tip = axis_length * radius_ * instant.sample.X.col(static_cast<Eigen::Index>(i));
+    const Vector3d tip = axis_arrow_length() * instant.sample.X.col(static_cast<Eigen::Index>(i));
     add(names[i], tip, colors_.axis[i]);
   }
   if (shows_momentum_) add("L", momentum_tip(), colors_.momentum);

@@ -19,10 +19,10 @@ namespace twrench::render {
 class BodyOverlay {
  public:
   /// `radius` is the bounding radius of the body in every pose, in cm.
-  BodyOverlay(const scene::Scene& scene, const timeline::Solution& solution, double radius);
+  BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body, double radius);
 
   /// Returns the bounding radius in cm of everything that rotates with the body.
-  double bounding_radius() const { return shows_axes_ ? axis_length * radius_ : radius_; }
+  double bounding_radius() const { return shows_axes_ ? axis_arrow_length() : radius_; }
 
   /// Returns further points that a camera should have in view at all times, in space, cm.
   std::vector<Eigen::Vector3d> extent() const;
@@ -38,6 +38,12 @@ class BodyOverlay {
   Eigen::Vector3d omega_tip(const motion::Sample& sample) const {
     return scale_ * (sample.X * sample.omega);
   }
+
+  /// Return the length of the arrows of the axes and the radii of the shafts of all, in cm.
+  double axis_arrow_length() const { return axis_length * radius_; }
+  double axis_shaft() const { return axis_shaft_ * radius_; }
+  double momentum_shaft() const { return momentum_shaft_ * radius_; }
+  double omega_shaft() const { return omega_shaft_ * radius_; }
 
   /// Returns the distance in cm from the centre of mass to the invariable plane.
   double plane_height() const { return plane_height_; }

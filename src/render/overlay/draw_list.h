@@ -14,6 +14,9 @@
 
 namespace twrench::render {
 
+/// The head of an arrow: its length, and the radius of its base, in radii of the shaft.
+inline constexpr double arrow_head_length = 5.5, arrow_head_radius = 2.4;
+
 /// The colour of an item.
 struct Ink {
   /// sRGB colour.

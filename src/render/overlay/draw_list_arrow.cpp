@@ -17,7 +17,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr double head_length = 5.5, head_radius = 2.4;  // of an arrow, in radii of its shaft
 // Facets: those of outlines are seen beside the arrows only, and ghosts are faint.
 constexpr std::uint32_t around_arrow = 28, around_outline = 16, around_ghost = 10;
 constexpr double outline_width = 0.3, least_outline = 1;  // radii of the shaft, pixels
@@ -138,13 +137,18 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
   const double length = (to - from).norm();
   if (!(length > 0)) return;
   begin_thing();
-  const double scale = std::min(1.0, length / (head_length * radius));
-  const double head = head_length * radius * scale, shaft = length - head;
+  const double scale = std::min(1.0, length / (arrow_head_length * radius));
+  const double head = arrow_head_length * radius * scale, shaft = length - head;
   const Matrix3d frame = body::frame_with_z_along(to - from);
   const Cone stem{frame, from, shaft, radius, radius, ink, around_arrow, true};
-  const Cone tip{
-      frame, from + shaft * frame.col(2), head, head_radius * radius * scale, 0, ink, around_arrow,
-      true};
+  const Cone tip{frame,
+                 from + shaft * frame.col(2),
+                 head,
+                 arrow_head_radius * radius * scale,
+                 0,
+                 ink,
+                 around_arrow,
+                 true};
   if (shaft > 0) side(stem, items_);
   side(tip, items_);
   base(tip, items_);

@@ -6,6 +6,7 @@
 
 #include "render/body/bounding_radius.h"
 #include "render/body/gap_closing.h"
+#include "render/compose/camera_path.h"
 #include "render/look/theme.h"
 #include "render/views/exposure.h"
 #include "timeline/reference_frame.h"
@@ -79,7 +80,7 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
       frame_(scene.camera.frame),
       pane_(pane),
       radius_(bounding_radius(scene::visible_parts(scene.body))),
-      overlay_(scene, solutions[solution], radius_),
+      overlay_(scene, solutions[solution].body, radius_),
       forces_(forces_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
       framing_(framing_of(scene, solutions[solution])),
@@ -116,15 +117,7 @@ Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution
     if (frame_ == scene::Frame::space) break;  // there they are at rest
   }
   const double aspect = static_cast<double>(pane_.focus.width) / pane_.focus.height;
-  const double orbit = scene.camera.orbit * scene.video_length();
-  const std::vector<Eigen::Vector3d> directions =
-      directions_along(scene.camera.azimuth, scene.camera.elevation, orbit);
-  Framing framing =
-      fitted({{0, 0, 1}, scene.camera.field_of_view, aspect, overlay_.bounding_radius()},
-             directions, points);
-  framing.distance *= scene.camera.distance;
-  framing.centre /= scene.camera.distance;
-  return framing;
+  return framing_along(scene, aspect, overlay_.bounding_radius(), points);
 }
 
 Camera BodyView::camera(double video_time) const {

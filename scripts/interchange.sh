@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Holds what twrench exports against programs that others wrote: Khronos' glTF validator, three.js
+# and, where it is installed, Blender.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+
+scripts/setup.sh interchange
+scripts/build.sh
+export TWRENCH=$PWD/build/release/bin/twrench
+require_writable build
+
+# Programs of npm are installed beside the scripts that use them.
+at=$PWD/build/interchange out=$PWD/build/interchange/out
+rm -rf "$out" && mkdir -p "$out"
+cp tests/interchange/{*.mjs,*.py,package.json,package-lock.json,.npmrc} "$at"
+npm ci --prefix "$at" --ignore-scripts --loglevel=error
+
+# export_and_check NAME BOUND SPEED DURATION [motion option or scene ...]: writes NAME.glb and checks it.
+export_and_check() {
+  local file=$out/$1.glb bound=$2 speed=$3 duration=$4
+  shift 4
+  "$TWRENCH" export "$@" --max-angle "$bound" --speed "$speed" --duration "$duration" -o "$file"
+  node "$at/validate.mjs" "$file"
+  node "$at/three_test.mjs" "$file" "$bound" "$speed" "$duration" "$@"
+}
+
+export_and_check dzhanibekov 1e-4 1 96
+export_and_check fine 1e-5 6 96
+export_and_check coarse 0.1 1 96 dzhanibekov
+export_and_check long 1e-4 1 10000
+for scene in stable-y stable-z sphere calm tao-disk explain; do export_and_check "$scene" 1e-4 1 30 "$scene"; done
+export_and_check moments 1e-4 1 20 --inertia 1,2,3 --omega 0.1,3,0.2
+export_and_check rest 1e-4 1 20 --omega 0,0,0
+
+if command -v blender >/dev/null; then
+  blender --background --python-exit-code 1 --python "$at/blender_test.py" -- "$out/dzhanibekov.glb" 1e-4 96 |
+    grep --line-regexp --fixed-strings --invert-match 'Blender quit'
+else
+  say "blender is not installed: its importer is not tested"
+fi

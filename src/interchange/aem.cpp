@@ -1,0 +1,85 @@
+#include "interchange/aem.h"
+
+#include <fmt/format.h>
+#include <twrench/motion/exact.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace twrench::interchange {
+namespace {
+
+std::int64_t nanoseconds(double time) { return std::llround(1e9 * time); }
+
+/// The name in the characters that a message may have.
+std::string in_ascii(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c < ' ' || c > '~'; }, '_');
+  return name;
+}
+
+// Comments may stand at the start of the header, of the metadata and of the data only. The date of
+// creation is obligatory, but would make other bytes of the same motion each time.
+constexpr const char* head =
+    "CCSDS_AEM_VERS = 1.0\n"
+    "COMMENT Written by {generator}: the free rotation of a rigid body, in closed form.\n"
+    "COMMENT CREATION_DATE is the epoch of the motion, so that the same motion gives the same "
+    "file.\n"
+    "CREATION_DATE = {start}\n"
+    "ORIGINATOR = TWRENCH\n"
+    "\n"
+    "META_START\n"
+    "COMMENT REF_FRAME_A is the inertial frame whose axes are those of the body at START_TIME. "
+    "The\n"
+    "COMMENT motion does not depend on where these point in the sky: EME2000 is one choice of "
+    "many.\n"
+    "COMMENT A quaternion turns the axes of REF_FRAME_A into those of REF_FRAME_B: with the unit "
+    "axis e\n"
+    "COMMENT and the angle a of that rotation, Q1 Q2 Q3 = e sin(a/2), QC = cos(a/2). The "
+    "components of a\n"
+    "COMMENT vector v in the two frames are related by v_A = q v_B q*.\n"
+    "COMMENT Each row is Q1 Q2 Q3 QC: the scalar is last.\n"
+    "COMMENT Consecutive quaternions have a positive dot product, so that they may be "
+    "interpolated.\n"
+    "OBJECT_NAME = {name}\n"
+    "OBJECT_ID = {name}\n"
+    "REF_FRAME_A = EME2000\n"
+    "REF_FRAME_B = SC_BODY_1\n"
+    "ATTITUDE_DIR = A2B\n"
+    "TIME_SYSTEM = TAI\n"
+    "START_TIME = {start}\n"
+    "STOP_TIME = {stop}\n"
+    "ATTITUDE_TYPE = QUATERNION\n"
+    "QUATERNION_TYPE = LAST\n"
+    "META_STOP\n"
+    "\n"
+    "DATA_START\n";
+
+}  // namespace
+
+void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& generator,
+               std::size_t count, const std::function<double(std::size_t)>& time,
+               const std::function<void(std::string_view)>& write) {
+  const motion::ExactMotion motion(
+      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega));
+  write(fmt::format(fmt::runtime(head), fmt::arg("generator", generator),
+                    fmt::arg("name", in_ascii(scene.name)),
+                    fmt::arg("start", format_epoch(epoch, nanoseconds(time(0)))),
+                    fmt::arg("stop", format_epoch(epoch, nanoseconds(time(count - 1))))));
+  Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
+  std::int64_t written = -1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t instant = nanoseconds(time(i));
+    if (instant == written) continue;
+    written = instant;
+    Eigen::Quaterniond q(motion.at(static_cast<double>(instant) * 1e-9).X);
+    if (q.dot(last) < 0) q.coeffs() = -q.coeffs();
+    last = q;
+    write(fmt::format("{} {:.15f} {:.15f} {:.15f} {:.15f}\n", format_epoch(epoch, instant), q.x(),
+                      q.y(), q.z(), q.w()));
+  }
+  write("DATA_STOP\n");
+}
+
+}  // namespace twrench::interchange

@@ -1,0 +1,217 @@
+#include "interchange/gltf_scene.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "interchange/surface.h"
+#include "interchange/track.h"
+#include "render/body/bounding_radius.h"
+#include "render/body/gap_closing.h"
+#include "render/compose/camera_path.h"
+#include "render/look/emphasis.h"
+#include "render/look/material.h"
+#include "render/overlay/body_overlay.h"
+
+namespace twrench::interchange {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Json = Gltf::Json;
+
+std::vector<double> numbers_of(const Vector3d& v) { return {v.begin(), v.end()}; }
+
+std::vector<double> numbers_of(const Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+
+/// Returns linear R, G, B and A.
+std::vector<double> linear(const scene::Color& color, double factor = 1) {
+  const auto channel = [&](int value) { return render::linear_from_srgb(factor * value); };
+  return {channel(color.red), channel(color.green), channel(color.blue)};
+}
+
+/// Assembles the document.
+class SceneWriter {
+ public:
+  SceneWriter(const scene::Scene& scene, const AnimationOptions& options,
+              const std::string& generator)
+      : scene_(scene),
+        options_(options),
+        gltf_(generator),
+        style_(render::style_of(scene.look.theme)),
+        colors_(render::emphasised(style_.overlay, scene.overlay)),
+        body_(scene::mass_properties(scene.body).inertia, scene.motion.omega),
+        played_(body_, options.speed),
+        radius_(render::bounding_radius(scene::visible_parts(scene.body))),
+        overlay_(scene, body_, radius_) {}
+
+  Gltf finish() && {
+    add_body();
+    if (!body_.momentum().isZero(0)) {
+      add_momentum();
+      add_omega();
+    }
+    add_camera();
+    gltf_.add("animations", animation_);
+    gltf_.add("scenes", {{"name", scene_.name}, {"nodes", nodes_}});
+    return std::move(gltf_);
+  }
+
+ private:
+  void add_body();
+  std::size_t add_body_material();
+  std::size_t add_arrow_mesh(const std::string& name, double length, double shaft,
+                             const scene::Color& color);
+  std::size_t add_mesh(const std::string& name, const Surface& surface, std::size_t material);
+  void add_momentum();
+  void add_omega();
+  void add_camera();
+  void add_channel(std::size_t node, const char* path, std::size_t times, std::size_t keys);
+  double end() const { return scene_.motion.duration / options_.speed; }
+
+  const scene::Scene& scene_;
+  AnimationOptions options_;
+  Gltf gltf_;
+  const render::ThemeStyle& style_;
+  render::OverlayColors colors_;
+  motion::FreeBody body_;
+  PlayedMotion played_;
+  double radius_;  ///< Bounding radius of the body in cm.
+  render::BodyOverlay overlay_;
+  std::vector<std::size_t> nodes_;  ///< The roots.
+  Json animation_{
+      {"name", "free rotation"}, {"samplers", Json::array()}, {"channels", Json::array()}};
+};
+
+std::size_t SceneWriter::add_mesh(const std::string& name, const Surface& surface,
+                                  std::size_t material) {
+  const Json attributes{{"POSITION", gltf_.add_floats(surface.positions, 3, Gltf::Use::vertices)},
+                        {"NORMAL", gltf_.add_floats(surface.normals, 3, Gltf::Use::vertices)}};
+  const Json primitive{{"attributes", attributes},
+                       {"indices", gltf_.add_indices(surface.indices)},
+                       {"material", material}};
+  return gltf_.add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
+}
+
+std::size_t SceneWriter::add_body_material() {
+  const scene::Look& look = scene_.look;
+  std::vector<double> color = linear(look.color.value_or(style_.metal));
+  color.push_back(1);
+  return gltf_.add("materials",
+                   {{"name", "body"},
+                    {"pbrMetallicRoughness",
+                     {{"baseColorFactor", color},
+                      {"metallicFactor", look.metallic.value_or(style_.metallic)},
+                      {"roughnessFactor", look.roughness.value_or(style_.roughness)}}}});
+}
+
+/// An arrow keeps most of its colour in the shade, as in the film, and without any light.
+std::size_t SceneWriter::add_arrow_mesh(const std::string& name, double length, double shaft,
+                                        const scene::Color& color) {
+  constexpr double in_shade = 0.72;  // as DrawList has it
+  const std::vector<double> dark = linear(color, in_shade), full = linear(color);
+  std::vector<double> base;
+  for (std::size_t i = 0; i < 3; ++i) base.push_back(full[i] - dark[i]);
+  base.push_back(1);
+  const std::size_t material = gltf_.add(
+      "materials", {{"name", name},
+                    {"pbrMetallicRoughness",
+                     {{"baseColorFactor", base}, {"metallicFactor", 0}, {"roughnessFactor", 0.6}}},
+                    {"emissiveFactor", dark}});
+  return add_mesh(name, arrow_surface(length, shaft), material);
+}
+
+void SceneWriter::add_channel(std::size_t node, const char* path, std::size_t times,
+                              std::size_t keys) {
+  Json& samplers = animation_["samplers"];
+  samplers.push_back({{"input", times}, {"output", keys}, {"interpolation", "LINEAR"}});
+  animation_["channels"].push_back(
+      {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+}
+
+/// Adds the parts and the axes, which turn with the body as its children.
+void SceneWriter::add_body() {
+  constexpr double finest = 3e-4;  // of the radius: a seventh of a pixel in a picture 1080 high
+  const std::vector<body::Part> parts = render::close_gaps(scene::visible_parts(scene_.body));
+  const std::size_t material = add_body_material();
+  std::vector<std::size_t> children;
+  for (const scene::PartGroup& group : scene::part_groups(scene_.body)) {
+    for (const std::size_t part : group.parts) {
+      const Surface surface = part_surface(parts[part], finest * radius_);
+      const std::size_t mesh = add_mesh(group.name, surface, material);
+      children.push_back(gltf_.add("nodes", {{"name", group.name}, {"mesh", mesh}}));
+    }
+  }
+  static constexpr std::array names{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t mesh = add_arrow_mesh(names[i], overlay_.axis_arrow_length(),
+                                            overlay_.axis_shaft(), colors_.axis[i]);
+    const Quaterniond turn = turn_z_to(Vector3d::Unit(static_cast<Eigen::Index>(i)));
+    children.push_back(
+        gltf_.add("nodes", {{"name", names[i]}, {"mesh", mesh}, {"rotation", numbers_of(turn)}}));
+  }
+  const std::size_t node = gltf_.add("nodes", {{"name", "body"}, {"children", children}});
+  nodes_.push_back(node);
+
+  const Track track = attitude_track(played_, end(), options_.max_angle);
+  add_channel(node, "rotation", gltf_.add_floats(track.times, 1, Gltf::Use::keys),
+              gltf_.add_floats(track.rotations, 4, Gltf::Use::keys));
+}
+
+void SceneWriter::add_momentum() {
+  const Vector3d tip = overlay_.momentum_tip();
+  const std::size_t mesh =
+      add_arrow_mesh("L", tip.norm(), overlay_.momentum_shaft(), colors_.momentum);
+  nodes_.push_back(gltf_.add(
+      "nodes", {{"name", "L"}, {"mesh", mesh}, {"rotation", numbers_of(turn_z_to(tip))}}));
+}
+
+void SceneWriter::add_omega() {
+  const double length = overlay_.omega_tip(played_.at(0)).norm();
+  const std::size_t mesh = add_arrow_mesh("omega", length, overlay_.omega_shaft(), colors_.omega);
+  const std::size_t node = gltf_.add("nodes", {{"name", "omega"}, {"mesh", mesh}});
+  nodes_.push_back(node);
+  const Track track = omega_track(played_, end(), options_.max_angle);
+  std::vector<float> scales;
+  for (const float factor : track.lengths) scales.insert(scales.end(), 3, factor);
+  const std::size_t times = gltf_.add_floats(track.times, 1, Gltf::Use::keys);
+  add_channel(node, "rotation", times, gltf_.add_floats(track.rotations, 4, Gltf::Use::keys));
+  add_channel(node, "scale", times, gltf_.add_floats(scales, 3, Gltf::Use::keys));
+}
+
+/// A camera of glTF looks along the middle of its picture: where the film's does not, this one is
+/// turned until it does.
+void SceneWriter::add_camera() {
+  const double aspect = static_cast<double>(scene_.film.width) / scene_.film.height;
+  const render::Framing framing =
+      render::framing_along(scene_, aspect, overlay_.bounding_radius(), overlay_.extent());
+  const render::Camera camera = render::frame_sphere(framing);
+  const Eigen::Matrix4d& p = camera.projection;
+  const Vector3d ahead(p(0, 2) / p(0, 0), p(1, 2) / p(1, 1), -1);
+  const double height = std::atan((1 + p(1, 2)) / p(1, 1)) + std::atan((1 - p(1, 2)) / p(1, 1));
+  const Quaterniond space_from_camera(camera.camera_from_space().transpose());
+  const Quaterniond turn =
+      space_from_camera * Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), ahead);
+  const Vector3d eye = metres_per_cm * camera.distance * (space_from_camera * Vector3d::UnitZ());
+  const std::size_t index =
+      gltf_.add("cameras", {{"name", "camera"},
+                            {"type", "perspective"},
+                            {"perspective",
+                             {{"aspectRatio", aspect},
+                              {"yfov", height},
+                              {"znear", metres_per_cm * 0.05 * camera.distance},
+                              {"zfar", metres_per_cm * 20 * camera.distance}}}});
+  nodes_.push_back(gltf_.add("nodes", {{"name", "camera"},
+                                       {"camera", index},
+                                       {"translation", numbers_of(eye)},
+                                       {"rotation", numbers_of(turn)}}));
+}
+
+}  // namespace
+
+Gltf gltf_scene(const scene::Scene& scene, const AnimationOptions& options,
+                const std::string& generator) {
+  return SceneWriter(scene, options, generator).finish();
+}
+
+}  // namespace twrench::interchange

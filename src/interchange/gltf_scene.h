@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "interchange/gltf.h"
+#include "scene/scene.h"
+
+namespace twrench::interchange {
+
+/// How a motion becomes an animation.
+struct AnimationOptions {
+  /// Bound in rad for the angle between the animation, at any instant, and the exact motion.
+  double max_angle = 1e-4;
+  /// Seconds of motion per second of the animation.
+  double speed = 1;
+};
+
+/// Returns the scene as a glTF document with one animation of its exact motion, whatever the
+/// scene's method. Its nodes are the body, whose children are its parts and its axes; L; omega; and
+/// the camera of the first frame. Space is that of the scene, y up, in metres. `generator` is the
+/// program's name and version.
+///
+/// The body turns. The arrow of omega turns and is scaled by |omega| over its initial value; L does
+/// neither. For a body at rest both are absent. The attitude and the direction of omega are within
+/// max_angle, and the length of omega within max_angle times itself, as key_times() describes.
+///
+/// Throws as key_times().
+Gltf gltf_scene(const scene::Scene& scene, const AnimationOptions& options,
+                const std::string& generator);
+
+}  // namespace twrench::interchange

@@ -1,0 +1,97 @@
+#include "interchange/key_times.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "interchange/error.h"
+
+namespace twrench::interchange {
+namespace {
+
+constexpr std::size_t most_keys = 5'000'000;
+
+/// The four components of a key are off by at most 2^-25 each, and its angle by twice the length of
+/// that, 1.2e-7 rad; a player that computes in float32 adds some such.
+constexpr double rounding = 5e-7;
+
+constexpr double longest_turn = 1;  // rad between two keys, within which the bounds below hold
+
+/// Returns a bound for the angle in rad between a path and its interpolation over an interval of
+/// `length` s.
+///
+/// The distance r between two paths with the same ends on a space of curvature at most 1, of which
+/// one is a geodesic and none is faster than v, has r'' + v^2 r >= -a: at most it is
+/// (sec(vh/2) - 1) a/v^2, and that is at most the first term. Normalised linear interpolation runs
+/// along the same geodesic, ahead of or behind the spherical one by at most the second.
+double interpolation_error(const RateBounds& rates, double length) {
+  const double turn = rates.velocity * length;
+  return rates.acceleration * length * length / 8 * (1 + turn * turn / 8) +
+         0.0042 * turn * turn * turn;
+}
+
+/// Returns the longest interval in s whose error is at most `allowed`, but not more than `most`.
+double longest_interval(const RateBounds& rates, double allowed, double most) {
+  const double quickest =
+      rates.velocity * most <= longest_turn ? most : longest_turn / rates.velocity;
+  if (interpolation_error(rates, quickest) <= allowed) return quickest;
+  double within = 0, beyond = quickest;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (within + beyond);
+    (interpolation_error(rates, middle) <= allowed ? within : beyond) = middle;
+  }
+  return within;
+}
+
+/// Returns the least float32 number that is not less than `time`.
+float rounded_up(double time) {
+  const auto nearest = static_cast<float>(time);
+  return nearest < time ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
+}
+
+void require_representable(float from, float to, double length, double max_angle) {
+  if (from < to) return;
+  const double spacing = to - std::nextafter(to, 0.0F);
+  throw AccuracyError(
+      "export",
+      fmt::format("at {:.6g} s the times of glTF, which are float32 numbers, are {:.2g} s "
+                  "apart, but only keys {:.2g} s apart keep within {:.2g} rad",
+                  to, spacing, length, max_angle));
+}
+
+}  // namespace
+
+// From the end to the start, because float32 times are coarsest at the end: where the bound cannot
+// hold, that is found at once.
+std::vector<float> key_times(double end, double max_angle,
+                             const std::function<RateBounds(double begin, double end)>& bounds) {
+  if (!(max_angle >= least_max_angle)) {
+    throw OutOfRange("max_angle",
+                     fmt::format("is {} rad, but must be at least {}: keys are float32 numbers",
+                                 max_angle, least_max_angle),
+                     {max_angle, least_max_angle, std::numeric_limits<double>::infinity()});
+  }
+  const double allowed = max_angle - rounding;
+  std::vector<float> times{static_cast<float>(end)};
+  double length = longest_interval(bounds(times[0], times[0]), allowed, times[0]);
+  while (times.back() > 0) {
+    const float to = times.back();
+    constexpr double growth = 1.25;
+    length = std::min<double>(growth * length, to);
+    length = longest_interval(bounds(to - length, to), allowed, length);
+    const float from = rounded_up(to - length);
+    require_representable(from, to, length, max_angle);
+    times.push_back(from);
+    if (times.size() > most_keys) {
+      throw AccuracyError("export", fmt::format("more than {} keys would be needed to keep within "
+                                                "{:.2g} rad for {:.6g} s",
+                                                most_keys, max_angle, end));
+    }
+  }
+  std::ranges::reverse(times);
+  return times;
+}
+
+}  // namespace twrench::interchange

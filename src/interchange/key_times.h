@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "interchange/played_motion.h"
+
+namespace twrench::interchange {
+
+/// The least angle in rad to which key_times() can keep: keys are float32 numbers.
+inline constexpr double least_max_angle = 1e-6;
+
+/// Returns the times in s, ascending from 0 to the float32 number nearest to `end`, at which an
+/// attitude or a direction needs keys, so that what is interpolated between them is nowhere further
+/// than `max_angle` (rad) from it. All are float32 numbers exactly: a key is to be computed for the
+/// time that is written, so that nothing is lost by rounding it.
+///
+/// The bound holds for spherical linear interpolation, as glTF defines LINEAR, and for normalised
+/// linear interpolation, which several programs use instead. It includes the rounding of the keys
+/// to float32. `bounds` returns the rates between two times.
+///
+/// Throws OutOfRange about "max_angle" if it is less than least_max_angle, and AccuracyError if the
+/// keys would have to be closer to each other than float32 numbers are, or are too many.
+std::vector<float> key_times(double end, double max_angle,
+                             const std::function<RateBounds(double begin, double end)>& bounds);
+
+}  // namespace twrench::interchange

@@ -1,0 +1,142 @@
+#include "interchange/gltf_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+
+#include <random>
+
+#include "interchange/glb_reader.h"
+#include "interchange/playback.h"
+#include "render/look/material.h"
+
+namespace twrench::interchange {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using testing::ElementsAre;
+
+GlbReader read(const scene::Scene& scene, const AnimationOptions& options = {}) {
+  return GlbReader(glb_of(gltf_scene(scene, options, "twrench")));
+}
+
+motion::ExactMotion exact_motion(const scene::Scene& scene) {
+  return motion::ExactMotion(
+      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega));
+}
+
+std::vector<std::string> names_of(const nlohmann::json& nodes) {
+  std::vector<std::string> names;
+  for (const auto& node : nodes) names.push_back(node["name"]);
+  return names;
+}
+
+std::vector<float> numbers(const GlbReader& glb, const nlohmann::json& sampler, const char* of) {
+  return glb.floats(sampler[of].get<std::size_t>());
+}
+
+// As a program reads the file that knows nothing of ours: at random times, within the bound.
+TEST(GltfScene, PlaysTheExactMotion) {
+  const scene::Scene scene = scene::load_scene("dzhanibekov");
+  const motion::ExactMotion exact = exact_motion(scene);
+  const GlbReader glb = read(scene);
+  const auto body = glb.sampler("body", "rotation"), arrow = glb.sampler("omega", "rotation"),
+             scale = glb.sampler("omega", "scale");
+  EXPECT_EQ(body["interpolation"], "LINEAR");
+  const auto times = numbers(glb, body, "input"), keys = numbers(glb, body, "output"),
+             arrow_times = numbers(glb, arrow, "input"), turns = numbers(glb, arrow, "output"),
+             scales = numbers(glb, scale, "output");
+  EXPECT_LT(times.size(), 1250U);
+  EXPECT_EQ(times.back(), 96);
+  std::mt19937_64 random(2026);
+  std::uniform_real_distribution<double> instant(0, 96);
+  double worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = instant(random);
+    const motion::Sample sample = exact.at(t);
+    worst = std::max(worst, angle_between(played_rotation(times, keys, t), sample.X));
+    EXPECT_LE(angle_between(played_rotation(arrow_times, turns, t) * Vector3d::UnitZ(),
+                            sample.X * sample.omega),
+              1e-4);
+    const auto [key, share] = between(arrow_times, t);
+    const double length = (1 - share) * scales[3 * key] + share * scales[3 * key + 3];
+    EXPECT_NEAR(length * scene.motion.omega.norm() / sample.omega.norm(), 1, 1e-4);
+  }
+  EXPECT_LE(worst, 1e-4);
+  EXPECT_GT(worst, 0.5e-4);
+}
+
+TEST(GltfScene, PlaysFasterIfAsked) {
+  const scene::Scene scene = scene::load_scene("dzhanibekov");
+  const GlbReader glb = read(scene, {.speed = 6});
+  const auto body = glb.sampler("body", "rotation");
+  const auto times = numbers(glb, body, "input"), keys = numbers(glb, body, "output");
+  EXPECT_EQ(times.back(), 16);
+  EXPECT_LE(angle_between(played_rotation(times, keys, 7.3), exact_motion(scene).at(6 * 7.3).X),
+            1e-4);
+}
+
+TEST(GltfScene, IsTheBodyWithItsAxesTheArrowsAndTheCamera) {
+  const GlbReader glb = read(scene::load_scene("dzhanibekov"));
+  EXPECT_THAT(names_of(glb.json["nodes"]),
+              ElementsAre("handle", "leg", "x", "y", "z", "body", "L", "omega", "camera"));
+  EXPECT_THAT(glb.json["nodes"][5]["children"], ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(glb.json["scenes"][0]["nodes"], ElementsAre(5, 6, 7, 8));
+  EXPECT_FALSE(glb.json.contains("extensionsUsed"));
+}
+
+TEST(GltfScene, HasTheMaterialOfTheScene) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.look.color = scene::Color{255, 128, 0};
+  scene.look.metallic = 0.25;
+  scene.look.roughness = 0.5;
+  const GlbReader glb = read(scene);
+  const auto& material = glb.json["materials"][0]["pbrMetallicRoughness"];
+  EXPECT_EQ(material["baseColorFactor"],
+            nlohmann::json({1.0, render::linear_from_srgb(128), 0.0, 1.0}));
+  EXPECT_EQ(material["metallicFactor"], 0.25);
+  EXPECT_EQ(material["roughnessFactor"], 0.5);
+}
+
+// The arrow of L points along L, and at the start that of omega along omega.
+TEST(GltfScene, HasArrowsThatPoint) {
+  const scene::Scene scene = scene::load_scene("dzhanibekov");
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const GlbReader glb = read(scene);
+  const auto turn = glb.json["nodes"][glb.node("L")]["rotation"].get<std::vector<double>>();
+  EXPECT_LT(angle_between(Quaterniond(turn.data()) * Vector3d::UnitZ(), body.momentum()), 1e-12);
+  const auto x = glb.json["nodes"][glb.node("x")]["rotation"].get<std::vector<double>>();
+  EXPECT_LT(angle_between(Quaterniond(x.data()) * Vector3d::UnitZ(), Vector3d::UnitX()), 1e-12);
+}
+
+// The centre of mass is in the picture, which has the shape of the scene's.
+TEST(GltfScene, HasTheCameraOfTheScene) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.camera.azimuth = 0.4;
+  const GlbReader glb = read(scene);
+  const auto& node = glb.json["nodes"][glb.node("camera")];
+  const Vector3d eye(node["translation"].get<std::vector<double>>().data());
+  const Quaterniond turn(node["rotation"].get<std::vector<double>>().data());
+  EXPECT_NEAR(std::atan2(eye.x(), eye.z()), 0.4, 1e-12);
+  const auto& lens = glb.json["cameras"][0]["perspective"];
+  EXPECT_DOUBLE_EQ(lens["aspectRatio"], 16.0 / 9);
+  EXPECT_LT(angle_between(turn * -Vector3d::UnitZ(), -eye), 0.5 * lens["yfov"].get<double>());
+  EXPECT_NEAR((turn * Vector3d::UnitX()).y(), 0, 0.05) << "upright";
+}
+
+TEST(GltfScene, OfABodyAtRestHasNoArrowsOfMotion) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.motion.omega.setZero();
+  const GlbReader glb = read(scene);
+  EXPECT_THAT(names_of(glb.json["nodes"]),
+              ElementsAre("handle", "leg", "x", "y", "z", "body", "camera"));
+}
+
+TEST(GltfScene, IsTheSameBytesEachTime) {
+  const scene::Scene scene = scene::load_scene("tao-disk");
+  EXPECT_EQ(glb_of(gltf_scene(scene, {}, "twrench")), glb_of(gltf_scene(scene, {}, "twrench")));
+}
+
+}  // namespace
+}  // namespace twrench::interchange

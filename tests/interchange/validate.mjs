@@ -1,0 +1,16 @@
+// Holds .glb files against the glTF specification with Khronos' validator: no error, no warning, no
+// hint. Usage: node validate.mjs FILE.glb...
+import { readFile } from "node:fs/promises";
+import process from "node:process";
+import validator from "gltf-validator";
+
+let faults = 0;
+for (const file of process.argv.slice(2)) {
+  const report = await validator.validateBytes(new Uint8Array(await readFile(file)), { maxIssues: 10 });
+  const { numErrors, numWarnings, numInfos, numHints, messages } = report.issues;
+  faults += numErrors + numWarnings + numInfos + numHints;
+  for (const { code, message, pointer } of messages) console.error(`${file}: ${code}: ${message} (${pointer})`);
+  const { totalTriangleCount, animationCount } = report.info;
+  console.log(`${file}: valid; ${totalTriangleCount} triangles, ${animationCount} animation`);
+}
+process.exit(faults === 0 ? 0 : 1);
