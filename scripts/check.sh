@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
-# UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages, the
-# tests that look for uninitialised values under valgrind, and three minutes of scripts/torture.sh.
+# UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages, what
+# is exported as others' programs read it, the tests that look for uninitialised values under valgrind,
+# and three minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -42,6 +43,9 @@ scripts/library.sh
 
 step "The reference pages, in which a warning is an error"
 scripts/docs.sh
+
+step "What is exported, read by the programs of others"
+scripts/interchange.sh
 
 step "The core's tests that look for values nothing has set, under valgrind"
 scripts/valgrind.sh --quick

@@ -6,8 +6,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-scripts/setup.sh interchange
-scripts/build.sh
+# A Node.js that is not Debian's serves as well.
+if ! command -v node >/dev/null || ! command -v npm >/dev/null; then scripts/setup.sh interchange; fi
+scripts/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench
 require_writable build
 

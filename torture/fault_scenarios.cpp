@@ -91,6 +91,7 @@ std::vector<Scenario> all_scenarios(const fs::path& twrench, const fs::path& scr
              1000),
       simple("inertia", {"inertia", "scene.toml", "--format", "json", "-o", "old.json"}, 2000),
       simple("compare", {"compare", "a.png", "b.png", "--diff", "old.png"}, 1000),
+      simple("export", {"export", "--duration", "1", "-o", "old.glb"}, 2000),
       simple("study",
              {"study", "--duration", "1", "--methods", "rk4", "--steps", "0.1,0.05", "--format",
               "json", "-o", "old.json"},
@@ -109,7 +110,7 @@ void furnish_scenarios(const fs::path& folder, const fs::path& twrench) {
   fs::copy_file(folder / "frames/frame_000000.png", folder / "a.png");
   fs::copy_file(folder / "frames/frame_000005.png", folder / "b.png");
   fs::copy_file(folder / "frames/frame_000001.png", folder / "old.png");
-  for (const char* name : {"old.csv", "old.json"})
+  for (const char* name : {"old.csv", "old.json", "old.glb"})
     system::write_file_atomically(folder / name, "old\n");
 }
 

@@ -99,6 +99,10 @@ const ExportFormat& format_of(const ExportOptions& options) {
     if (options.format == format.name) return format;
     if (options.format.empty() && ending == std::string(".") + format.name) return format;
   }
+  if (options.output == "-") {
+    throw InvalidArgument("--format", "is needed for standard output, which has no ending",
+                          "give glb, aem, csv or json");
+  }
   throw InvalidArgument(fmt::format("export {}", options.output),
                         "its name must end in .glb, .aem, .csv or .json",
                         "choose another name, or the format: --format glb, aem, csv or json");

@@ -30,6 +30,13 @@ std::vector<double> linear(const scene::Color& color, double factor = 1) {
   return {channel(color.red), channel(color.green), channel(color.blue)};
 }
 
+/// The scene with what the document has, for its camera to have that in view.
+scene::Scene with_all_arrows(scene::Scene scene) {
+  using enum scene::Feature;
+  scene.overlay.show.insert({axes, momentum, omega});
+  return scene;
+}
+
 /// Assembles the document.
 class SceneWriter {
  public:
@@ -43,7 +50,7 @@ class SceneWriter {
         body_(scene::mass_properties(scene.body).inertia, scene.motion.omega),
         played_(body_, options.speed),
         radius_(render::bounding_radius(scene::visible_parts(scene.body))),
-        overlay_(scene, body_, radius_) {}
+        overlay_(with_all_arrows(scene), body_, radius_) {}
 
   Gltf finish() && {
     add_body();

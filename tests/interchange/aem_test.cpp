@@ -64,6 +64,22 @@ struct Message {
   std::vector<Eigen::Quaterniond> attitudes;
 };
 
+// That the reader above reads what the standard shows.
+TEST(Aem, ReaderReadsTheExampleOfTheStandard) {
+  const Message example(
+      "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2002-11-04T17:22:31\nORIGINATOR = NASA/JPL\n\n"
+      "META_START\nCOMMENT It is to be used for attitude reconstruction only.\n"
+      "OBJECT_NAME = MARS GLOBAL SURVEYOR\nOBJECT_ID = 1996-062A\nREF_FRAME_A = EME2000\n"
+      "REF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\nTIME_SYSTEM = UTC\n"
+      "ATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = LAST\nMETA_STOP\n\nDATA_START\n"
+      "1996-11-28T21:29:07.2555 0.56748 0.03146 0.45689 0.68427\n"
+      "1996-11-28T22:08:03.5555 0.42319 -0.45697 0.23784 0.74533\nDATA_STOP\n");
+  EXPECT_EQ(example.keys.at("OBJECT_NAME"), "MARS GLOBAL SURVEYOR");
+  EXPECT_EQ(example.epochs.at(1), "1996-11-28T22:08:03.5555");
+  EXPECT_EQ(example.attitudes.at(1).w(), 0.74533);
+  EXPECT_EQ(example.attitudes.at(1).y(), -0.45697);
+}
+
 TEST(Aem, HasItsKeywordsInTheOrderOfTheStandard) {
   const std::string text = aem_of(tumbling(), {0, 1});
   EXPECT_THAT(text, StartsWith("CCSDS_AEM_VERS = 1.0\nCOMMENT "));

@@ -14,7 +14,12 @@ import subprocess
 import sys
 
 import bpy
+import numpy
 from mathutils import Matrix
+
+# Debian 12's Blender 3.4 uses a name that its NumPy 1.24 no longer has.
+if "bool" not in vars(numpy):
+    numpy.bool = bool
 
 path, bound, duration, *options = sys.argv[sys.argv.index("--") + 1:]
 bound, duration = float(bound), float(duration)
