@@ -118,14 +118,14 @@ void export_motion(const ExportOptions& options) {
 }
 
 std::string export_footer() {
-  std::string text = "Formats, by the ending of the file:\n";
+  std::string text = about_defaults;
+  text +=
+      "Files .glb and .aem have the exact motion, whatever the method. Rows are 1/fps apart.\n"
+      "Formats, by the ending of the file:\n";
   for (const ExportFormat& format : export_formats) {
     text += fmt::format("  .{:<5} {}\n", format.name, format.what);
   }
-  return text +
-         ".glb and .aem have the exact motion, whatever the method; .aem, .csv and .json have rows "
-         "every 1/fps.\n" +
-         about_defaults + "Example: twrench export -o flip.glb --max-angle 1e-5";
+  return text + "Example: twrench export -o flip.glb --max-angle 1e-5";
 }
 
 void add_export_options(CLI::App& command, ExportOptions& options) {
@@ -138,16 +138,16 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
       ->default_str("the ending of the file");
   command
       .add_option("--max-angle", options.max_angle,
-                  "glb: bound for the angle between the animation, at any instant, and the exact "
-                  "motion, rad")
+                  "bound for the angle between the animation of .glb, at any instant, and the "
+                  "exact motion, rad")
       ->type_name("RAD")
       ->capture_default_str();
   command.remove_option(command.get_option("--speed"));  // that of the film
   command
-      .add_option("--speed", options.speed, "glb: seconds of motion per second of the animation")
+      .add_option("--speed", options.speed, "seconds of motion per second of the animation of .glb")
       ->type_name("F")
       ->capture_default_str();
-  command.add_option("--epoch", options.epoch, "aem: date and time of t = 0 in TAI")
+  command.add_option("--epoch", options.epoch, "date and time of t = 0 in .aem, TAI")
       ->type_name("DATE")
       ->capture_default_str();
 }
