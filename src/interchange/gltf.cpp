@@ -72,7 +72,7 @@ std::size_t Gltf::add_indices(std::span<const std::uint32_t> indices) {
 
 void Gltf::write_glb(const std::function<void(std::string_view)>& write) const {
   Json document = root_;
-  document["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+  document["buffers"][0]["byteLength"] = buffer_.size();
   std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.append((4 - text.size() % 4) % 4, ' ');  // chunks end at multiples of four bytes
   const auto json_length = static_cast<std::uint32_t>(text.size());

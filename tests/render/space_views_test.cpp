@@ -101,7 +101,7 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
     BodyView view(gl, framebuffer, scene, timeline.solutions(), 0, pane);
     const timeline::FrameState state = timeline.frame_state(0);
     const Camera camera = view.camera(0);
-    const BodyOverlay overlay(scene, timeline.solutions()[0],
+    const BodyOverlay overlay(scene, timeline.solutions()[0].body,
                               bounding_radius(scene::visible_parts(scene.body)));
     const Vector3d tip = overlay.momentum_tip();
     const auto labels = view.labels(state);
@@ -163,7 +163,7 @@ TEST_F(SpaceViews, FadeArrowsWhereTheyEnterTheBody) {
   const timeline::FrameState state = timeline.frame_state(0);
   const image::Image picture = drawn_picture(view, state);
   const Camera camera = view.camera(0);
-  const BodyOverlay overlay(scene, timeline.solutions()[0],
+  const BodyOverlay overlay(scene, timeline.solutions()[0].body,
                             bounding_radius(scene::visible_parts(scene.body)));
   // Along the middle of L: how much of its colour, yellow, there is.
   std::vector<double> yellow;
