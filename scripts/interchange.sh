@@ -34,6 +34,8 @@ export_and_check long 1e-4 1 10000
 for scene in stable-y stable-z sphere calm tao-disk explain; do export_and_check "$scene" 1e-4 1 30 "$scene"; done
 export_and_check moments 1e-4 1 20 --inertia 1,2,3 --omega 0.1,3,0.2
 export_and_check rest 1e-4 1 20 --omega 0,0,0
+"$TWRENCH" export --orbit 0.3 --frame rotating -o "$out/camera.glb"
+node "$at/validate.mjs" "$out/camera.glb"
 
 if command -v blender >/dev/null; then
   blender --background --python-exit-code 1 --python "$at/blender_test.py" -- "$out/dzhanibekov.glb" 1e-4 96 |

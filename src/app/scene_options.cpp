@@ -129,8 +129,9 @@ void SceneOptions::add_motion_options() {
 }
 
 void SceneOptions::add_look_options() {
-  static constexpr std::array keys{"size",    "theme",     "color",    "metallic",     "roughness",
-                                   "azimuth", "elevation", "distance", "field_of_view"};
+  static constexpr std::array keys{"size",      "theme",         "color",     "metallic",
+                                   "roughness", "azimuth",       "elevation", "distance",
+                                   "orbit",     "field_of_view", "frame"};
   for (const scene::Field& field : scene::fields()) {
     if (std::ranges::find(keys, field.key) != keys.end()) add_field(field);
   }

@@ -12,6 +12,7 @@
 #include "render/look/emphasis.h"
 #include "render/look/material.h"
 #include "render/overlay/body_overlay.h"
+#include "timeline/reference_frame.h"
 
 namespace twrench::interchange {
 namespace {
@@ -53,26 +54,29 @@ class SceneWriter {
         overlay_(with_all_arrows(scene), body_, radius_) {}
 
   Gltf finish() && {
-    add_body();
+    const std::size_t camera = add_camera();
+    if (scene_.camera.frame != scene::Frame::body) nodes_.push_back(camera);
+    add_body(camera);
     if (!body_.momentum().isZero(0)) {
       add_momentum();
       add_omega();
     }
-    add_camera();
     gltf_.add("animations", animation_);
     gltf_.add("scenes", {{"name", scene_.name}, {"nodes", nodes_}});
     return std::move(gltf_);
   }
 
  private:
-  void add_body();
+  void add_body(std::size_t camera);
   std::size_t add_body_material();
   std::size_t add_arrow_mesh(const std::string& name, double length, double shaft,
                              const scene::Color& color);
   std::size_t add_mesh(const std::string& name, const Surface& surface, std::size_t material);
   void add_momentum();
   void add_omega();
-  void add_camera();
+  std::size_t add_camera();
+  std::size_t add_turntable(const char* name, std::size_t child, const Vector3d& omega);
+  std::vector<Vector3d> extent_in_frame() const;
   void add_channel(std::size_t node, const char* path, std::size_t times, std::size_t keys);
   double end() const { return scene_.motion.duration / options_.speed; }
 
@@ -136,12 +140,14 @@ void SceneWriter::add_channel(std::size_t node, const char* path, std::size_t ti
       {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
 }
 
-/// Adds the parts and the axes, which turn with the body as its children.
-void SceneWriter::add_body() {
+/// Adds the parts and the axes, which turn with the body as its children, as does a camera in its
+/// frame.
+void SceneWriter::add_body(std::size_t camera) {
   constexpr double finest = 3e-4;  // of the radius: a seventh of a pixel in a picture 1080 high
   const std::vector<body::Part> parts = render::close_gaps(scene::visible_parts(scene_.body));
   const std::size_t material = add_body_material();
   std::vector<std::size_t> children;
+  if (scene_.camera.frame == scene::Frame::body) children.push_back(camera);
   for (const scene::PartGroup& group : scene::part_groups(scene_.body)) {
     for (const std::size_t part : group.parts) {
       const Surface surface = part_surface(parts[part], finest * radius_);
@@ -186,12 +192,35 @@ void SceneWriter::add_omega() {
   add_channel(node, "scale", times, gltf_.add_floats(scales, 3, Gltf::Use::keys));
 }
 
+/// Adds a node that turns steadily and carries another; `omega` in rad/s of the animation.
+std::size_t SceneWriter::add_turntable(const char* name, std::size_t child, const Vector3d& omega) {
+  if (omega.isZero(0)) return child;
+  const std::size_t node = gltf_.add("nodes", {{"name", name}, {"children", Json::array({child})}});
+  const Track track = steady_track(omega, end(), options_.max_angle);
+  add_channel(node, "rotation", gltf_.add_floats(track.times, 1, Gltf::Use::keys),
+              gltf_.add_floats(track.rotations, 4, Gltf::Use::keys));
+  return node;
+}
+
+/// Returns where the tips of the arrows get in the frame in which the camera stands, in cm.
+std::vector<Vector3d> SceneWriter::extent_in_frame() const {
+  constexpr int samples = 500;
+  const scene::Frame frame = scene_.camera.frame;
+  std::vector<Vector3d> points;
+  for (int i = 0; i <= (frame == scene::Frame::space ? 0 : samples); ++i) {
+    const motion::Sample sample = played_.at(end() * i / samples);
+    const motion::RotatingFrame now = timeline::reference_frame(frame, body_, sample);
+    for (const Vector3d& p : overlay_.extent()) points.emplace_back(now.attitude.transpose() * p);
+  }
+  return points;
+}
+
 /// A camera of glTF looks along the middle of its picture: where the film's does not, this one is
 /// turned until it does.
-void SceneWriter::add_camera() {
+std::size_t SceneWriter::add_camera() {
   const double aspect = static_cast<double>(scene_.film.width) / scene_.film.height;
   const render::Framing framing =
-      render::framing_along(scene_, aspect, overlay_.bounding_radius(), overlay_.extent());
+      render::framing_along(scene_, aspect, overlay_.bounding_radius(), extent_in_frame());
   const render::Camera camera = render::frame_sphere(framing);
   const Eigen::Matrix4d& p = camera.projection;
   const Vector3d ahead(p(0, 2) / p(0, 0), p(1, 2) / p(1, 1), -1);
@@ -208,10 +237,14 @@ void SceneWriter::add_camera() {
                               {"yfov", height},
                               {"znear", metres_per_cm * 0.05 * camera.distance},
                               {"zfar", metres_per_cm * 20 * camera.distance}}}});
-  nodes_.push_back(gltf_.add("nodes", {{"name", "camera"},
-                                       {"camera", index},
-                                       {"translation", numbers_of(eye)},
-                                       {"rotation", numbers_of(turn)}}));
+  const std::size_t node = gltf_.add("nodes", {{"name", "camera"},
+                                               {"camera", index},
+                                               {"translation", numbers_of(eye)},
+                                               {"rotation", numbers_of(turn)}});
+  const double orbit = scene_.camera.orbit * options_.speed / scene_.film.speed;
+  const std::size_t carried = add_turntable("orbit", node, orbit * Vector3d::UnitY());
+  if (scene_.camera.frame != scene::Frame::rotating) return carried;
+  return add_turntable("frame", carried, options_.speed * motion::steady_frame(body_, 0).omega);
 }
 
 }  // namespace

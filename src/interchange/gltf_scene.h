@@ -16,9 +16,9 @@ struct AnimationOptions {
 };
 
 /// Returns the scene as a glTF document with one animation of its exact motion, whatever the
-/// scene's method. Its nodes are the body, whose children are its parts and its axes; L; omega; and
-/// the camera of the first frame. Space is that of the scene, y up, in metres. `generator` is the
-/// program's name and version.
+/// scene's method. Its nodes are the camera, which a node that turns carries if it orbits; the
+/// body, whose children are its parts and its axes; L; and omega. Space is that of the scene, y up,
+/// in metres. `generator` is the program's name and version.
 ///
 /// The body turns. The arrow of omega turns and is scaled by |omega| over its initial value; L does
 /// neither. For a body at rest both are absent. The attitude and the direction of omega are within

@@ -49,6 +49,16 @@ Track omega_track(const PlayedMotion& motion, double end, double max_angle) {
   return track;
 }
 
+Track steady_track(const Vector3d& omega, double end, double max_angle) {
+  Track track;
+  const double rate = omega.norm();
+  track.times = key_times(end, max_angle, [&](double, double) { return RateBounds{rate, 0}; });
+  for (const float time : track.times) {
+    append_rotation(track, Quaterniond(Eigen::AngleAxisd(rate * time, omega / rate)));
+  }
+  return track;
+}
+
 Quaterniond turn_z_to(const Vector3d& direction) {
   return Quaterniond(body::frame_with_z_along(direction));
 }

@@ -23,6 +23,10 @@ Track attitude_track(const PlayedMotion& motion, double end, double max_angle);
 /// itself. Throws as key_times().
 Track omega_track(const PlayedMotion& motion, double end, double max_angle);
 
+/// Returns the keys of a steady rotation with the angular velocity `omega` in rad/s, which is not
+/// 0. Throws as key_times().
+Track steady_track(const Eigen::Vector3d& omega, double end, double max_angle);
+
 /// Returns the rotation that turns the z axis to `direction`, of any nonzero length.
 Eigen::Quaterniond turn_z_to(const Eigen::Vector3d& direction);
 

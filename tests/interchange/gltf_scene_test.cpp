@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/rotating_frame.h>
 
 #include <random>
 
@@ -80,9 +81,9 @@ TEST(GltfScene, PlaysFasterIfAsked) {
 TEST(GltfScene, IsTheBodyWithItsAxesTheArrowsAndTheCamera) {
   const GlbReader glb = read(scene::load_scene("dzhanibekov"));
   EXPECT_THAT(names_of(glb.json["nodes"]),
-              ElementsAre("handle", "leg", "x", "y", "z", "body", "L", "omega", "camera"));
-  EXPECT_THAT(glb.json["nodes"][5]["children"], ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_THAT(glb.json["scenes"][0]["nodes"], ElementsAre(5, 6, 7, 8));
+              ElementsAre("camera", "handle", "leg", "x", "y", "z", "body", "L", "omega"));
+  EXPECT_THAT(glb.json["nodes"][6]["children"], ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(glb.json["scenes"][0]["nodes"], ElementsAre(0, 6, 7, 8));
   EXPECT_FALSE(glb.json.contains("extensionsUsed"));
 }
 
@@ -125,12 +126,35 @@ TEST(GltfScene, HasTheCameraOfTheScene) {
   EXPECT_NEAR((turn * Vector3d::UnitX()).y(), 0, 0.05) << "upright";
 }
 
+// Where the film's camera is at any time, carried by what turns.
+TEST(GltfScene, HasACameraThatMovesAsTheFilmsDoes) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.camera.orbit = -0.2;  // rad per second of video, which is 6 s of motion
+  scene.camera.frame = scene::Frame::rotating;
+  const GlbReader glb = read(scene);
+  EXPECT_EQ(glb.json["nodes"][glb.node("frame")]["children"][0], glb.node("orbit"));
+  EXPECT_EQ(glb.json["nodes"][glb.node("orbit")]["children"][0], glb.node("camera"));
+  const auto turned = [&](const char* node, double time) {
+    const auto sampler = glb.sampler(node, "rotation");
+    return played_rotation(numbers(glb, sampler, "input"), numbers(glb, sampler, "output"), time);
+  };
+  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  for (const double t : {0.0, 31.7, 96.0}) {
+    EXPECT_LT(angle_between(turned("frame", t), motion::steady_frame(body, t).attitude), 1e-4);
+    const Eigen::AngleAxisd orbit(-0.2 * t / 6, Vector3d::UnitY());
+    EXPECT_LT(angle_between(turned("orbit", t), orbit.toRotationMatrix()), 1e-4);
+  }
+  scene.camera.frame = scene::Frame::body;
+  const GlbReader along = read(scene);
+  EXPECT_EQ(along.json["nodes"][along.node("body")]["children"][0], along.node("orbit"));
+}
+
 TEST(GltfScene, OfABodyAtRestHasNoArrowsOfMotion) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   scene.motion.omega.setZero();
   const GlbReader glb = read(scene);
   EXPECT_THAT(names_of(glb.json["nodes"]),
-              ElementsAre("handle", "leg", "x", "y", "z", "body", "camera"));
+              ElementsAre("camera", "handle", "leg", "x", "y", "z", "body"));
 }
 
 TEST(GltfScene, IsTheSameBytesEachTime) {
