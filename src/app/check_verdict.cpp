@@ -166,7 +166,7 @@ std::string faultless_text(const Judgement& judgement) {
 }
 
 std::string error_text(const Judgement& judgement) {
-  return fmt::format("off by up to {}, {:.3g} times what its last digits leave open{}",
+  return fmt::format("off by up to {}, and by up to {:.3g} times what its last digits leave open{}",
                      sizes_text(judgement), beyond_digits(judgement), cause_text(judgement));
 }
 
