@@ -162,7 +162,13 @@ bool rates_within_digits(const Judgement& judgement) {
 }
 
 std::string faultless_text(const Judgement& judgement) {
-  return fmt::format("off by at most {}, which its last digits leave open", sizes_text(judgement));
+  const std::string text =
+      fmt::format("off by at most {}, which its last digits leave open", sizes_text(judgement));
+  constexpr double much_of_the_motion = 0.1;
+  const double speed = judgement.reference.body.omega().norm();
+  const bool says_little = judgement.has_rates ? judgement.rate_limit > much_of_the_motion * speed
+                                               : judgement.attitude_limit > much_of_the_motion;
+  return says_little ? text + "; but by the end they leave open nearly anything" : text;
 }
 
 std::string error_text(const Judgement& judgement) {

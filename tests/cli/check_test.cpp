@@ -299,6 +299,12 @@ TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
   EXPECT_THAT(check("one.csv --inertia 2,3,4").out, HasSubstr("one row tells nothing of a motion"));
 }
 
+TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
+  ASSERT_EQ(run_shell(folder_, "printf 't,wx,wy,wz\\n0,1,2,3\\n1,1,2,3\\n' > few.csv").code, 0);
+  EXPECT_THAT(check("few.csv " + body).out,
+              AllOf(HasSubstr("cannot be faulted"), HasSubstr("they leave open nearly anything")));
+}
+
 TEST_F(CheckCommand, PlotsErrorsAgainstTime) {
   simulate("rk4.csv", "--method rk4 --step 0.1 --duration 20");
   const Outcome run = check("rk4.csv " + body + "--plot e.svg -o e.txt");
