@@ -26,11 +26,15 @@ void copy_area(const image::Area& area, const Kind& from, Kind& to) {
 
 void require_within(std::span<const image::Area> areas, int width, int height,
                     const std::string& name) {
+  const image::Area whole{0, 0, width, height};
   for (const image::Area& area : areas) {
-    if (image::common(area, {0, 0, width, height}) == area) continue;
+    const bool is_within = image::common(area, whole) == area;
+    if (is_within && area != whole) continue;
     throw InvalidArgument(
         fmt::format("the area {},{},{}x{}", area.x, area.y, area.width, area.height),
-        fmt::format("it is not within {}, which has {}x{} pixels", name, width, height));
+        is_within
+            ? fmt::format("it is all of {}: nothing is left to compare", name)
+            : fmt::format("it is not within {}, which has {}x{} pixels", name, width, height));
   }
 }
 

@@ -20,7 +20,8 @@ struct PngFile {
   std::string name;
 };
 
-/// Throws InvalidArgument unless the areas lie within an image of that size; `name` is its file.
+/// Throws InvalidArgument unless the areas lie within an image of that size, and none is all of it;
+/// `name` is its file.
 void require_within(std::span<const image::Area> areas, int width, int height,
                     const std::string& name);
 
@@ -37,7 +38,7 @@ class PicturePair {
   std::string formats() const;
 
   /// Makes the actual image equal to the expected one within the areas. Throws InvalidArgument
-  /// unless they lie within the image.
+  /// as require_within() does.
   void ignore(std::span<const image::Area> areas);
 
   /// As image::compare().
