@@ -24,7 +24,7 @@ struct VideoOutput {
   /// Whether the flips become chapters.
   bool chapters = true;
   /// Width in pixels to which an animated image is scaled; if nothing, at most widest_animation.
-  std::optional<int> width;
+  std::optional<int> width = std::nullopt;
 };
 
 /// Makes the film of the frames in a folder, of which its manifests tell: the one of a run, those

@@ -35,7 +35,7 @@ def test_the_tour_runs_and_prints_what_the_page_says(tmp_path, monkeypatch):
             exec(block, names)
         printed.append(output.getvalue())
     assert printed == blocks("python.md", "text")
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["wrench.mp4"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["wrench.chapters.vtt", "wrench.mp4"]
 
 
 def test_the_session_of_the_readme(tmp_path, monkeypatch):

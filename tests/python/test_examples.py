@@ -42,7 +42,7 @@ def test_from_a_body_to_a_film(tmp_path):
     first, interval = numbers(flips)
     assert interval == pytest.approx(2 * first, abs=2e-3)  # it starts midway between two flips
     assert film == "bat.mp4: 48 frames"
-    assert files(tmp_path) == ["bat.mp4"]
+    assert files(tmp_path) == ["bat.chapters.vtt", "bat.mp4"]
 
 
 def test_comparison_with_scipy(tmp_path):
@@ -108,7 +108,7 @@ def test_the_cells_of_the_notebook(tmp_path, monkeypatch):
     orders = {name: of.order for name, of in names["study"].methods.items()}
     assert orders == pytest.approx({"lie-euler": 1, "rk4": 2, "rkmk4": 4}, abs=0.05)
     assert names["scene"]._repr_png_() and names["film"]._repr_html_()
-    assert files(tmp_path) == ["dzhanibekov.mp4"]
+    assert files(tmp_path) == ["dzhanibekov.chapters.vtt", "dzhanibekov.mp4"]
 
 
 def test_the_notebook_in_a_kernel(tmp_path):
