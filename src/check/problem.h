@@ -17,8 +17,8 @@ enum class FrameFrom {
 struct Problem {
   /// Body axes, positive definite; in any unit, for only its ratios matter to the motion.
   Eigen::Matrix3d inertia;
-  /// At `omega_time`, body axes, rad/s. Absent: that of the first row, at its time. With `fit` it is
-  /// where the fit begins.
+  /// At `omega_time`, body axes, rad/s. Absent: that of the first row, at its time. With `fit` it
+  /// is where the fit begins.
   std::optional<Eigen::Vector3d> omega = {};
   /// On the file's clock, s. Absent: that of the first row.
   std::optional<double> omega_time = 0;
