@@ -13,6 +13,7 @@
 
 #include "app/message.h"
 #include "canvas/error.h"
+#include "check/convention.h"
 #include "check/error.h"
 #include "film/error.h"
 #include "gl/error.h"
@@ -76,6 +77,13 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
       break;
   }
   return "leave --fit out";
+}
+
+std::string remedy_for_columns(const check::ColumnError& error) {
+  const std::string& ours = error.column();
+  return fmt::format("--columns {}=NAME names {}; {}",
+                     ours.empty() ? "t=NAME,wx=NAME,wy=NAME,wz" : ours,
+                     ours.empty() ? "them" : "it", error.remedy());
 }
 
 std::string remedy_for_gl(const gl::GlError& error) {
@@ -160,6 +168,7 @@ bool is_of_the_system(const std::system_error& error) {
 
 std::string remedy_for(const Error& error) {
   if (const auto* gl = as<gl::GlError>(error)) return remedy_for_gl(*gl);
+  if (const auto* columns = as<check::ColumnError>(error)) return remedy_for_columns(*columns);
   if (!error.remedy().empty()) return error.remedy();
   if (const auto* motion = as<motion::MotionError>(error))
     return remedy_for_motion(motion->reason());

@@ -40,7 +40,7 @@ std::vector<std::size_t> require_single(const table::Header& header, Kind kind,
                         fmt::format("two columns could be {}: '{}' (#{}) and '{}' (#{})", ours,
                                     header.names[of_one[0]], of_one[0] + 1, header.names[of_one[1]],
                                     of_one[1] + 1),
-                        "say which it is");
+                        fmt::format("#{} or #{} is meant", of_one[0] + 1, of_one[1] + 1));
     }
     columns.push_back(of_one.front());
   }

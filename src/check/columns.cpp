@@ -57,9 +57,9 @@ std::size_t find_column(const table::Header& header, const std::string& ours,
                       remedy_for(header, theirs));
   }
   if (found.size() == 1) return found.front();
-  throw ColumnError(
-      header.file, ours, fmt::format("it has {} columns '{}' (for {})", found.size(), theirs, ours),
-      fmt::format("say #{} or #{} for the one that is meant", found[0] + 1, found[1] + 1));
+  throw ColumnError(header.file, ours,
+                    fmt::format("it has {} columns '{}' (for {})", found.size(), theirs, ours),
+                    fmt::format("#{} or #{} is meant", found[0] + 1, found[1] + 1));
 }
 
 std::string name_for(const table::Header& header, std::size_t column) {

@@ -24,15 +24,33 @@ struct ColumnChoice {
   std::optional<ColumnSet> rates, attitude;
 };
 
-/// The set of a kind as it was said, or nothing where none of it was.
+/// The only column that has our name, if there is one.
+std::optional<std::size_t> column_of_our_name(const table::Header& header,
+                                              const std::string& ours) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < header.names.size(); ++i) {
+    if (in_small_letters(header.names[i]) != ours) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+/// The set of a kind as it was said, or nothing where none of it was. What was left out of it has
+/// our name.
 std::optional<ColumnSet> said_set(const table::Header& header, const Convention& said, Kind kind) {
   ColumnSet set{kind, {}, false};
   std::string missing, found;
   for (const std::string& ours : names_of(kind)) {
-    const auto column = said.columns.find(ours);
-    (column == said.columns.end() ? missing : found) = ours;
-    if (column != said.columns.end())
-      set.columns.push_back(find_column(header, ours, column->second));
+    const auto theirs = said.columns.find(ours);
+    if (theirs != said.columns.end()) {
+      found = ours;
+      set.columns.push_back(find_column(header, ours, theirs->second));
+    } else if (const auto column = column_of_our_name(header, ours)) {
+      set.columns.push_back(*column);
+    } else {
+      missing = ours;
+    }
   }
   if (found.empty()) return std::nullopt;
   if (!missing.empty()) {
@@ -49,10 +67,10 @@ std::optional<ColumnSet> said_attitude(const table::Header& header, const Conven
   for (const Kind kind : attitudes) {
     const auto set = said_set(header, said, kind);
     if (set && attitude) {
-      throw ColumnError(header.file, "",
-                        fmt::format("columns are named for {} and for {}",
-                                    description_of(attitude->kind), description_of(kind)),
-                        "name those of one attitude");
+      throw table::BadTable(header.file,
+                            fmt::format("columns are named for {} and for {}",
+                                        description_of(attitude->kind), description_of(kind)),
+                            "name those of one attitude");
     }
     if (set) attitude = set;
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "canvas/error.h"
+#include "check/convention.h"
 #include "gl/error.h"
 #include "plot/gnuplot.h"
 #include "system/error.h"
@@ -100,6 +101,10 @@ TEST(Report, OtherRemediesThatTakeAnOptionNameIt) {
   EXPECT_THAT(remedy_for(system::OverwriteError("v.mp4", "b")),
               HasSubstr("--overwrite replaces it"));
   EXPECT_EQ(remedy_for(system::OverwriteError("v.mp4", "b", "rename it")), "rename it");
+  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wz", "b", "its columns are: t, p")),
+            "--columns wz=NAME names it; its columns are: t, p");
+  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "", "b", "its columns are: t, p")),
+            "--columns t=NAME,wx=NAME,wy=NAME,wz=NAME names them; its columns are: t, p");
 }
 
 }  // namespace

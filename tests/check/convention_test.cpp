@@ -231,6 +231,8 @@ TEST(Conventions, TakeWhatWasSaid) {
   // The time is found, and nothing else beside the rates that were said.
   EXPECT_THAT(readings_of({"time", "a", "b", "c", "qw", "qx", "qy", "qz"}, "wx=a,wy=b,wz=c"),
               ElementsAre("t=time,wx=a,wy=b,wz=c"));
+  // What is left out of a set has our name.
+  EXPECT_THAT(readings_of({"t", "wx", "WY", "r"}, "wz=r"), ElementsAre("t=t,wx=wx,wy=WY,wz=r"));
   EXPECT_THAT(readings_of({"a", "p", "q", "r"}, "t=a"), ElementsAre("t=a,wx=p,wy=q,wz=r"));
 }
 
@@ -259,7 +261,7 @@ TEST(Conventions, SayWhatTheFileHasNot) {
 TEST(Conventions, AskWhichOfTwoColumnsIsMeant) {
   EXPECT_THAT(readings_of({"t", "v", "p", "q", "r", "v"}), ElementsAre("t=t,wx=p,wy=q,wz=r"));
   EXPECT_THAT(refusal({"t", "v", "p", "q", "r", "v"}, "t=v"),
-              AllOf(HasSubstr("it has 2 columns 'v' (for t)"), HasSubstr("say #2 or #6")));
+              AllOf(HasSubstr("it has 2 columns 'v' (for t)"), HasSubstr("#2 or #6 is meant")));
   EXPECT_THAT(readings_of({"t", "v", "p", "q", "r", "v"}, "t=#6"),
               ElementsAre("t=#6,wx=p,wy=q,wz=r"));
   EXPECT_THAT(refusal({"t", "p", "q", "r", "p"}),
