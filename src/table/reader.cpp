@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -42,9 +42,7 @@ constexpr std::array<Foreign, 9> foreign{{
 bool is_json(std::string_view text) {
   text.remove_prefix(byte_order_mark(text));
   const auto take = [&] {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) {
-      text.remove_prefix(1);
-    }
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     const char c = text.empty() ? '\0' : text.front();
     text.remove_prefix(text.empty() ? 0 : 1);
     return c;
