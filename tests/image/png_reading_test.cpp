@@ -4,7 +4,9 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -193,6 +195,53 @@ TEST(PngReading, InterlacedImagesAreTheSame) {
       EXPECT_EQ(decode_png(png, "a").pixels, image.pixels) << width << 'x' << height;
       EXPECT_EQ(decode_deep(png).pixels.size(), image.pixels.size());
       EXPECT_EQ(decode_deep(png).pixels.back(), image.pixels.back() * 0x101);
+    }
+  }
+}
+
+/// What a filter predicts from the samples on the left, above, and above on the left (PNG
+/// specification, 9.2).
+int predicted(int filter, int left, int above, int corner) {
+  const int estimate = left + above - corner;
+  const int a = std::abs(estimate - left), b = std::abs(estimate - above),
+            c = std::abs(estimate - corner);
+  const int paeth = a <= b && a <= c ? left : b <= c ? above : corner;
+  return std::array{0, left, above, (left + above) / 2, paeth}[static_cast<std::size_t>(filter)];
+}
+
+/// The rows of an image, each by the next of the filters.
+Bytes filtered_rows(const Image& image, const std::vector<int>& filters) {
+  const auto size = static_cast<int>(image.row_bytes());
+  const auto at = [&](int i, int y) {
+    return i < 0 || y < 0 ? 0 : int{image.pixels[static_cast<std::size_t>(y * size + i)]};
+  };
+  Bytes rows;
+  for (int y = 0; y < image.height; ++y) {
+    const int filter = filters[static_cast<std::size_t>(y) % filters.size()];
+    rows.push_back(static_cast<std::uint8_t>(filter));
+    for (int i = 0; i < size; ++i) {
+      const int left = i - image.channels;
+      rows.push_back(static_cast<std::uint8_t>(
+          at(i, y) - predicted(filter, at(left, y), at(i, y - 1), at(left, y - 1))));
+    }
+  }
+  return rows;
+}
+
+// Some are undone by ISA-L's side, all others by libspng.
+TEST(PngReading, UndoesEveryFilter) {
+  const std::vector<std::vector<int>> all{{0}, {1}, {2}, {3}, {4}, {2, 1, 0}, {1, 2, 3, 4, 0}};
+  for (const std::vector<int>& filters : all) {
+    for (const int channels : {3, 4}) {
+      const Image image = sample_image(9, 7, channels, 5);
+      const auto png =
+          PngFile(9, 7, 8, channels == 4 ? rgba : rgb).with(filtered_rows(image, filters));
+      EXPECT_EQ(decode_png(png, "a").pixels, image.pixels) << filters.front();
+      const auto marked = PngFile(9, 7, 8, channels == 4 ? rgba : rgb)
+                              .add("pHYs", {0, 0, 0, 1, 0, 0, 0, 1, 0})
+                              .add("gAMA", {0, 0, 0xB1, 0x8F})
+                              .with(filtered_rows(image, filters));
+      EXPECT_EQ(decode_png(marked, "a").pixels, image.pixels) << filters.front();
     }
   }
 }
