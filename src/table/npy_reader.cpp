@@ -75,7 +75,7 @@ void NpyReader::select(std::span<const std::size_t> columns) {
                                  column.name, column.type),
                      "save it as numbers: array.astype(float)");
     }
-    const std::size_t size = static_cast<std::size_t>(column.type.back() - '0');
+    const auto size = static_cast<std::size_t>(column.type.back() - '0');
     // One row beside the other: one window. One column behind the other: one for each.
     const bool by_columns = column.step == size && layout_.columns.size() > 1;
     if (by_columns || windows_.empty()) windows_.emplace_back(input_);
