@@ -18,8 +18,7 @@ MemoryFile::MemoryFile(std::string_view text) : descriptor_(::memfd_create("twre
     if (written < 0) throw file_error(what, errno);
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+  if (::lseek(descriptor_.get(), 0, SEEK_SET) != 0) throw file_error(what, errno);
 }
-
-std::string MemoryFile::path() const { return "/dev/fd/" + std::to_string(descriptor_.get()); }
 
 }  // namespace twrench::system

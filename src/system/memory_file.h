@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "system/descriptor.h"
@@ -8,14 +7,14 @@
 
 namespace twrench::system {
 
-/// A file without a name, in memory, that a child process can read: it inherits the descriptor.
+/// A file without a name, in memory, that one child process can read: it inherits the descriptor.
 class MemoryFile {
  public:
   /// Throws FileError.
   explicit MemoryFile(std::string_view text);
 
-  /// Returns the path under which child processes find it.
-  std::string path() const;
+  /// Returns the descriptor, which is at the start of the text.
+  int descriptor() const { return descriptor_.get(); }
 
  private:
   Descriptor descriptor_;

@@ -52,7 +52,9 @@ std::string output_argument(const system::PendingFile& file) {
 /// The arguments of the second input, which has the chapters.
 Arguments chapter_arguments(const std::optional<system::MemoryFile>& chapters) {
   if (!chapters) return {};
-  return {"-f", "ffmetadata", "-i", "file:" + chapters->path(), "-map_chapters", "1"};
+  return {
+      "-f", "ffmetadata", "-i", "pipe:" + std::to_string(chapters->descriptor()), "-map_chapters",
+      "1"};
 }
 
 /// Composites the unpremultiplied image over black.
