@@ -199,10 +199,8 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
   }
   constexpr double suspicious = 1e-3;
   if (judgement.within_digits || relative_error(judgement) < suspicious) return;
-  constexpr std::size_t told_by = 128, of_the_first = 4096;
   judgement.misfit =
-      misfit(judgement.reference.body.inertia(),
-             thinned_rows(recording.file, recording.convention, told_by, of_the_first),
+      misfit(judgement.reference.body.inertia(), telling_rows(recording.file, recording.convention),
              judgement.has_rates, judgement.has_attitude);
 }
 

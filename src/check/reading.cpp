@@ -10,9 +10,6 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// Rows that tell the physics, of so many at the beginning.
-constexpr std::size_t told_by = 128, of_the_first = 4096;
-
 Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
 
 Reading reading_of(const std::vector<Row>& rows, const Matrix3d& inertia,
@@ -78,7 +75,7 @@ void add_sequences(std::vector<Convention>& list) {
 /// Adds the other orders of moments that differ.
 void add_moment_orders(std::vector<Reading>& all, const std::filesystem::path& file,
                        const Eigen::Vector3d& moments, const Convention& convention) {
-  const std::vector<Row> rows = thinned_rows(file, convention, told_by, of_the_first);
+  const std::vector<Row> rows = telling_rows(file, convention);
   std::vector<Eigen::Vector3d> tried{moments};
   std::array<int, 3> order{0, 1, 2};
   while (std::ranges::next_permutation(order).found) {
@@ -98,8 +95,7 @@ std::vector<Reading> readings(const std::filesystem::path& file, const Matrix3d&
   std::vector<Reading> all;
   for (const Convention& convention : conventions) {
     try {
-      all.push_back(
-          reading_of(thinned_rows(file, convention, told_by, of_the_first), inertia, convention));
+      all.push_back(reading_of(telling_rows(file, convention), inertia, convention));
     } catch (const table::BadTable&) {
       all.push_back(impossible(convention));
     }

@@ -24,4 +24,9 @@ std::vector<Row> thinned_rows(const std::filesystem::path& file, const Conventio
   return thinned.rows();
 }
 
+std::vector<Row> telling_rows(const std::filesystem::path& file, const Convention& convention) {
+  constexpr std::size_t enough = 128, of_the_first = 4096;
+  return thinned_rows(file, convention, enough, of_the_first);
+}
+
 }  // namespace twrench::check
