@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -60,7 +61,11 @@ std::string finding(const FrameResult& frame, const comparison::Criteria& criter
 }
 
 std::string_view verdict(const Comparison& comparison) {
-  return comparison.passed() ? "alike" : "different";
+  if (comparison.passed()) return "alike";
+  const bool is_unknown = std::ranges::all_of(comparison.frames, [](const FrameResult& frame) {
+    return frame.passed() || frame.outcome == Outcome::unreadable;
+  });
+  return is_unknown ? "unreadable" : "different";
 }
 
 /// "2 of 960 frames differ, 1 missing"

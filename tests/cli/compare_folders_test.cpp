@@ -121,6 +121,8 @@ TEST_F(CompareFolders, NameTheFrameThatIsDamagedAndJudgeTheOthers) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("a.png: different"), HasSubstr("b.png: unreadable")));
   EXPECT_EQ(run.err,
             "twrench: error: cannot read actual/b.png: the checksum of a chunk is wrong\n");
+  write_picture(folder_ / "actual/a.png", 100);
+  EXPECT_THAT(compare().out, HasSubstr("\nunreadable: 0 of 1 frames differ"));
 }
 
 TEST_F(CompareFolders, RefuseWhatCannotBeCompared) {
