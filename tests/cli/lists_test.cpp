@@ -46,8 +46,8 @@ TEST(Lists, VersionAndHelp) {
   const std::string version = run_twrench(folder, "--version").out;
   EXPECT_TRUE(std::regex_search(version, std::regex("^twrench [0-9]+\\.[0-9]+\\.[0-9]+\n")))
       << version;  // scripts read the first line
-  for (const char* command : {"", "render", "simulate", "export", "plot", "inertia", "study", "encode",
-                              "compare", "doctor", "methods", "scenes"}) {
+  for (const char* command : {"", "render", "simulate", "export", "plot", "inertia", "study",
+                              "encode", "compare", "doctor", "methods", "scenes"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;

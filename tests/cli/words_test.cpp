@@ -46,7 +46,8 @@ TEST(Help, TellsDefaultsAndExitCodesInItsOwnWords) {
                            "(default: 1,0.05,0)", "(default: studio)", "  --timing  "}) {
     EXPECT_THAT(render, HasSubstr(part));
   }
-  for (const char* command : {"render", "plot", "simulate", "export", "study", "encode", "compare"}) {
+  for (const char* command :
+       {"render", "plot", "simulate", "export", "study", "encode", "compare"}) {
     const std::string text = run_twrench(folder, std::string(command) + " --help").out;
     for (const char* jargon : {"TEXT:", "{", "(1x)", "REQUIRED"}) {
       EXPECT_THAT(text, Not(HasSubstr(jargon))) << command;

@@ -412,7 +412,8 @@ std::pair<std::vector<std::uint8_t>, std::string> animated(const ScratchFolder& 
   const std::string base = (scratch / name).string();
   // The Python of the system, whose packages the set-up installs.
   run_command(
-      "/usr/bin/python3 -c \"import sys; from PIL import Image, ImageSequence as S; i = Image.open('" +
+      "/usr/bin/python3 -c \"import sys; from PIL import Image, ImageSequence as S; i = "
+      "Image.open('" +
       base + "'); raw = open('" + base + ".raw', 'wb'); t = open('" + base +
       ".txt', 'w'); print(i.size, i.info.get('loop'), file=t)\nfor f in S.Iterator(i): "
       "raw.write(f.convert('RGBA').tobytes()); print(f.info['duration'], end=' ', file=t)\"");
