@@ -88,7 +88,7 @@ CheckedFile check_file(const CheckOptions& options, const check::Problem& proble
   return file;
 }
 
-std::vector<double> told_steps(const CheckOptions& options) {
+std::vector<double> given_steps(const CheckOptions& options) {
   if (options.steps.empty()) return {};
   const std::vector<double> steps = parse_numbers(options.steps, "--steps");
   for (const double step : steps) scene::limits::check(scene::limits::step, "--steps", step);
@@ -136,7 +136,7 @@ CheckOrders orders_of(const std::vector<CheckedFile>& files) {
 }
 
 CheckResult check_files(const CheckOptions& options) {
-  const std::vector<double> steps = told_steps(options);
+  const std::vector<double> steps = given_steps(options);
   const check::Problem problem = options.setup.problem();
   CheckResult result;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
@@ -215,9 +215,8 @@ void add_result_options(CLI::App& command, CheckOptions& options) {
       ->type_name("FILE")
       ->capture_default_str();
   command
-      .add_option(
-          "--plot", options.plot,
-          "plot the errors against time, and what the digits leave open: .svg, .pdf or .png")
+      .add_option("--plot", options.plot,
+                  "plot errors and resolution limits against time: .svg, .pdf or .png")
       ->type_name("FILE");
 }
 

@@ -56,7 +56,7 @@ std::string size_text(const std::optional<check::ErrorSize>& size, double factor
 }
 
 std::string phase_text(const Judgement& judgement) {
-  if (!judgement.parts) return "none: the motion is steady, so that no time differs from another";
+  if (!judgement.parts) return "none: the motion is steady";
   const check::ErrorParts& parts = *judgement.parts;
   const RateUnit unit = rate_unit(judgement);
   std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),
@@ -108,9 +108,9 @@ std::string conditioning_text(const Judgement& judgement) {
         fmt::format("{}{:.3g} deg", open.empty() ? "" : " and ", degrees(judgement.attitude_limit));
   }
   return fmt::format(
-      "an error of the first rates grows {:.3g} times; the last digits, {}{:.2g} s, leave open {} "
-      "at "
-      "the end",
+      "an error of the initial rates grows {:.3g} times; with the resolution of the digits, "
+      "{}{:.2g} "
+      "s, the limit is {} at the end",
       judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
 }
 
@@ -120,9 +120,9 @@ std::string noise_text(const Judgement& judgement) {
   constexpr double clearly = 2;
   if (!(digits.rate > clearly * digits.printed_rate)) return {};
   const RateUnit unit = rate_unit(judgement);
-  return fmt::format(
-      "rates are printed to {:.1e} {}, but change by {:.1e} from row to row at random",
-      digits.printed_rate * unit.per_radian, unit.name, digits.rate * unit.per_radian);
+  return fmt::format("rates are printed to {:.1e} {}, but scatter by {:.1e} from row to row",
+                     digits.printed_rate * unit.per_radian, unit.name,
+                     digits.rate * unit.per_radian);
 }
 
 std::string time_text(const std::optional<double>& t) {

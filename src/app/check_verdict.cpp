@@ -19,7 +19,7 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
 
 const char* unit_word(check::Angle unit) { return unit == check::Angle::degrees ? "deg" : "rad"; }
 
-/// "1,0,2" of the moments that were told.
+/// The moments that were given, in the order 1,0,2, say.
 std::string moments_text(const Judgement& judgement, const std::array<int, 3>& order) {
   const Eigen::Vector3d moments = judgement.reference.body.inertia().diagonal();
   return fmt::format("--inertia {},{},{}", moments[order[0]], moments[order[1]], moments[order[2]]);
@@ -43,24 +43,23 @@ std::string proposal_text(const CheckedFile& file) {
 std::string foreign_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (file.proposal) {
-    return "does not follow the motion of this body as it is read, but fits " + proposal_text(file);
+    return "as read, it does not follow this body's motion, but it does " + proposal_text(file);
   }
   const check::Misfit& misfit = judgement.misfit;
   if (misfit.constant_rates) {
-    return "does not follow the motion of this body: its rates never change, as where the "
-           "gyroscopic term of Euler's equations is left out";
+    return "does not follow this body's motion: its rates never change, as if the gyroscopic term "
+           "of Euler's equations were missing";
   }
   const bool rates_fit = check::Misfit{misfit.rates, {}}.fits();
   if (misfit.rates && misfit.attitude && rates_fit) {
-    return "attitude and rates do not fit each other in any frame or unit, though the rates follow "
-           "the motion of this body";
+    return "attitude and rates are inconsistent in every frame and unit, though the rates follow "
+           "this body's motion";
   }
   if (!judgement.has_attitude) {
-    return "does not follow the motion of this body, in whatever unit it is read (whether rates "
-           "are "
-           "in space axes, only an attitude tells)";
+    return "does not follow this body's motion in either unit (without an attitude, rates in space "
+           "axes cannot be recognised)";
   }
-  return "does not follow the motion of this body, in whatever unit or frame it is read";
+  return "does not follow this body's motion in any unit or frame";
 }
 
 /// "x, y and z": the unit vector of a rate to three places.
@@ -74,9 +73,8 @@ std::string direction_text(const Eigen::Vector3d& rate) {
 
 std::string contradiction_text(const Judgement& judgement) {
   std::string text = fmt::format(
-      "attitude and rates do not fit each other: the attitude is off by up to {:.3g} deg, more "
-      "than "
-      "all errors of the rates add up to",
+      "attitude and rates are inconsistent: the attitude is off by up to {:.3g} deg, more than "
+      "the errors of the rates explain",
       degrees(judgement.attitude->max));
   const check::FrameTurn& turn = judgement.frame_turn;
   constexpr double steady = 0.99;
@@ -84,12 +82,13 @@ std::string contradiction_text(const Judgement& judgement) {
   const Eigen::Vector3d L = judgement.reference.frame * judgement.reference.body.momentum();
   if (std::abs(turn.rate.normalized().dot(L.normalized())) > steady) {
     return text + fmt::format(
-                      ", by {:.3g} deg/s about L, as of one that is integrated less exactly "
+                      ", by {:.3g} deg/s about L, as when it is integrated less accurately "
                       "than the rates",
                       degrees(turn.rate.norm()));
   }
-  text += fmt::format(", as against a frame that itself turns, at {:.4g} deg/s about {} of space",
-                      degrees(turn.rate.norm()), direction_text(turn.rate));
+  text += fmt::format(
+      ", as in a reference frame that itself rotates at {:.4g} deg/s about {} in space axes",
+      degrees(turn.rate.norm()), direction_text(turn.rate));
   constexpr double earth = 7.292115e-5;  // rad/s, sidereal
   if (std::abs(turn.rate.norm() / earth - 1) < 0.02) text += " (the Earth's rate)";
   return text;
@@ -106,7 +105,8 @@ std::string cause_text(const Judgement& judgement) {
       fmt::format("it runs {:.3g} s {}", std::abs(parts.delay), parts.delay > 0 ? "late" : "early");
   const std::string level = fmt::format("energy off by {:.2g}", judgement.energy_error);
   if (phase > mostly * amplitude) {
-    return fmt::format("; mostly phase: {}, energy holds to {:.2g}", delay, judgement.energy_drift);
+    return fmt::format("; mostly phase: {}, energy is conserved to {:.2g}", delay,
+                       judgement.energy_drift);
   }
   if (amplitude > mostly * phase) return "; mostly amplitude: " + level;
   return fmt::format("; phase and amplitude: {}, {}", delay, level);
@@ -126,7 +126,7 @@ std::string sizes_text(const Judgement& judgement) {
   return joined(sizes, " and ");
 }
 
-/// How much larger the errors are than what the digits leave open.
+/// The largest error in units of the resolution limit at its time.
 double beyond_digits(const Judgement& judgement) {
   double most = 0;
   for (const check::Span& span : judgement.course) {
@@ -138,7 +138,7 @@ double beyond_digits(const Judgement& judgement) {
   return most;
 }
 
-/// Whether the first row is not in the state that was told, and that explains what is off later.
+/// Whether the first row is not in the state that was given, and that explains the later errors.
 bool begins_otherwise(const Judgement& judgement) {
   const double error = judgement.first_rate_error;
   constexpr double at_least_mostly = 3;
@@ -150,9 +150,8 @@ bool begins_otherwise(const Judgement& judgement) {
 std::string beginning_text(const Judgement& judgement) {
   const RateUnit unit = rate_unit(judgement);
   return fmt::format(
-      "begins otherwise: its first row is off by {:.3g} {} already, and what that grows to "
-      "explains "
-      "the largest error, {}",
+      "starts from another state: its first row is already off by {:.3g} {}, which grows to "
+      "explain the largest error, {}",
       judgement.first_rate_error * unit.per_radian, unit.name, sizes_text(judgement));
 }
 
@@ -163,17 +162,18 @@ bool rates_within_digits(const Judgement& judgement) {
 
 std::string faultless_text(const Judgement& judgement) {
   const std::string text =
-      fmt::format("off by at most {}, which its last digits leave open", sizes_text(judgement));
+      fmt::format("off by at most {}, within the resolution of its digits", sizes_text(judgement));
   constexpr double much_of_the_motion = 0.1;
   const double speed = judgement.reference.body.omega().norm();
   const bool says_little = judgement.has_rates ? judgement.rate_limit > much_of_the_motion * speed
                                                : judgement.attitude_limit > much_of_the_motion;
-  return says_little ? text + "; but by the end they leave open nearly anything" : text;
+  return says_little ? text + "; but by the end almost any motion would be" : text;
 }
 
 std::string error_text(const Judgement& judgement) {
-  return fmt::format("off by up to {}, and by up to {:.3g} times what its last digits leave open{}",
-                     sizes_text(judgement), beyond_digits(judgement), cause_text(judgement));
+  return fmt::format(
+      "off by up to {}, and by up to {:.3g} times the resolution limit of its digits{}",
+      sizes_text(judgement), beyond_digits(judgement), cause_text(judgement));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct Convention {
   bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
 };
 
-/// The columns that are wanted do not fit those that the file has: one is missing, told twice, or
+/// The columns that are wanted do not fit those that the file has: one is missing, given twice, or
 /// left open. The remedy lists the file's columns.
 class ColumnError : public table::BadTable {
  public:

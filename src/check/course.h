@@ -14,7 +14,7 @@ struct Span {
   double rate_error = 0;      ///< largest, rad/s
   double attitude_error = 0;  ///< largest, rad
   DifferenceSums rate_differences = {}, attitude_differences = {};
-  double rate_limit = 0;      ///< what the digits of the file leave open by then, rad/s
+  double rate_limit = 0;      ///< the resolution limit by then, rad/s
   double attitude_limit = 0;  ///< likewise, rad
 };
 

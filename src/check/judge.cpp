@@ -63,7 +63,7 @@ Fit fitted(const Recording& recording, const Problem& problem) {
 }
 
 /// With the frame of the first row.
-Reference told_reference(const Recording& recording, const Problem& problem) {
+Reference given_reference(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
   const double t = first.front().t;
   const double start = problem.omega ? problem.omega_time.value_or(t) : t;
@@ -213,7 +213,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
                             reader.attitude() != AttitudeForm::none};
   std::optional<Fit> fit;
   if (problem.fit) fit = fitted(recording, problem);
-  Reference reference = fit ? fit->reference : told_reference(recording, problem);
+  Reference reference = fit ? fit->reference : given_reference(recording, problem);
   if (problem.frame == FrameFrom::momentum && recording.has_attitude) {
     turn_to_momentum(reference, recording);
   }

@@ -55,7 +55,7 @@ struct Judgement {
 
   Growth growth = {};  ///< of an initial error until the last row
   LastDigits digits = {};
-  double rate_limit = 0;       ///< what the digits leave open at the last row, rad/s
+  double rate_limit = 0;       ///< the resolution limit at the last row, rad/s
   double attitude_limit = 0;   ///< likewise, rad
   bool within_digits = false;  ///< whether no error is larger than the digits explain
   std::vector<Span> course = {};

@@ -22,7 +22,7 @@ struct Misfit {
 
   /// The larger of the two; nothing where neither tells anything.
   std::optional<double> worst() const;
-  /// Whether the rows follow the motion; also where nothing is told.
+  /// Whether the rows follow the motion; also if nothing can be tested.
   bool fits() const;
 };
 

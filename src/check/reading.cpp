@@ -52,9 +52,9 @@ void scalar_last_to_first(Convention& convention) {
 }
 
 void add_quaternion_orders(std::vector<Convention>& list) {
-  const std::vector<Convention> as_told = list;
+  const std::vector<Convention> as_given = list;
   for (const auto& reorder : {scalar_first_to_last, scalar_last_to_first}) {
-    for (Convention changed : as_told) {
+    for (Convention changed : as_given) {
       reorder(changed);
       list.push_back(std::move(changed));
     }
@@ -62,9 +62,9 @@ void add_quaternion_orders(std::vector<Convention>& list) {
 }
 
 void add_sequences(std::vector<Convention>& list) {
-  const std::vector<Convention> as_told = list;
+  const std::vector<Convention> as_given = list;
   for (const char* sequence : {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"}) {
-    for (Convention changed : as_told) {
+    for (Convention changed : as_given) {
       if (changed.sequence == sequence) continue;
       changed.sequence = sequence;
       list.push_back(std::move(changed));

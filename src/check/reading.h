@@ -14,7 +14,7 @@ namespace twrench::check {
 /// A way to read a file, and how well its first rows then follow the motion of the body.
 struct Reading {
   Convention convention;
-  /// Which of the told moments belongs to each axis: {0, 1, 2} as told.
+  /// Which of the given moments belongs to each axis: {0, 1, 2} in the given order.
   std::array<int, 3> moment_order{0, 1, 2};
   Misfit misfit;
 };

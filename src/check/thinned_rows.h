@@ -29,7 +29,7 @@ class ThinnedRows {
 std::vector<Row> thinned_rows(const std::filesystem::path& file, const Convention& convention,
                               std::size_t most, std::size_t of);
 
-/// Returns as many rows of the beginning of the file as tell the physics (check/physics.h). Throws
+/// Returns rows of the beginning of the file, enough to test the physics (check/physics.h). Throws
 /// as RowReader does.
 std::vector<Row> telling_rows(const std::filesystem::path& file, const Convention& convention);
 

@@ -114,7 +114,7 @@ std::string key(std::span<const JudgedCurve> curves) {
     text += fmt::format(", keyentry with lines {} title {} noenhanced", line_style(i),
                         gnuplot_string(curves[i].title));
   }
-  return text + fmt::format(", keyentry with lines {} title 'what the digits leave open'",
+  return text + fmt::format(", keyentry with lines {} title 'resolution limit of the digits'",
                             limit_style(0, 1));
 }
 
@@ -126,7 +126,7 @@ Plot check_plot(std::span<const JudgedCurve> curves) {
   const int key_rows = (static_cast<int>(curves.size()) + 2) / 2;
   const int below = 70 + 24 * key_rows;
   Plot plot{columns == 1 ? 760 : 1280, 460 + below, {}};
-  const PanelGrid grid{plot.width, plot.height, 1, columns, 86, 22, below, 42, 92, 0};
+  const PanelGrid grid{plot.width, plot.height, 1, columns, 86, 22, below, 42, 100, 0};
   for (const ErrorPanel& panel : panels) plot.script += data(panel, curves);
   plot.script.append(diagram_style).append("set multiplot\n");
   for (int column = 0; column < columns; ++column) {
@@ -135,7 +135,7 @@ Plot check_plot(std::span<const JudgedCurve> curves) {
         .append("set logscale y\nset format y '10^{%T}'\nset xlabel 't (s)'\n")
         .append(fmt::format("set xrange {}\nset yrange {}\nset title '{}'\n", time_range(curves),
                             range(panel, curves), panel.title))
-        .append(fmt::format("set ylabel 'error ({})' offset 1.5, 0\n", panel.unit))
+        .append(fmt::format("set ylabel 'error ({})' offset 0.6, 0\n", panel.unit))
         .append(draw(panel, curves));
   }
   plot.script += key_plot(key(curves), 2, 14.0 / plot.height + 12.0 * key_rows / plot.height) +

@@ -15,7 +15,7 @@ struct JudgedCurve {
 };
 
 /// Returns the errors of rates and of attitudes against time, a panel for each kind that there is,
-/// on a logarithmic scale; beside each, dashed, the error that the digits of the file leave open.
+/// on a logarithmic scale; beside each, dashed, the resolution limit of its digits.
 /// Rates are in the unit of the first file. There must be at least one curve, and one row.
 Plot check_plot(std::span<const JudgedCurve> curves);
 

@@ -56,7 +56,7 @@ class Reader {
   Header header_;
 };
 
-/// Opens a CSV, TSV, JSON or NumPy file, which is told by its first bytes and not by its name.
+/// Opens a CSV, TSV, JSON or NumPy file, recognised by its first bytes, not by its name.
 /// Throws system::FileError where it cannot be read or is no table, BadTable where it has no rows.
 std::unique_ptr<Reader> open_table(const std::filesystem::path& path);
 
