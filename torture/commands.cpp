@@ -65,6 +65,11 @@ std::string default_name(const CommandLine& line) {
   return line.arguments.empty() ? "dzhanibekov" : fs::path(line.arguments.front()).stem().string();
 }
 
+/// Whether the first argument, a picture or a folder of them, is an output too.
+bool replaces_expected(const CommandLine& line) {
+  return line.command == "compare" && line.has("update") && !line.arguments.empty();
+}
+
 Asked asked_by(const CommandLine& line, const fs::path& folder) {
   Asked asked;
   const auto add_file = [&](const std::string& name) {
@@ -78,6 +83,10 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
     if (!line.has("output")) add_file("out/" + name + ".mp4");
     asked.frame_folders.insert(place_of(line.value("frames-dir", "out/" + name), folder));
   }
+  if (replaces_expected(line)) {
+    add_file(line.arguments.front());
+    asked.frame_folders.insert(place_of(line.arguments.front(), folder));
+  }
   if (line.command == "render" || line.command == "encode") {
     for (const std::string& video : std::set(asked.files)) {
       asked.files.insert(fs::path(video).replace_extension(".vtt").string());
@@ -90,6 +99,7 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
 std::set<std::string> inputs_of(const CommandLine& line, const fs::path& folder) {
   std::set<std::string> inputs;
   for (const std::string& argument : line.arguments) inputs.insert(place_of(argument, folder));
+  if (replaces_expected(line)) inputs.erase(place_of(line.arguments.front(), folder));
   if (line.has("font")) inputs.insert(place_of(line.value("font"), folder));
   return inputs;
 }
@@ -132,7 +142,8 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
       faults.push_back("an input was written over: " + printable(path));
     } else if (!tried.asked.covers(path)) {
       faults.push_back("changed unasked: " + printable(path));
-    } else if (is_frame && !goes_on && !tried.line.has("overwrite")) {
+    } else if (is_frame && !goes_on && !tried.line.has("overwrite") &&
+               !replaces_expected(tried.line)) {
       faults.push_back("frames written over without --overwrite: " + printable(path));
     } else if (!is_frame && !tried.succeeded()) {
       faults.push_back("changed by a run that failed: " + printable(path));
