@@ -32,19 +32,52 @@ Matrix3d with_definite_signs(Matrix3d axes) {
   return axes;
 }
 
-void check(const Shape& shape) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-    require_positive("radius", cylinder->radius);
-    require_positive("length", cylinder->length);
-  } else if (const auto* box = std::get_if<Box>(&shape)) {
-    for (const double edge : box->size) require_positive("size", edge);
-  } else {
-    for (const double radius : std::get<Ellipsoid>(shape).radii) require_positive("radii", radius);
-  }
+void require_less(const char* quantity, double value, const char* other, double limit) {
+  if (value < limit) return;
+  throw InvalidArgument(quantity,
+                        fmt::format("is {}, but must be less than {}, {}", value, other, limit));
 }
 
+/// Throws unless its dimensions are those of a solid.
+struct CheckShape {
+  void operator()(const Cylinder& c) const {
+    require_positive("radius", c.radius);
+    require_positive("length", c.length);
+  }
+  void operator()(const Box& b) const {
+    for (const double edge : b.size) require_positive("size", edge);
+  }
+  void operator()(const Ellipsoid& e) const {
+    for (const double radius : e.radii) require_positive("radii", radius);
+  }
+  void operator()(const Cone& c) const {
+    require_positive("radius", c.radius);
+    require_positive("length", c.length);
+    if (c.top_radius != 0.0) require_positive("top_radius", c.top_radius);
+  }
+  void operator()(const Torus& t) const {
+    require_positive("tube_radius", t.tube_radius);
+    require_finite("radius", t.radius);
+    require_less("tube_radius", t.tube_radius, "radius", t.radius);
+  }
+  void operator()(const Capsule& c) const {
+    require_positive("radius", c.radius);
+    require_positive("length", c.length);
+  }
+  void operator()(const Tube& t) const {
+    require_positive("inner_radius", t.inner_radius);
+    require_positive("length", t.length);
+    require_finite("radius", t.radius);
+    require_less("inner_radius", t.inner_radius, "radius", t.radius);
+  }
+  void operator()(const Mesh& m) const {
+    if (!m.surface) throw InvalidArgument("mesh", "has no surface");
+    require_positive("mesh", m.integrals.volume);
+  }
+};
+
 void check(const Part& part) {
-  check(part.shape);
+  std::visit(CheckShape(), part.shape);
   require_positive("density", part.density);
   for (const double coordinate : part.position) require_finite("position", coordinate);
   constexpr double round_off = 1e-9;
@@ -66,6 +99,17 @@ void check(const Matrix3d& inertia) {
                                     asymmetry));
 }
 
+/// The centre of mass of a part in cm, in the frame in which it is placed.
+Vector3d centroid(const Part& part) {
+  return part.position + part.body_from_part * centroid(part.shape);
+}
+
+/// The principal axes of a part in its own frame, which are its coordinate axes if they can be.
+PrincipalAxes own_axes(const Matrix3d& inertia) {
+  if (inertia.isDiagonal(0.0)) return {inertia.diagonal(), Matrix3d::Identity()};
+  return principal_axes(inertia);
+}
+
 }  // namespace
 
 MassProperties mass_properties(std::span<const Part> parts) {
@@ -77,14 +121,14 @@ MassProperties mass_properties(std::span<const Part> parts) {
   for (const Part& part : parts) {
     const double mass = part.density * volume(part.shape);
     body.mass += mass;
-    body.centre_of_mass += mass * part.position;  // Eq. (44), divided by the mass below.
+    body.centre_of_mass += mass * centroid(part);  // Eq. (44), divided by the mass below.
   }
   body.centre_of_mass /= body.mass;
   for (const Part& part : parts) {
     const double mass = part.density * volume(part.shape);
     const Matrix3d& R = part.body_from_part;
-    body.inertia += R * central_moments(part.shape, mass).asDiagonal() * R.transpose() +
-                    point_inertia(mass, part.position - body.centre_of_mass);
+    body.inertia += R * central_inertia(part.shape, mass) * R.transpose() +
+                    point_inertia(mass, centroid(part) - body.centre_of_mass);
   }
   if (!body.inertia.allFinite()) {
     throw InvalidArgument("parts", "their inertia is beyond what double precision holds");
@@ -126,14 +170,16 @@ Part equimomental_box(const Vector3d& moments) {
 
 std::array<PointMass, 6> equimomental_points(const Part& part) {
   const double mass = part.density * volume(part.shape);
-  const Vector3d J = central_moments(part.shape, mass);
+  const PrincipalAxes own = own_axes(central_inertia(part.shape, mass));
+  const Matrix3d body_from_own = part.body_from_part * own.axes;
+  const Vector3d centre = centroid(part);
   std::array<PointMass, 6> points{};
   for (Eigen::Index i = 0; i < 3; ++i) {
     // The mean square of coordinate i, to which the pair contributes a third of its own.
-    const double mean_square = (J.sum() - 2 * J[i]) / (2 * mass);
-    const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * part.body_from_part.col(i);
-    points[static_cast<std::size_t>(2 * i)] = {mass / 6, part.position + arm};
-    points[static_cast<std::size_t>(2 * i + 1)] = {mass / 6, part.position - arm};
+    const double mean_square = (own.moments.sum() - 2 * own.moments[i]) / (2 * mass);
+    const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * body_from_own.col(i);
+    points[static_cast<std::size_t>(2 * i)] = {mass / 6, centre + arm};
+    points[static_cast<std::size_t>(2 * i + 1)] = {mass / 6, centre - arm};
   }
   return points;
 }

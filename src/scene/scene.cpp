@@ -68,11 +68,15 @@ std::vector<body::Part> visible_parts(const Body& body) {
   return parts;
 }
 
+PartDescription description(const Body& body, std::size_t part) {
+  return part < body.descriptions.size() ? body.descriptions[part] : PartDescription{};
+}
+
 std::vector<PartGroup> part_groups(const Body& body) {
   std::vector<PartGroup> groups;
   for (std::size_t i = 0; i < visible_parts(body).size(); ++i) {
-    const bool is_named = i < body.part_names.size() && !body.part_names[i].empty();
-    const std::string name = is_named ? body.part_names[i] : fmt::format("part {}", i + 1);
+    const std::string given = description(body, i).name;
+    const std::string name = given.empty() ? fmt::format("part {}", i + 1) : given;
     auto group = std::ranges::find(groups, name, &PartGroup::name);
     if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});
     group->parts.push_back(i);

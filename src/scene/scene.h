@@ -5,6 +5,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,14 +18,49 @@
 
 namespace twrench::scene {
 
+/// How a part looks. Unset values are those of the scene's look.
+struct PartLook {
+  /// Colour of the part; vertex colours of a mesh go before it.
+  std::optional<Color> color;
+  /// Metalness, 0 (paint) to 1 (metal).
+  std::optional<double> metallic;
+  /// Roughness, 0.05 (mirror) to 1 (chalk).
+  std::optional<double> roughness;
+  /// For a mesh, the largest angle in rad between adjacent triangles that are drawn as one smooth
+  /// surface; 0 draws flat facets.
+  double crease_angle = 35.0 / 180.0 * std::numbers::pi;
+};
+
+/// The file of a part that is a mesh.
+struct MeshSource {
+  /// The file as it was given.
+  std::string file;
+  /// Centimetres per unit of the file.
+  double scale = 1.0;
+  /// Distance in cm within which vertices are joined; 0 joins only those that coincide.
+  double weld = 0.0;
+  /// SHA-256 of the file's bytes, in hexadecimal digits.
+  std::string sha256;
+};
+
+/// What a scene says of a part beside its shape, mass and place.
+struct PartDescription {
+  /// Its name; may be empty.
+  std::string name;
+  /// Its look.
+  PartLook look;
+  /// Its file, for a mesh.
+  std::optional<MeshSource> mesh;
+};
+
 /// The body, given by its parts or by its principal moments alone.
 struct Body {
   /// The parts; empty if `moments` is set.
   std::vector<body::Part> parts;
   /// Principal moments of inertia about the body's x, y and z axes, in g cm^2.
   std::optional<Eigen::Vector3d> moments;
-  /// The names of the parts, in their order, as far as they are given; others are empty.
-  std::vector<std::string> part_names = {};
+  /// The descriptions of the parts, in their order, as far as they are given; see description().
+  std::vector<PartDescription> descriptions = {};
 };
 
 /// The initial condition and how the motion is computed.
@@ -224,6 +260,9 @@ body::MassProperties mass_properties(const Body& body);
 /// Returns the parts to draw, relative to the centre of mass: the body's own, or the equimomental
 /// box.
 std::vector<body::Part> visible_parts(const Body& body);
+
+/// Returns the description of a part; that of one of which nothing is said has its default values.
+PartDescription description(const Body& body, std::size_t part);
 
 /// Parts of a body with the same name.
 struct PartGroup {

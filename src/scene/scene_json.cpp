@@ -23,6 +23,8 @@ ordered_json shape_json(const body::Ellipsoid& e) {
   return {{"shape", "ellipsoid"}, {"radii", numbers(e.radii)}};
 }
 
+ordered_json shape_json(const auto&) { return ordered_json::object(); }
+
 ordered_json part_json(const body::Part& part, const std::string& name) {
   ordered_json json = std::visit([](const auto& shape) { return shape_json(shape); }, part.shape);
   if (!name.empty()) json["name"] = name;
@@ -35,7 +37,7 @@ ordered_json part_json(const body::Part& part, const std::string& name) {
 ordered_json parts_json(const Body& body) {
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
-    json.push_back(part_json(body.parts[i], i < body.part_names.size() ? body.part_names[i] : ""));
+    json.push_back(part_json(body.parts[i], description(body, i).name));
   }
   return json;
 }

@@ -55,7 +55,7 @@ Body read_body(TomlTable& file) {
                             fmt::format("a body has at most {} parts", limits::max_parts));
     }
     const auto name = part.value("name", Field::Kind::text);
-    body.part_names.push_back(name ? name->get<std::string>() : "");
+    body.descriptions.push_back({name ? name->get<std::string>() : "", {}, {}});
     body.parts.push_back(read_part(part));
   });
   file.table("body", [&](TomlTable& table) {

@@ -59,8 +59,8 @@ void require_allowed(const body::Part& part, const std::string& what) {
     require_length("length", cylinder->length);
   } else if (const auto* box = std::get_if<body::Box>(&part.shape)) {
     for (const double edge : box->size) require_length("size", edge);
-  } else {
-    for (const double radius : std::get<body::Ellipsoid>(part.shape).radii) {
+  } else if (const auto* ellipsoid = std::get_if<body::Ellipsoid>(&part.shape)) {
+    for (const double radius : ellipsoid->radii) {
       require_length("radii", radius);
     }
   }

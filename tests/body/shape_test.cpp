@@ -30,7 +30,7 @@ Eigen::Vector4d integrate(const Vector3d& half, auto&& inside) {
 void expect_integrals(const Shape& shape, const Eigen::Vector4d& integrals) {
   const double v = volume(shape);
   EXPECT_NEAR(v / integrals[0], 1.0, 2e-3);
-  const Vector3d moments = central_moments(shape, 3.0) / 3.0 * v;
+  const Vector3d moments = central_inertia(shape, 3.0).diagonal() / 3.0 * v;
   const Vector3d expected(integrals[2] + integrals[3], integrals[1] + integrals[3],
                           integrals[1] + integrals[2]);
   EXPECT_LE((moments - expected).norm() / expected.norm(), 2e-3);

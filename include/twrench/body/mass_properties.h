@@ -56,7 +56,7 @@ struct PointMass {
 
 /// Returns six point masses with the mass, the centre of mass and the inertia of a part, so that
 /// forces that are linear in the position have the same sum and the same torque on them as on the
-/// part. They lie in pairs on the part's own x, y and z axes, each with a sixth of the mass: for a
+/// part. They lie in pairs on the part's own principal axes, each with a sixth of the mass: for a
 /// cylinder's z axis at the centres of its ends, for a box at the centres of its faces.
 std::array<PointMass, 6> equimomental_points(const Part& part);
 

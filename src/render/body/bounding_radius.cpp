@@ -17,6 +17,9 @@ struct FarSide {
   }
   double operator()(const body::Box& b) const { return (origin.cwiseAbs() + b.size / 2).norm(); }
   double operator()(const body::Ellipsoid& e) const { return origin.norm() + e.radii.maxCoeff(); }
+  double operator()(const auto& shape) const {
+    return origin.norm() + body::bounding_radius(shape);
+  }
 };
 
 }  // namespace

@@ -24,6 +24,7 @@ struct Holds {
   bool operator()(const body::Ellipsoid& e) const {
     return point.cwiseQuotient((e.radii.array() + margin).matrix()).norm() <= 1;
   }
+  bool operator()(const auto&) const { return false; }
 };
 
 bool holds(const body::Part& part, const Vector3d& point, double margin) {

@@ -127,6 +127,10 @@ Rings rings_of(const body::Ellipsoid& ellipsoid, double tolerance) {
   return rings;
 }
 
+Rings rings_of(const auto& shape, double tolerance) {
+  return rings_of(body::Ellipsoid{Vector3d::Constant(body::bounding_radius(shape))}, tolerance);
+}
+
 class MeshBuilder {
  public:
   explicit MeshBuilder(const body::Part& part) : part_(part) {}

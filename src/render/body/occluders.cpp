@@ -11,6 +11,7 @@ using Eigen::Vector3d;
 Vector3d half_sizes(const body::Cylinder& c) { return {c.radius, c.radius, c.length / 2}; }
 Vector3d half_sizes(const body::Box& b) { return b.size / 2; }
 Vector3d half_sizes(const body::Ellipsoid& e) { return e.radii; }
+Vector3d half_sizes(const auto& shape) { return Vector3d::Constant(body::bounding_radius(shape)); }
 
 /// Returns the point on the capsule's segment that is nearest to `point`.
 Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {

@@ -17,6 +17,8 @@ struct SymmetryTensor {
   Vector3d operator()(const body::Cylinder&) const { return {1, 1, 0}; }
   Vector3d operator()(const body::Box&) const { return {1, 2, 3}; }
   Vector3d operator()(const body::Ellipsoid& e) const { return e.radii / e.radii.maxCoeff(); }
+  Vector3d operator()(const body::Mesh&) const { return {1, 2, 3}; }
+  Vector3d operator()(const auto&) const { return {1, 1, 0}; }
 };
 
 bool turns_into_itself(const body::Part& part, const Vector3d& axis) {
@@ -50,6 +52,7 @@ struct RadiusAcross {
   double operator()(const body::Ellipsoid& e) const {
     return e.radii.cwiseProduct(direction).norm();
   }
+  double operator()(const auto& shape) const { return body::bounding_radius(shape); }
 };
 
 /// The same for all parts of a body of revolution, in units of its largest radius.

@@ -20,6 +20,7 @@ struct HalfExtent {
   }
   double operator()(const body::Box& b) const { return along.cwiseAbs().dot(b.size) / 2; }
   double operator()(const body::Ellipsoid& e) const { return along.cwiseProduct(e.radii).norm(); }
+  double operator()(const auto& shape) const { return body::bounding_radius(shape); }
 };
 
 double half_extent(const body::Part& part, int axis) {

@@ -16,6 +16,9 @@ struct Ends {
   }
   std::vector<Vector3d> operator()(const body::Box& b) const { return along_axes(b.size / 2); }
   std::vector<Vector3d> operator()(const body::Ellipsoid& e) const { return along_axes(e.radii); }
+  std::vector<Vector3d> operator()(const auto& shape) const {
+    return along_axes(Vector3d::Constant(body::bounding_radius(shape)));
+  }
 
   static std::vector<Vector3d> along_axes(const Vector3d& size) {
     std::vector<Vector3d> ends;
