@@ -6,10 +6,14 @@
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "base/parallel.h"
 #include "scene/limits.h"
 
 namespace twrench::app {
@@ -21,13 +25,28 @@ struct TextFormat {
   std::function<std::string(const motion::Sample&, const motion::Diagnostics&)> row;
 };
 
+/// Appends a number with 17 significant digits, as "{:.17g}" does, in half of the time.
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                          std::chars_format::general, 17);
+  text.append(digits.data(), end);
+}
+
 std::string csv_row(const motion::Sample& s, const motion::Diagnostics& d) {
-  std::string text = fmt::format("{:.17g}", s.t);
-  const auto out = std::back_inserter(text);
-  for (int i = 0; i < 9; ++i) fmt::format_to(out, ",{:.17g}", s.X(i / 3, i % 3));
-  for (const double w : s.omega) fmt::format_to(out, ",{:.17g}", w);
-  fmt::format_to(out, ",{:.17g},{:.17g},{:.17g},{:.17g}\n", d.energy, d.energy_drift,
-                 d.orthogonality_error, d.momentum_error);
+  std::string text;
+  text.reserve(512);
+  append_number(text, s.t);
+  const auto append = [&](double value) {
+    text += ',';
+    append_number(text, value);
+  };
+  for (int i = 0; i < 9; ++i) append(s.X(i / 3, i % 3));
+  for (const double w : s.omega) append(w);
+  for (const double value : {d.energy, d.energy_drift, d.orthogonality_error, d.momentum_error}) {
+    append(value);
+  }
+  text += '\n';
   return text;
 }
 
@@ -66,6 +85,53 @@ TextFormat json_format(const scene::Scene& scene) {
   return {text.substr(0, samples) + "\n  ", ",\n  ", "\n " + text.substr(samples) + "\n", json_row};
 }
 
+/// Writes samples in blocks whose rows several threads turn into text: that is most of the work for
+/// the closed form.
+class RowWriter {
+ public:
+  RowWriter(Output& output, TextFormat text, const motion::FreeBody& body)
+      : output_(output),
+        text_(std::move(text)),
+        body_(body),
+        start_(motion::energy(body.inertia(), body.omega())) {
+    output_.write(text_.before);
+  }
+
+  void add(const motion::Sample& sample) {
+    block_.push_back(sample);
+    if (block_.size() == block_size) write_block();
+  }
+
+  void finish() {
+    write_block();
+    output_.write(text_.after);
+  }
+
+ private:
+  static constexpr std::size_t block_size = 8192, grain = 512;
+
+  void write_block() {
+    std::array<std::string, block_size / grain> texts;
+    for_each_part(block_.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+      std::string& text = texts[begin / grain];
+      for (std::size_t i = begin; i < end; ++i) {
+        if (i > 0 || !is_first_) text += text_.between;
+        text += text_.row(block_[i], motion::diagnose(body_, start_, block_[i]));
+      }
+    });
+    for (const std::string& text : texts) output_.write(text);
+    is_first_ = is_first_ && block_.empty();
+    block_.clear();
+  }
+
+  Output& output_;
+  TextFormat text_;
+  const motion::FreeBody& body_;
+  double start_;  ///< Energy at t = 0, g cm^2/s^2.
+  std::vector<motion::Sample> block_;
+  bool is_first_ = true;  ///< Nothing has been written yet.
+};
+
 }  // namespace
 
 RegularTimes::RegularTimes(const scene::Scene& scene)
@@ -84,23 +150,18 @@ void write_trajectory(Output& output, const scene::Scene& scene, const std::stri
                       const std::vector<double>& times) {
   const motion::Method& method = motion::find_method(scene.motion.method);
   const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
-  const double start = motion::energy(body.inertia(), scene.motion.omega);
-  const TextFormat text = format == "csv" ? csv_format() : json_format(scene);
-  output.write(text.before);
-  bool first = true;
-  const auto write = [&](const motion::Sample& sample) {
-    if (!first) output.write(text.between);
-    first = false;
-    output.write(text.row(sample, motion::diagnose(body, start, sample)));
-  };
+  RowWriter rows(output, format == "csv" ? csv_format() : json_format(scene), body);
   if (times.empty()) {
     const RegularTimes regular(scene);
-    motion::visit_samples(body, method, scene.motion.control, regular.size(), regular, write);
+    motion::visit_samples(body, method, scene.motion.control, regular.size(), regular,
+                          [&](const motion::Sample& sample) { rows.add(sample); });
   } else {
-    std::ranges::for_each(motion::integrate(body, method, scene.motion.control, times).samples,
-                          write);
+    for (const motion::Sample& sample :
+         motion::integrate(body, method, scene.motion.control, times).samples) {
+      rows.add(sample);
+    }
   }
-  output.write(text.after);
+  rows.finish();
 }
 
 }  // namespace twrench::app
