@@ -15,7 +15,7 @@ struct Layer {
   image::Area area() const { return {x, y, image.width, image.height}; }
 };
 
-/// Returns a transparent layer for the part of `picture` within `reach` px of `area`.
+/// Returns a transparent layer for the part of `picture` within `margin` px of `area`.
 Layer layer_around(const image::Area& area, int margin, const image::Area& picture);
 
 /// Copies the pixels in `area`, as far as it lies in both, between two layers at the same position.
