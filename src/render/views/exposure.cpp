@@ -46,7 +46,9 @@ void Exposure::add(const image::Image& image) {
     const unsigned alpha = p[3];
     if (alpha == 0) continue;
     for (std::size_t c = 0; c < 3; ++c) {
-      const unsigned straight = std::min((p[c] * 255U + alpha / 2) / alpha, 255U);
+      // Most pixels are opaque, and divisions are slow.
+      const unsigned straight =
+          alpha == 255 ? p[c] : std::min((p[c] * 255U + alpha / 2) / alpha, 255U);
       sums_[i + c] += static_cast<float>(alpha) * linear[straight];
     }
     sums_[i + 3] += static_cast<float>(alpha);
@@ -54,6 +56,7 @@ void Exposure::add(const image::Image& image) {
 }
 
 image::Image Exposure::mean() const {
+  const auto rounded = [](float value) { return static_cast<std::size_t>(value + 0.5F); };
   static const std::vector<float> srgb = srgb_table();
   image::Image image(width_, height_, 4);
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
@@ -61,10 +64,10 @@ image::Image Exposure::mean() const {
     if (alpha == 0) continue;
     const float mean_alpha = alpha / static_cast<float>(count_);
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto step = static_cast<std::size_t>(std::lround(sums_[i + c] / alpha * steps));
-      image.pixels[i + c] = static_cast<std::uint8_t>(std::lround(srgb[step] * mean_alpha / 255));
+      const std::size_t step = rounded(sums_[i + c] / alpha * steps);
+      image.pixels[i + c] = static_cast<std::uint8_t>(rounded(srgb[step] * mean_alpha / 255));
     }
-    image.pixels[i + 3] = static_cast<std::uint8_t>(std::lround(mean_alpha));
+    image.pixels[i + 3] = static_cast<std::uint8_t>(rounded(mean_alpha));
   }
   return image;
 }
