@@ -1,0 +1,164 @@
+#include "mesh/mesh_file.h"
+
+#include <fmt/format.h>
+#include <twrench/base/nearest.h>
+#include <twrench/base/require.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "mesh/diagnosis.h"
+#include "mesh/obj.h"
+#include "mesh/source.h"
+#include "mesh/stl.h"
+#include "mesh/topology.h"
+#include "mesh/welding.h"
+#include "system/file.h"
+#include "system/sha256.h"
+
+namespace twrench::mesh {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;
+
+struct Format {
+  const char* ending;
+  Content (*read)(const Source&);
+};
+
+constexpr std::array formats{Format{".obj", read_obj}, Format{".stl", read_stl}};
+
+/// The end of the name from its last point on, in small letters.
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+const Format* format_of(const std::filesystem::path& file) {
+  const auto* found = std::ranges::find(formats, ending_of(file), &Format::ending);
+  return found == formats.end() ? nullptr : found;
+}
+
+Content read_content(const Source& source) {
+  if (source.bytes.empty()) throw system::FileError("cannot read " + source.name, "it is empty");
+  if (const Format* format = format_of(source.name)) return format->read(source);
+  throw InvalidArgument(source.name, "its name does not end as that of a mesh does",
+                        "use a file in OBJ, STL, PLY or glTF: .obj .stl .ply .gltf .glb");
+}
+
+double scale_of(const std::string& name, const Content& content, const ReadOptions& options) {
+  if (options.scale) return *options.scale;
+  if (content.scale) return *content.scale;
+  throw MeshError(MeshError::Reason::no_scale, name, "its unit is not known: the format has none",
+                  "say unit = \"mm\", \"cm\", \"m\", \"inch\" or \"km\", or scale = CM_PER_UNIT");
+}
+
+void check(const ReadOptions& options) {
+  if (options.scale) require_positive("scale", *options.scale);
+  if (options.weld != 0.0) require_positive("weld", options.weld);
+  if (options.shell != 0.0) require_positive("shell", options.shell);
+}
+
+/// The integrals in cm and grams where those in the file's unit are known.
+body::SolidIntegrals scaled(const body::SolidIntegrals& integrals, double scale) {
+  const double cube = scale * scale * scale;
+  return {integrals.volume * cube, integrals.centroid * scale,
+          integrals.inertia * (cube * scale * scale)};
+}
+
+void add_notes_of(const Welded& welded, double tolerance, std::vector<std::string>& notes) {
+  if (welded.joined_vertices > 0) {
+    notes.push_back(fmt::format("{} vertices were joined to others within {} cm",
+                                welded.joined_vertices, tolerance));
+  }
+  if (welded.removed_triangles > 0) {
+    notes.push_back(
+        fmt::format("{} triangles have no area, two of their corners being one point, "
+                    "and are left out",
+                    welded.removed_triangles));
+  }
+}
+
+/// Makes what was read a body, in cm.
+MeshFile finish(const std::string& name, Content content, const ReadOptions& options) {
+  const double scale = scale_of(name, content, options);
+  body::TriangleMesh& mesh = content.mesh;
+  MeshFile file;
+  file.notes = std::move(content.notes);
+  add_notes_of(weld(mesh, options.weld / scale), options.weld, file.notes);
+  if (mesh.triangles.empty()) throw InvalidArgument(name, "it has no triangles");
+  const Topology edges = topology(mesh);
+  file.open_edges = edges.unbalanced;
+  file.components = edges.components;
+  if (options.shell == 0.0) require_solid(name, mesh, edges, scale, file.notes);
+  const body::SolidIntegrals integrals = options.shell == 0.0
+                                             ? body::solid_integrals(mesh)
+                                             : body::shell_integrals(mesh, options.shell / scale);
+  file.area = body::surface_area(mesh) * scale * scale;
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= scale;
+  file.shape = {std::make_shared<const body::TriangleMesh>(std::move(mesh)), options.shell,
+                scaled(integrals, scale)};
+  return file;
+}
+
+/// The digest of a file, or of those of the file and of others that belong to it.
+std::string digest_of(std::string_view bytes, const std::vector<std::string>& others) {
+  const auto digest = [](std::string_view text) {
+    return system::sha256_hex(
+        std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  };
+  std::string all = digest(bytes);
+  if (others.empty()) return all;
+  for (const std::string& other : others) all += other;
+  return digest(all);
+}
+
+MeshFile read(const std::string& name, Content content, std::string digest,
+              const ReadOptions& options) {
+  MeshFile file = finish(name, std::move(content), options);
+  file.sha256 = std::move(digest);
+  return file;
+}
+
+}  // namespace
+
+bool is_mesh_name(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+
+double unit_length(const std::string& what, std::string_view unit) {
+  static const std::vector<std::pair<std::string, double>> units{
+      {"mm", 0.1}, {"cm", 1.0}, {"m", 100.0}, {"inch", 2.54}, {"km", 1e5}};
+  std::vector<std::string> names;
+  for (const auto& [name, length] : units) {
+    if (name == unit) return length;
+    names.push_back(name);
+  }
+  throw unknown_name(what, unit, names);
+}
+
+MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
+  check(options);
+  Content content;
+  std::string digest;
+  {
+    const std::vector<std::uint8_t> bytes = system::read_regular_file(file, most_bytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    content = read_content({file.string(), text, file.parent_path()});
+    digest = digest_of(text, content.digests);
+  }  // The checks need the memory of the bytes.
+  return read(file.string(), std::move(content), std::move(digest), options);
+}
+
+MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  check(options);
+  Content content = read_content({name, bytes, {}});
+  std::string digest = digest_of(bytes, content.digests);
+  return read(name, std::move(content), std::move(digest), options);
+}
+
+}  // namespace twrench::mesh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <twrench/body/triangle_mesh.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twrench::mesh {
+
+/// The bytes of a file in one of the formats.
+struct Source {
+  /// What messages call it.
+  std::string name;
+  std::string_view bytes;
+  /// The folder in which the files lie that it may refer to; empty where there are none.
+  std::filesystem::path folder;
+};
+
+/// What stands in a file: finite coordinates in its own unit, and indices that are in range.
+struct Content {
+  body::TriangleMesh mesh;
+  /// Centimetres per unit, where the format determines it.
+  std::optional<double> scale = {};
+  /// What was passed over.
+  std::vector<std::string> notes = {};
+  /// SHA-256 of the other files that were read.
+  std::vector<std::string> digests = {};
+};
+
+}  // namespace twrench::mesh

@@ -1,0 +1,110 @@
+#include "mesh/topology.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "mesh/disjoint_sets.h"
+
+namespace twrench::mesh {
+namespace {
+
+/// One triangle's side of an edge, among those whose lesser vertex is the same.
+struct Side {
+  std::uint32_t greater;  ///< The edge's greater vertex.
+  /// Twice the triangle, and 1 more if it runs from the greater vertex to the lesser one.
+  std::uint32_t triangle_and_direction;
+
+  std::uint32_t triangle() const { return triangle_and_direction / 2; }
+  bool is_backward() const { return triangle_and_direction % 2 != 0; }
+};
+
+/// The sides of all edges, those of each lesser vertex together.
+struct Sides {
+  std::vector<Side> sides;
+  std::vector<std::uint32_t> end;  ///< Behind the sides of each vertex.
+};
+
+void for_each_side(const body::TriangleMesh& mesh, auto&& use) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    for (const auto& [from, to] : {DirectedEdge{a, b}, {b, c}, {c, a}}) {
+      const bool backward = to < from;
+      use(backward ? to : from, Side{backward ? from : to, 2 * i + (backward ? 1U : 0U)});
+    }
+  }
+}
+
+/// Sorts the sides by their lesser vertices, by counting.
+Sides sorted_sides(const body::TriangleMesh& mesh) {
+  Sides sorted{std::vector<Side>(3 * mesh.triangles.size()),
+               std::vector<std::uint32_t>(mesh.vertices.size() + 1)};
+  for_each_side(mesh, [&](std::uint32_t lesser, const Side&) { ++sorted.end[lesser + 1]; });
+  for (std::size_t i = 1; i < sorted.end.size(); ++i) sorted.end[i] += sorted.end[i - 1];
+  // What begins behind the vertices before ends, once filled, behind this one.
+  for_each_side(mesh, [&](std::uint32_t lesser, const Side& side) {
+    sorted.sides[sorted.end[lesser]++] = side;
+  });
+  sorted.end.pop_back();
+  return sorted;
+}
+
+class EdgeReader {
+ public:
+  explicit EdgeReader(const body::TriangleMesh& mesh) : sets_(mesh.triangles.size()) {}
+
+  /// Takes the triangles at an edge into account.
+  void add(std::uint32_t lesser, std::span<const Side> sides) {
+    const auto backward =
+        static_cast<std::size_t>(std::ranges::count_if(sides, &Side::is_backward));
+    for (const Side& side : sides.subspan(1)) {
+      sets_.join(sides[0].triangle(), side.triangle());
+    }
+    if (2 * backward != sides.size()) ++found_.unbalanced;
+    if (sides.size() == 2 && backward == 1) return;
+    DirectedEdge edge{lesser, sides[0].greater};
+    if (sides[0].is_backward()) std::swap(edge[0], edge[1]);
+    if (sides.size() == 1) found_.open.push_back(edge);
+    if (sides.size() == 2) found_.opposed.push_back(edge);
+    if (sides.size() > 2) found_.branching.push_back(edge);
+  }
+
+  /// Returns all that was found.
+  Topology finish() {
+    found_.component.resize(sets_.size());
+    for (std::uint32_t i = 0; i < sets_.size(); ++i) {
+      const std::uint32_t first = sets_.find(i);
+      found_.component[i] =
+          first == i ? static_cast<std::uint32_t>(found_.components++) : found_.component[first];
+    }
+    return std::move(found_);
+  }
+
+ private:
+  DisjointSets sets_;
+  Topology found_;
+};
+
+}  // namespace
+
+Topology topology(const body::TriangleMesh& mesh) {
+  Sides sorted = sorted_sides(mesh);
+  EdgeReader reader(mesh);
+  std::uint32_t begin = 0;
+  for (std::uint32_t lesser = 0; lesser < sorted.end.size(); ++lesser) {
+    const std::span<Side> sides(&sorted.sides[0] + begin, sorted.end[lesser] - begin);
+    std::ranges::sort(sides, {}, [](const Side& side) {
+      return std::pair(side.greater, side.triangle_and_direction);
+    });
+    for (auto at = sides.begin(); at != sides.end();) {
+      const auto next = std::ranges::find_if(
+          at, sides.end(), [&](const Side& side) { return side.greater != at->greater; });
+      reader.add(lesser, {at, next});
+      at = next;
+    }
+    begin = sorted.end[lesser];
+  }
+  return reader.finish();
+}
+
+}  // namespace twrench::mesh
