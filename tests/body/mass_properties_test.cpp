@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+#include "body/sample_meshes.h"
+
 namespace twrench::body {
 namespace {
 
@@ -22,8 +24,18 @@ std::vector<Part> three_parts() {
           {Ellipsoid{{1, 0.5, 2}}, 5, {0, 3, -2}, so3::exp(Vector3d(-2, 0.1, 0.7))}};
 }
 
+/// Parts whose centroid is not their origin, and whose axes are not their principal ones.
+std::vector<Part> uneven_parts() {
+  return {{Cone{1, 3, 0.5}, 2, {1, 2, 3}, so3::exp(Vector3d(0.3, 0.4, -1))},
+          {make_mesh(moved(tetrahedron(2, 1.0), {1, 2, 0})),
+           300,
+           {-4, 0, 1},
+           so3::exp(Vector3d(1, -0.2, 0))}};
+}
+
 TEST(MassProperties, DoNotDependOnWhereTheSceneWasDrawn) {
-  const std::vector<Part> parts = three_parts();
+  std::vector<Part> parts = three_parts();
+  for (const Part& part : uneven_parts()) parts.push_back(part);
   const Matrix3d R = so3::exp(Vector3d(0.5, -1.5, 0.8));
   const Vector3d shift(10, -20, 5);
   std::vector<Part> moved = parts;
@@ -44,6 +56,28 @@ TEST(MassProperties, ABoxCutInTwoIsTheSameBox) {
   const std::vector<Part> halves{{Box{{1, 2, 3}}, 2, {-1.5, 0, 0}, Id},
                                  {Box{{3, 2, 3}}, 2, {0.5, 0, 0}, Id}};
   EXPECT_LE((mass_properties(whole).inertia - mass_properties(halves).inertia).norm(), 1e-12);
+}
+
+TEST(MassProperties, OfAPartOfAMeshTogetherAreThoseOfTheWhole) {
+  const std::vector<Part> whole{
+      {make_mesh(tetrahedron(2, 1.0)), 2, {0, 0, 0}, Matrix3d::Identity()}};
+  // A point inside cuts it into four; each has a frame of its own.
+  const TriangleMesh mesh = tetrahedron(2, 1.0);
+  const Vector3d middle = mass_properties(whole).centre_of_mass;
+  std::vector<Part> pieces;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Matrix3d R = so3::exp(Vector3d(a, b, c));
+    const Vector3d position(b, c, a);
+    TriangleMesh piece{{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], middle},
+                       {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}},
+                       {}};
+    for (Vector3d& v : piece.vertices) v = R.transpose() * (v - position);
+    pieces.push_back({make_mesh(piece), 2, position, R});
+  }
+  const MassProperties a = mass_properties(whole), b = mass_properties(pieces);
+  EXPECT_NEAR(a.mass, b.mass, 1e-14 * a.mass);
+  EXPECT_LE((b.centre_of_mass - a.centre_of_mass).norm(), 1e-14);
+  EXPECT_LE((b.inertia - a.inertia).norm(), 1e-12 * a.inertia.norm());
 }
 
 TEST(MassProperties, PrincipalAxesDiagonalise) {
@@ -86,6 +120,31 @@ TEST(MassProperties, OfPartsThatCannotBeAreRefused) {
     parts[1].position.y() = bad;
     EXPECT_EQ(refused(parts), "position") << bad;
   }
+}
+
+/// The quantity that a body of one shape is refused for.
+std::string refused_shape(const Shape& shape) {
+  return refused({{shape, 1, Vector3d::Zero(), Matrix3d::Identity()}});
+}
+
+TEST(MassProperties, OfShapesThatCannotBeAreRefused) {
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(refused_shape(Cone{bad, 1}), "radius") << bad;
+    EXPECT_EQ(refused_shape(Cone{1, bad}), "length") << bad;
+    EXPECT_EQ(refused_shape(Capsule{bad, 1}), "radius") << bad;
+    EXPECT_EQ(refused_shape(Capsule{1, bad}), "length") << bad;
+    EXPECT_EQ(refused_shape(Torus{2, bad}), "tube_radius") << bad;
+    EXPECT_EQ(refused_shape(Tube{2, bad, 1}), "inner_radius") << bad;
+    EXPECT_EQ(refused_shape(Tube{2, 1, bad}), "length") << bad;
+  }
+  EXPECT_EQ(refused_shape(Cone{1, 1, -1}), "top_radius");
+  EXPECT_EQ(refused_shape(Cone{1, 1, std::nan("")}), "top_radius");
+  EXPECT_EQ(refused_shape(Torus{1, 1}), "tube_radius") << "it meets itself";
+  EXPECT_EQ(refused_shape(Torus{std::nan(""), 1}), "radius");
+  EXPECT_EQ(refused_shape(Tube{1, 1, 1}), "inner_radius") << "no wall";
+  EXPECT_EQ(refused_shape(Tube{std::nan(""), 1, 1}), "radius");
+  EXPECT_EQ(refused_shape(Mesh{}), "mesh");
+  EXPECT_EQ(refused_shape(Cone{1, 2, 3}), "nothing");
 }
 
 TEST(MassProperties, OfAPartThatIsNotTurnedButBentAreRefused) {
@@ -158,7 +217,9 @@ TEST(EquimomentalBox, OfAnImpossibleBodyIsAThinPlate) {
 }
 
 TEST(EquimomentalPoints, HaveThePartsMassCentreAndInertia) {
-  for (const Part& part : three_parts()) {
+  std::vector<Part> parts = three_parts();
+  for (const Part& part : uneven_parts()) parts.push_back(part);
+  for (const Part& part : parts) {
     const MassProperties expected = mass_properties({&part, 1});
     double mass = 0;
     Vector3d centre = Vector3d::Zero();

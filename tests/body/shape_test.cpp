@@ -2,8 +2,14 @@
 #include <twrench/body/shape.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
+#include <utility>
+
+#include "body/sample_meshes.h"
 
 namespace twrench::body {
 namespace {
@@ -53,6 +59,66 @@ TEST(Shape, EllipsoidIntegrals) {
                    }));
 }
 
+/// The radii between which a solid of revolution lies at a height.
+using Profile = std::function<std::pair<double, double>(double z)>;
+
+/// Expects the integrals of the solid of revolution between two heights, by the midpoint rule over
+/// discs.
+void expect_profile(const Shape& shape, double bottom, double top, const Profile& profile) {
+  constexpr int n = 200'000;
+  const double step = (top - bottom) / n;
+  double sum = 0, z_sum = 0, zz_sum = 0, rr_sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double z = bottom + (i + 0.5) * step;
+    const auto [inner, outer] = profile(z);
+    const double area = pi * (outer * outer - inner * inner);
+    sum += area * step;
+    z_sum += area * z * step;
+    zz_sum += area * z * z * step;
+    rr_sum += area * (outer * outer + inner * inner) / 4 * step;  // of x^2, and of y^2
+  }
+  const double mean = z_sum / sum, zz = zz_sum - sum * mean * mean;
+  constexpr double round = 1e-7;
+  EXPECT_NEAR(volume(shape) / sum, 1, round);
+  EXPECT_LE((centroid(shape) - Vector3d(0, 0, mean)).norm(), round * (top - bottom));
+  const Eigen::Matrix3d expected = Vector3d(rr_sum + zz, rr_sum + zz, 2 * rr_sum).asDiagonal();
+  EXPECT_LE((central_inertia(shape, sum) - expected).norm(), round * expected.norm());
+}
+
+TEST(Shape, ConeIntegrals) {
+  for (const double top : {0.0, 0.5, 1.5, 4.0}) {
+    expect_profile(Cone{1.5, 4, top}, -2, 2,
+                   [&](double z) { return std::pair(0.0, 1.5 + (top - 1.5) * (z + 2) / 4); });
+  }
+}
+
+TEST(Shape, AConeOfOneRadiusIsACylinder) {
+  const Shape cone = Cone{1.5, 4, 1.5}, cylinder = Cylinder{1.5, 4};
+  EXPECT_DOUBLE_EQ(volume(cone), volume(cylinder));
+  EXPECT_LE((central_inertia(cone, 2) - central_inertia(cylinder, 2)).norm(), 1e-14);
+  EXPECT_EQ(centroid(cone), Vector3d::Zero());
+}
+
+TEST(Shape, TorusIntegrals) {
+  for (const double tube : {0.5, 1.9}) {
+    expect_profile(Torus{2, tube}, -tube, tube, [&](double z) {
+      const double half = std::sqrt(tube * tube - z * z);
+      return std::pair(2 - half, 2 + half);
+    });
+  }
+}
+
+TEST(Shape, CapsuleIntegrals) {
+  expect_profile(Capsule{0.75, 2}, -1.75, 1.75, [](double z) {
+    const double beyond = std::max(std::abs(z) - 1, 0.0);
+    return std::pair(0.0, std::sqrt(0.75 * 0.75 - beyond * beyond));
+  });
+}
+
+TEST(Shape, TubeIntegrals) {
+  expect_profile(Tube{1.5, 1.2, 4}, -2, 2, [](double) { return std::pair(1.2, 1.5); });
+}
+
 TEST(Shape, KnownVolumes) {
   EXPECT_DOUBLE_EQ(volume(Cylinder{1, 8}), 8 * pi);
   EXPECT_DOUBLE_EQ(volume(Box{{1, 2, 3}}), 6);
@@ -63,6 +129,13 @@ TEST(Shape, BoundingRadiusReachesTheFarthestPoint) {
   EXPECT_DOUBLE_EQ(bounding_radius(Cylinder{3, 8}), 5);
   EXPECT_DOUBLE_EQ(bounding_radius(Box{{2, 4, 4}}), 3);
   EXPECT_DOUBLE_EQ(bounding_radius(Ellipsoid{{1, 5, 2}}), 5);
+  EXPECT_DOUBLE_EQ(bounding_radius(Cone{3, 8}), 5);
+  EXPECT_DOUBLE_EQ(bounding_radius(Cone{1, 8, 3}), 5);
+  EXPECT_DOUBLE_EQ(bounding_radius(Torus{3, 1}), 4);
+  EXPECT_DOUBLE_EQ(bounding_radius(Capsule{1, 8}), 5);
+  EXPECT_DOUBLE_EQ(bounding_radius(Tube{3, 1, 8}), 5);
+  EXPECT_DOUBLE_EQ(bounding_radius(make_mesh(tetrahedron(0, 1.0))),
+                   tetrahedron(0, 1.0).vertices[0].norm());
 }
 
 TEST(Shape, FrameHasItsThirdAxisWhereAsked) {
