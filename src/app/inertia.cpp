@@ -2,23 +2,30 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/mesh_options.h"
 #include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
 #include "scene/prediction.h"
+#include "system/file.h"
 
 namespace twrench::app {
 namespace {
 
 struct InertiaOptions {
-  explicit InertiaOptions(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
+  explicit InertiaOptions(CLI::App& command) : scene(command), mesh(command) {
+    scene.add_inertia_option();
+  }
 
   SceneOptions scene;
+  MeshOptions mesh;
   std::string format = "text";
   std::string output = "-";
 };
@@ -40,19 +47,39 @@ std::string predictions(const body::MassProperties& body) {
   return lines;
 }
 
-std::string text(const scene::Scene& scene, const body::MassProperties& body) {
+/// What is printed of a body.
+struct Described {
+  std::string name;
+  body::MassProperties body;
+  /// Its mesh, where it is one.
+  std::optional<mesh::MeshFile> mesh = {};
+};
+
+std::string mesh_lines(const mesh::MeshFile& mesh) {
+  return fmt::format(
+      "triangles            {}\n"
+      "open edges           {}\n"
+      "volume               {:.17g} cm^3\n"
+      "area                 {:.17g} cm^2\n",
+      mesh.shape.surface->triangles.size(), mesh.open_edges, body::volume(mesh.shape), mesh.area);
+}
+
+std::string text(const Described& described) {
+  const auto& [name, body, mesh] = described;
   const std::string mass =
       std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
   return fmt::format(
-      "scene                {}\n"
+      "{:<20} {}\n"
+      "{}"
       "mass                 {}\n"
       "centre of mass, cm\n  {}"
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
       "principal axes as columns, in body axes\n{}"
       "a small tilt of its steady rotation\n{}",
-      escape(scene.name), mass, row(body.centre_of_mass), matrix(body.inertia), row(body.moments),
-      matrix(body.axes), predictions(body));
+      mesh ? "mesh" : "scene", escape(name), mesh ? mesh_lines(*mesh) : "", mass,
+      row(body.centre_of_mass), matrix(body.inertia), row(body.moments), matrix(body.axes),
+      predictions(body));
 }
 
 nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -79,15 +106,37 @@ nlohmann::ordered_json stability_json(const body::MassProperties& body) {
   return list;
 }
 
-std::string json(const scene::Scene& scene, const body::MassProperties& body) {
-  nlohmann::ordered_json document{{"scene", scene.name}};
+std::string json(const Described& described) {
+  const auto& [name, body, mesh] = described;
+  nlohmann::ordered_json document{{"scene", name}};
   document["mass"] = body.mass;  // NaN, if only moments are given, becomes null
   document["centre_of_mass"] = numbers(body.centre_of_mass);
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
   document["principal_axes"] = rows(body.axes);
   document["stability"] = stability_json(body);
+  if (mesh) {
+    document["triangles"] = mesh->shape.surface->triangles.size();
+    document["open_edges"] = mesh->open_edges;
+    document["volume"] = body::volume(mesh->shape);
+    document["area"] = mesh->area;
+  }
   return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// The mesh or the scene that is named.
+Described describe(const InertiaOptions& options) {
+  const std::string& name = options.scene.names().front();
+  if (!mesh::is_mesh_name(name)) {
+    options.mesh.require_none();
+    options.scene.require_not_input(options.output);
+    const scene::Scene scene = options.scene.scene();
+    return {scene.name, scene::mass_properties(scene.body)};
+  }
+  system::require_not_input(options.output, name);
+  options.scene.require_no_overrides(name);
+  MeshBody mesh = options.mesh.read(name);
+  return {std::filesystem::path(name).stem().string(), mesh.properties, std::move(mesh.file)};
 }
 
 }  // namespace
@@ -95,7 +144,10 @@ std::string json(const scene::Scene& scene, const body::MassProperties& body) {
 void add_inertia(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
-  command->footer("Example: twrench inertia dzhanibekov --format json");
+  command->footer(
+      "SCENE may be a mesh: .obj .stl .ply .gltf .glb\n"
+      "Examples: twrench inertia dzhanibekov --format json\n"
+      "          twrench inertia bracket.stl --unit mm --density 7.8");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))
@@ -105,11 +157,8 @@ void add_inertia(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->callback([options] {
-    options->scene.require_not_input(options->output);
-    const scene::Scene scene = options->scene.scene();
-    const body::MassProperties body = scene::mass_properties(scene.body);
-    write_output(options->output,
-                 options->format == "text" ? text(scene, body) : json(scene, body));
+    const Described described = describe(*options);
+    write_output(options->output, options->format == "text" ? text(described) : json(described));
   });
 }
 

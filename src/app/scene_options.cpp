@@ -158,6 +158,12 @@ void SceneOptions::add_picture_options() {
       });
 }
 
+void SceneOptions::require_no_overrides(const std::string& name) const {
+  if (overrides_.empty()) return;
+  throw InvalidArgument(name, "only the values of a scene can be replaced",
+                        "leave the options for those out");
+}
+
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
   for (const std::string& name : names_) twrench::system::require_not_input(output, name);
   for (const scene::Scene& scene : load())

@@ -49,6 +49,12 @@ class SceneOptions {
   /// InvalidArgument. Warns on standard error about moments that no real body has.
   scene::Scene scene() const { return scenes().front(); }
 
+  /// The scenes as they were named.
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
+  void require_no_overrides(const std::string& name) const;
+
   /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a
   /// scene.
   void require_not_input(const std::filesystem::path& output) const;

@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "mesh/diagnosis.h"
+#include "mesh/gltf.h"
 #include "mesh/obj.h"
+#include "mesh/ply.h"
 #include "mesh/source.h"
 #include "mesh/stl.h"
 #include "mesh/topology.h"
@@ -30,7 +32,9 @@ struct Format {
   Content (*read)(const Source&);
 };
 
-constexpr std::array formats{Format{".obj", read_obj}, Format{".stl", read_stl}};
+constexpr std::array formats{Format{".obj", read_obj}, Format{".stl", read_stl},
+                             Format{".ply", read_ply}, Format{".gltf", read_gltf},
+                             Format{".glb", read_gltf}};
 
 /// The end of the name from its last point on, in small letters.
 std::string ending_of(const std::filesystem::path& file) {
@@ -47,6 +51,14 @@ const Format* format_of(const std::filesystem::path& file) {
 
 Content read_content(const Source& source) {
   if (source.bytes.empty()) throw system::FileError("cannot read " + source.name, "it is empty");
+  if (source.bytes.size() > most_bytes) {
+    throw system::FileError("cannot read " + source.name,
+                            fmt::format("it is longer than {} bytes", most_bytes));
+  }
+  // Two formats say at once what they are, whatever the name.
+  if (source.bytes.starts_with("glTF")) return read_gltf(source);
+  if (source.bytes.starts_with("ply\n") || source.bytes.starts_with("ply\r"))
+    return read_ply(source);
   if (const Format* format = format_of(source.name)) return format->read(source);
   throw InvalidArgument(source.name, "its name does not end as that of a mesh does",
                         "use a file in OBJ, STL, PLY or glTF: .obj .stl .ply .gltf .glb");

@@ -15,8 +15,8 @@ struct Source {
   /// What messages call it.
   std::string name;
   std::string_view bytes;
-  /// The folder in which the files lie that it may refer to; empty where there are none.
-  std::filesystem::path folder;
+  /// The folder in which the files lie that it may refer to; nothing where there are none.
+  std::optional<std::filesystem::path> folder;
 };
 
 /// What stands in a file: finite coordinates in its own unit, and indices that are in range.

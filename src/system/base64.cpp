@@ -19,4 +19,27 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
+std::optional<std::vector<std::uint8_t>> bytes_of_base64(std::string_view text) {
+  constexpr std::size_t piece = 4U << 20U;  // OpenSSL counts in int
+  if (text.size() % 4 != 0) return {};
+  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view part = rest.substr(0, piece);
+    rest.remove_prefix(part.size());
+    // OpenSSL passes over blanks at the ends, and takes padding within for zeros.
+    const std::string_view digits = part.substr(0, part.size() - (rest.empty() ? padding : 0));
+    if (digits.find_first_of(" \t\r\n=") != std::string_view::npos) return {};
+    const std::size_t before = bytes.size();
+    bytes.resize(before + part.size() / 4 * 3);
+    if (EVP_DecodeBlock(bytes.data() + before, reinterpret_cast<const unsigned char*>(part.data()),
+                        static_cast<int>(part.size())) < 0) {
+      return {};
+    }
+  }
+  bytes.resize(bytes.size() - padding);
+  return bytes;
+}
+
 }  // namespace twrench::system

@@ -1,0 +1,202 @@
+#include "mesh/gltf_buffers.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "mesh/binary.h"
+#include "system/base64.h"
+#include "system/file.h"
+#include "system/sha256.h"
+
+namespace twrench::mesh {
+namespace {
+
+constexpr std::size_t most_buffer_bytes = std::size_t{1} << 30U;
+
+/// A URI's text without its escapes such as %20.
+std::string unescaped(std::string_view uri) {
+  std::string text;
+  while (!uri.empty()) {
+    unsigned char byte = 0;
+    const char* const digits = uri.data() + 1;
+    if (uri.size() > 2 && uri[0] == '%' &&
+        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+      text += static_cast<char>(byte);
+      uri.remove_prefix(3);
+    } else {
+      text += uri[0];
+      uri.remove_prefix(1);
+    }
+  }
+  return text;
+}
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string_view("/\\:\0", 4)) == std::string::npos;
+}
+
+std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// The numbers by which glTF calls types, which are OpenGL's.
+constexpr std::uint64_t int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125,
+                        float32 = 5126;
+
+std::size_t size_of_component(const GltfValue& type) {
+  switch (type.whole()) {
+    case int8:
+    case uint8:
+      return 1;
+    case int16:
+    case uint16:
+      return 2;
+    case uint32:
+    case float32:
+      return 4;
+    default:
+      throw type.bad("is no type of numbers");
+  }
+}
+
+std::size_t components_of(const GltfValue& type) {
+  static const std::map<std::string, std::size_t> components{
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+  const auto found = components.find(type.text());
+  if (found == components.end()) throw type.bad("is no type of elements");
+  return found->second;
+}
+
+template <typename Number>
+double component(std::string_view bytes, std::size_t offset, bool normalized) {
+  const auto value = static_cast<double>(number_at<Number>(bytes, offset));
+  if (!normalized) return value;
+  return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
+}
+
+}  // namespace
+
+void GltfBuffers::load_file(const GltfValue& uri, Buffer& buffer) const {
+  const std::string name = unescaped(uri.text());
+  if (!source_->folder || !is_plain_name(name)) {
+    throw InvalidArgument(source_->name,
+                          fmt::format("its {} refers to '{}', which is not beside it", uri.place(),
+                                      name.substr(0, 80)),
+                          "put all into one file: save it as .glb");
+  }
+  const auto bytes = system::read_regular_file(*source_->folder / name, most_buffer_bytes);
+  buffer.owned = text_of(bytes);
+  buffer.digest = system::sha256_hex(bytes);
+}
+
+void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buffer) const {
+  const std::optional<GltfValue> uri = value.find("uri");
+  if (!uri && index == 0 && binary_) {
+    buffer.bytes = *binary_;
+    return;
+  }
+  if (!uri) throw value.bad("has no 'uri'");
+  const std::string_view text = uri->text();
+  if (text.starts_with("data:")) {
+    constexpr std::string_view mark = ";base64,";
+    const std::size_t at = text.find(mark);
+    const auto bytes = at == std::string_view::npos
+                           ? std::nullopt
+                           : system::bytes_of_base64(text.substr(at + mark.size()));
+    if (!bytes) throw uri->bad("is no data in base64");
+    buffer.owned = text_of(*bytes);
+  } else {
+    load_file(*uri, buffer);
+  }
+  buffer.bytes = buffer.owned;
+}
+
+const GltfBuffers::Buffer& GltfBuffers::buffer(std::uint64_t index) {
+  const GltfValue value = document_->at("buffers").at(index);
+  // Sized once, as the bytes of a short text move with its string.
+  if (buffers_.empty()) buffers_.resize(document_->size("buffers"));
+  std::optional<Buffer>& slot = buffers_[index];
+  if (slot) return *slot;
+  load(value, index, slot.emplace());
+  const std::uint64_t length = value.at("byteLength").whole();
+  if (length > slot->bytes.size()) {
+    throw value.bad(fmt::format("is cut off: it has {} bytes of {}", slot->bytes.size(), length));
+  }
+  slot->bytes = slot->bytes.substr(0, length);
+  return *slot;
+}
+
+GltfView GltfBuffers::view(std::uint64_t index) {
+  const GltfValue value = document_->at("bufferViews").at(index);
+  const std::string_view bytes = buffer(value.at("buffer").whole()).bytes;
+  const std::uint64_t offset = value.whole_or("byteOffset", 0);
+  const std::uint64_t length = value.at("byteLength").whole();
+  if (offset > bytes.size() || length > bytes.size() - offset) {
+    throw value.bad(fmt::format("goes beyond the {} bytes of its buffer", bytes.size()));
+  }
+  GltfView view{bytes.substr(offset, length), {}};
+  if (const auto stride = value.find("byteStride")) {
+    view.stride = stride->whole();
+    if (*view.stride == 0 || *view.stride > 252) throw stride->bad("is no distance of elements");
+  }
+  return view;
+}
+
+std::vector<std::string> GltfBuffers::digests() const {
+  std::vector<std::string> digests;
+  for (const std::optional<Buffer>& buffer : buffers_) {
+    if (buffer && !buffer->digest.empty()) digests.push_back(buffer->digest);
+  }
+  return digests;
+}
+
+GltfAccessor::GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers)
+    : type_(accessor.at("componentType").whole()),
+      count_(accessor.at("count").whole()),
+      components_(components_of(accessor.at("type"))) {
+  if (accessor.find("sparse")) throw accessor.bad("is sparse, which is not read");
+  if (const auto normalized = accessor.find("normalized")) normalized_ = normalized->boolean();
+  const std::size_t size = components_ * size_of_component(accessor.at("componentType"));
+  const GltfView view = buffers.view(accessor.at("bufferView").whole());
+  bytes_ = view.bytes;
+  stride_ = view.stride.value_or(size);
+  const std::uint64_t offset = accessor.whole_or("byteOffset", 0);
+  const bool has_room = offset <= bytes_.size() &&
+                        (count_ == 0 || (bytes_.size() - offset >= size &&
+                                         count_ - 1 <= (bytes_.size() - offset - size) / stride_));
+  if (!has_room) {
+    throw accessor.bad(fmt::format("goes beyond the {} bytes of its buffer view", bytes_.size()));
+  }
+  bytes_.remove_prefix(offset);
+}
+
+bool GltfAccessor::is_unsigned() const {
+  return type_ == uint8 || type_ == uint16 || type_ == uint32;
+}
+
+double GltfAccessor::at(std::size_t element, std::size_t index) const {
+  switch (type_) {
+    case int8:
+      return component<std::int8_t>(bytes_, element * stride_ + index, normalized_);
+    case uint8:
+      return component<std::uint8_t>(bytes_, element * stride_ + index, normalized_);
+    case int16:
+      return component<std::int16_t>(bytes_, element * stride_ + 2 * index, normalized_);
+    case uint16:
+      return component<std::uint16_t>(bytes_, element * stride_ + 2 * index, normalized_);
+    case uint32:
+      return component<std::uint32_t>(bytes_, element * stride_ + 4 * index, normalized_);
+    default:
+      return static_cast<double>(number_at<float>(bytes_, element * stride_ + 4 * index));
+  }
+}
+
+}  // namespace twrench::mesh

@@ -1,0 +1,273 @@
+#include "mesh/ply.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "mesh/binary.h"
+#include "mesh/lines.h"
+#include "mesh/ply_header.h"
+#include "mesh/polygon.h"
+
+namespace twrench::mesh {
+namespace {
+
+system::FileError cut_off(const std::string& name, const std::string& why) {
+  return {"cannot read " + name, "it is cut off: " + why};
+}
+
+/// The numbers behind the header, one after the other.
+class PlyNumbers {
+ public:
+  PlyNumbers(std::string name, PlyHeader::Format format, Lines lines)
+      : name_(std::move(name)), format_(format), lines_(std::move(lines)), bytes_(lines_.rest()) {}
+
+  bool is_text() const { return format_ == PlyHeader::Format::text; }
+
+  /// The bytes that have not been read.
+  std::size_t remaining() const { return is_text() ? lines_.rest().size() : bytes_.size(); }
+
+  /// Goes to the next item: in a text that is the next line.
+  void begin_item() {
+    if (!is_text()) return;
+    if (!lines_.next()) throw cut_off(name_, "lines are missing at its end");
+  }
+
+  double next(PlyType type) {
+    if (is_text()) return lines_.number();
+    const std::size_t size = size_of(type);
+    if (bytes_.size() < size) throw cut_off(name_, "numbers are missing at its end");
+    const double value = binary(type);
+    bytes_.remove_prefix(size);
+    return value;
+  }
+
+ private:
+  double binary(PlyType type) const {
+    const std::endian order =
+        format_ == PlyHeader::Format::big_endian ? std::endian::big : std::endian::little;
+    switch (type) {
+      case PlyType::int8:
+        return number_at<std::int8_t>(bytes_, 0, order);
+      case PlyType::uint8:
+        return number_at<std::uint8_t>(bytes_, 0, order);
+      case PlyType::int16:
+        return number_at<std::int16_t>(bytes_, 0, order);
+      case PlyType::uint16:
+        return number_at<std::uint16_t>(bytes_, 0, order);
+      case PlyType::int32:
+        return number_at<std::int32_t>(bytes_, 0, order);
+      case PlyType::uint32:
+        return number_at<std::uint32_t>(bytes_, 0, order);
+      case PlyType::float32:
+        return number_at<float>(bytes_, 0, order);
+      case PlyType::float64:
+        break;
+    }
+    return number_at<double>(bytes_, 0, order);
+  }
+
+  std::string name_;
+  PlyHeader::Format format_;
+  Lines lines_;
+  std::string_view bytes_;
+};
+
+/// What 1 is written as in a colour of the type.
+double full_color(PlyType type) {
+  if (type == PlyType::uint8) return 255.0;
+  return type == PlyType::uint16 ? 65535.0 : 1.0;
+}
+
+/// Which of the properties of a vertex are x, y, z, red, green and blue.
+struct VertexLayout {
+  struct Slot {
+    std::size_t index;  ///< Which of the six.
+    double unit;        ///< What it is divided by.
+  };
+
+  explicit VertexLayout(const PlyElement& vertex) {
+    static constexpr std::array<std::string_view, 6> names{"x", "y", "z", "red", "green", "blue"};
+    for (const PlyProperty& property : vertex.properties) {
+      const auto* const found = std::ranges::find(names, property.name);
+      std::optional<Slot>& slot = slots.emplace_back();
+      if (found == names.end() || property.count_type) continue;
+      const auto index = static_cast<std::size_t>(found - names.begin());
+      slot = Slot{index, index < 3 ? 1.0 : full_color(property.type)};
+      found_[index] = true;
+    }
+  }
+
+  bool is_complete() const { return found_[0] && found_[1] && found_[2]; }
+  bool has_colors() const { return found_[3] && found_[4] && found_[5]; }
+
+  /// For each property; nothing for one that is passed over.
+  std::vector<std::optional<Slot>> slots;
+
+ private:
+  std::array<bool, 6> found_{};
+};
+
+class PlyReader {
+ public:
+  explicit PlyReader(const Source& source)
+      : name_(source.name),
+        lines_(source.name, source.bytes),
+        header_(read_ply_header(lines_)),
+        numbers_(name_, header_.format, lines_) {
+    const auto is_vertex = [](const PlyElement& element) { return element.name == "vertex"; };
+    const auto vertex = std::ranges::find_if(header_.elements, is_vertex);
+    if (vertex == header_.elements.end()) return;
+    vertex_count_ = vertex->count;
+    if (std::any_of(vertex + 1, header_.elements.end(), is_vertex)) {
+      throw system::FileError("cannot read " + name_, "its header has two elements 'vertex'");
+    }
+  }
+
+  Content read() {
+    for (const PlyElement& element : header_.elements) {
+      require_room(element);
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else
+        skip(element);
+    }
+    return {.mesh = std::move(mesh_)};
+  }
+
+ private:
+  /// Throws where the rest of the file is too short for what the header says, before memory is
+  /// taken for it.
+  void require_room(const PlyElement& element) const {
+    std::size_t least = 0;
+    for (const PlyProperty& property : element.properties) {
+      least += numbers_.is_text() ? 2 : size_of(property.count_type.value_or(property.type));
+    }
+    least = std::max<std::size_t>(least, 1);
+    // The last line need not end.
+    if (element.count <= (numbers_.remaining() + 1) / least) return;
+    throw cut_off(name_,
+                  fmt::format("its header says that it has {} of '{}', for which {} bytes do "
+                              "not suffice",
+                              element.count, element.name, numbers_.remaining()));
+  }
+
+  void skip_property(const PlyProperty& property) {
+    if (!property.count_type) {
+      numbers_.next(property.type);
+      return;
+    }
+    for (std::uint64_t n = count_of(property); n > 0; --n) numbers_.next(property.type);
+  }
+
+  void skip(const PlyElement& element) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_item();
+      for (const PlyProperty& property : element.properties) skip_property(property);
+    }
+  }
+
+  std::uint64_t count_of(const PlyProperty& list) {
+    const double count = numbers_.next(*list.count_type);
+    constexpr double most = std::numeric_limits<std::uint32_t>::max();
+    if (count >= 0.0 && count <= most && count == std::floor(count)) {
+      return static_cast<std::uint64_t>(count);
+    }
+    throw system::FileError("cannot read " + name_,
+                            fmt::format("a list cannot have {} entries", count));
+  }
+
+  void read_vertices(const PlyElement& element) {
+    const VertexLayout layout(element);
+    if (!layout.is_complete()) {
+      throw system::FileError("cannot read " + name_, "its vertices have no x, y and z");
+    }
+    std::array<double, 6> values{};
+    mesh_.vertices.reserve(element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_item();
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (const auto& slot = layout.slots[p]) {
+          values[slot->index] = numbers_.next(element.properties[p].type) / slot->unit;
+        } else {
+          skip_property(element.properties[p]);
+        }
+      }
+      add_vertex(values, layout.has_colors());
+    }
+  }
+
+  void add_vertex(const std::array<double, 6>& values, bool has_color) {
+    const auto& [x, y, z, red, green, blue] = values;
+    mesh_.vertices.emplace_back(x, y, z);
+    if (!mesh_.vertices.back().allFinite()) {
+      throw InvalidArgument(fmt::format("{}: vertex {}", name_, mesh_.vertices.size() - 1),
+                            "a coordinate is not a finite number");
+    }
+    const auto part = [](double value) {
+      return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
+    };
+    if (has_color) mesh_.colors.push_back({part(red), part(green), part(blue)});
+  }
+
+  void read_faces(const PlyElement& element) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_item();
+      for (const PlyProperty& property : element.properties) {
+        const bool is_ring = property.count_type &&
+                             (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (is_ring)
+          read_ring(property, i);
+        else
+          skip_property(property);
+      }
+    }
+  }
+
+  void read_ring(const PlyProperty& property, std::uint64_t face) {
+    const std::uint64_t count = count_of(property);
+    ring_.clear();
+    for (std::uint64_t k = 0; k < count; ++k)
+      ring_.push_back(index(numbers_.next(property.type), face));
+    if (count < 3) {
+      throw InvalidArgument(fmt::format("{}: face {}", name_, face),
+                            "a face has three corners at least");
+    }
+    add_polygon(ring_, mesh_);
+  }
+
+  std::uint32_t index(double number, std::uint64_t face) const {
+    if (number >= 0.0 && number < static_cast<double>(vertex_count_) &&
+        number == std::floor(number)) {
+      return static_cast<std::uint32_t>(number);
+    }
+    throw InvalidArgument(
+        fmt::format("{}: face {}", name_, face),
+        fmt::format("it refers to vertex {}, but there are {} vertices, from 0 on", number,
+                    vertex_count_));
+  }
+
+  std::string name_;
+  Lines lines_;
+  PlyHeader header_;
+  PlyNumbers numbers_;
+  std::uint64_t vertex_count_ = 0;
+  body::TriangleMesh mesh_;
+  std::vector<std::uint32_t> ring_;
+};
+
+}  // namespace
+
+Content read_ply(const Source& source) { return PlyReader(source).read(); }
+
+}  // namespace twrench::mesh

@@ -1,0 +1,96 @@
+#include "mesh/ply_header.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace twrench::mesh {
+namespace {
+
+struct TypeName {
+  std::string_view name, other_name;
+  std::size_t bytes;
+};
+
+// In the order of PlyType.
+constexpr std::array type_names{TypeName{"char", "int8", 1},     TypeName{"uchar", "uint8", 1},
+                                TypeName{"short", "int16", 2},   TypeName{"ushort", "uint16", 2},
+                                TypeName{"int", "int32", 4},     TypeName{"uint", "uint32", 4},
+                                TypeName{"float", "float32", 4}, TypeName{"double", "float64", 8}};
+
+PlyType read_type(Lines& lines) {
+  const std::string_view word = lines.word();
+  for (std::size_t i = 0; i < type_names.size(); ++i) {
+    if (word == type_names[i].name || word == type_names[i].other_name) {
+      return static_cast<PlyType>(i);
+    }
+  }
+  throw lines.bad(fmt::format("{} is no type of PLY", shown(word)));
+}
+
+PlyHeader::Format read_format(Lines& lines) {
+  const std::string_view word = lines.word();
+  if (word == "ascii") return PlyHeader::Format::text;
+  if (word == "binary_little_endian") return PlyHeader::Format::little_endian;
+  if (word == "binary_big_endian") return PlyHeader::Format::big_endian;
+  throw lines.bad(fmt::format("{} is no format of PLY", shown(word)));
+}
+
+PlyElement read_element(Lines& lines) {
+  PlyElement element;
+  element.name = lines.word();
+  const std::string_view count = lines.word();
+  const auto [stop, error] =
+      std::from_chars(count.data(), count.data() + count.size(), element.count);
+  if (error == std::errc() && stop == count.data() + count.size()) return element;
+  throw lines.bad(fmt::format("{} is no number of elements", shown(count)));
+}
+
+PlyProperty read_property(Lines& lines) {
+  PlyProperty property;
+  Lines after = lines;
+  if (after.word() == "list") {
+    lines = after;
+    property.count_type = read_type(lines);
+  }
+  property.type = read_type(lines);
+  property.name = lines.word();
+  return property;
+}
+
+}  // namespace
+
+std::size_t size_of(PlyType type) { return type_names[static_cast<std::size_t>(type)].bytes; }
+
+PlyHeader read_ply_header(Lines& lines) {
+  PlyHeader header;
+  bool has_format = false;
+  lines.next();
+  if (lines.word() != "ply") throw lines.bad("a PLY file begins with 'ply'");
+  while (lines.next()) {
+    const std::string_view keyword = lines.word();
+    if (keyword == "end_header") {
+      if (has_format) return header;
+      throw lines.bad("the header does not say in which format the file is");
+    }
+    if (keyword == "format") {
+      header.format = read_format(lines);
+      has_format = true;
+    } else if (keyword == "element") {
+      header.elements.push_back(read_element(lines));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) throw lines.bad("a property of no element");
+      header.elements.back().properties.push_back(read_property(lines));
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      throw lines.bad(fmt::format("{} is no keyword of a PLY header", shown(keyword)));
+    }
+  }
+  throw lines.bad("the file is cut off: its header does not end");
+}
+
+}  // namespace twrench::mesh

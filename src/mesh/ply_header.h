@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/lines.h"
+
+namespace twrench::mesh {
+
+/// The types of numbers in PLY files.
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+/// The bytes that a number of the type takes in a binary file.
+std::size_t size_of(PlyType type);
+
+struct PlyProperty {
+  std::string name;
+  PlyType type{};
+  /// For a list, the type of the number of its entries.
+  std::optional<PlyType> count_type;
+};
+
+/// Items of one kind, such as vertices.
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  enum class Format { text, little_endian, big_endian };
+  Format format = Format::text;
+  std::vector<PlyElement> elements;
+};
+
+/// Reads the header, and leaves the lines behind it. Throws system::FileError where it is damaged.
+PlyHeader read_ply_header(Lines& lines);
+
+}  // namespace twrench::mesh
