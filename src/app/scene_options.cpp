@@ -114,10 +114,12 @@ void SceneOptions::add_flag(const std::string& name, const std::string& help,
 void SceneOptions::add_inertia_option() {
   add("--inertia", "A,B,C", "replace the body by its principal moments of inertia, g cm^2",
       [](scene::Scene& scene, const std::string& text) {
-        scene.body.parts.clear();
-        scene.body.moments = scene::limits::check_moments(
+        scene::Body body;
+        body.moments = scene::limits::check_moments(
             "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
                                               parse_vector(text, "--inertia")));
+        body.drawn_as = scene.body.drawn_as;
+        scene.body = std::move(body);
       });
 }
 
@@ -128,16 +130,33 @@ void SceneOptions::add_motion_options() {
   add_inertia_option();
 }
 
+void SceneOptions::add_shape_option() {
+  add("--shape", "NAME",
+      fmt::format("what a body is drawn as that is given by its moments: {}",
+                  fmt::join(scene::equimomental_names(), ", ")),
+      [](scene::Scene& scene, const std::string& text) {
+        const scene::Equimomental form = scene::equimomental_of(text, "--shape");
+        if (!scene.body.moments) {
+          throw InvalidArgument("--shape", "the body has parts, which say what it looks like",
+                                "give its moments by --inertia, or leave --shape out");
+        }
+        scene.body.drawn_as = form;
+      })
+      ->default_str("box");
+}
+
 void SceneOptions::add_look_options() {
-  static constexpr std::array keys{"size",      "theme",         "color",     "metallic",
-                                   "roughness", "azimuth",       "elevation", "distance",
-                                   "orbit",     "field_of_view", "frame"};
+  add_shape_option();
+  static constexpr std::array keys{"size",     "theme",     "material",      "color",
+                                   "metallic", "roughness", "azimuth",       "elevation",
+                                   "distance", "orbit",     "field_of_view", "frame"};
   for (const scene::Field& field : scene::fields()) {
     if (std::ranges::find(keys, field.key) != keys.end()) add_field(field);
   }
 }
 
 void SceneOptions::add_picture_options() {
+  add_shape_option();
   for (const scene::Field& field : scene::fields()) {
     if (!determines_motion(field) && field.key != "show") add_field(field);
   }
@@ -166,11 +185,15 @@ void SceneOptions::require_no_overrides(const std::string& name) const {
 
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
   for (const std::string& name : names_) twrench::system::require_not_input(output, name);
-  for (const scene::Scene& scene : load())
-    twrench::system::require_not_input(output, scene.overlay.font);
+  for (const scene::Scene& scene : load()) {
+    for (const std::filesystem::path& file : scene::input_files(scene)) {
+      twrench::system::require_not_input(output, file);
+    }
+  }
 }
 
-std::vector<scene::Scene> SceneOptions::load() const {
+const std::vector<scene::Scene>& SceneOptions::load() const {
+  if (!scenes_.empty()) return scenes_;
   std::vector<scene::Scene> scenes;
   for (const std::string& name : names_) {
     scene::Scene scene = scene::load_scene(name);
@@ -180,7 +203,7 @@ std::vector<scene::Scene> SceneOptions::load() const {
     }
     scenes.push_back(std::move(scene));
   }
-  return scenes;
+  return scenes_ = std::move(scenes);
 }
 
 void SceneOptions::require_drawable(const scene::Scene& scene) const {

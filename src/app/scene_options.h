@@ -36,10 +36,11 @@ class SceneOptions {
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
-  /// Adds the options for the colours and the material, the camera and the size of its picture.
+  /// Adds the options for the shape, the colours and the material, the camera and the size of its
+  /// picture.
   void add_look_options();
 
-  /// Adds an option for each other field of a scene, and --bare, --show and --hide.
+  /// Adds an option for each other field of a scene, and --shape, --bare, --show and --hide.
   void add_picture_options();
 
   /// Adds only --inertia.
@@ -55,8 +56,8 @@ class SceneOptions {
   /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
   void require_no_overrides(const std::string& name) const;
 
-  /// Throws OverwriteError where `output` is a scene file that was named, or a font of such a
-  /// scene.
+  /// Throws OverwriteError where `output` is a scene file that was named, or a mesh or the font of
+  /// such a scene.
   void require_not_input(const std::filesystem::path& output) const;
 
   /// Returns all scenes, each as scene() does.
@@ -79,13 +80,16 @@ class SceneOptions {
   void add_flag(const std::string& name, const std::string& help,
                 std::function<void(scene::Scene&)> apply);
 
-  /// Loads the scenes without warnings.
-  std::vector<scene::Scene> load() const;
+  /// Adds the option for what is drawn of a body that is given by its moments.
+  void add_shape_option();
+  /// Loads the scenes without warnings, and only once.
+  const std::vector<scene::Scene>& load() const;
 
   CLI::App& command_;
   std::vector<std::string> names_{"dzhanibekov"};
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
+  mutable std::vector<scene::Scene> scenes_;  ///< What load() returns; empty before it was called.
 };
 
 }  // namespace twrench::app

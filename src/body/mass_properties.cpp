@@ -157,17 +157,6 @@ PrincipalAxes principal_axes(const Matrix3d& inertia) {
   return {solver.eigenvalues(), with_definite_signs(solver.eigenvectors())};
 }
 
-Part equimomental_box(const Vector3d& moments) {
-  for (const double moment : moments) require_positive("moments", moment);
-  // I_x = M (b^2 + c^2)/12 and its permutations give a^2 = (6/M) (I_y + I_z - I_x); density 1 makes
-  // M = a b c.
-  const double sum = moments.sum();
-  const double least = 1e-6 * sum;  // A plate, where the triangle inequality leaves no thickness.
-  const Vector3d s = (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least);
-  const double mass = std::pow(std::pow(6.0, 1.5) * std::sqrt(s.prod()), 0.4);
-  return {Box{(6.0 / mass * s).cwiseSqrt()}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};
-}
-
 std::array<PointMass, 6> equimomental_points(const Part& part) {
   const double mass = part.density * volume(part.shape);
   const PrincipalAxes own = own_axes(central_inertia(part.shape, mass));

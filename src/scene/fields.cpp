@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "scene/limits.h"
+#include "scene/materials.h"
 #include "scene/names.h"
 
 namespace twrench::scene {
@@ -84,11 +85,14 @@ Field complete(Field field, Convert convert, Member member) {
   return field;
 }
 
+std::string listed(const Texts& names) {
+  return fmt::format(": {} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
 /// `parse` returns the value with one of these names.
 template <typename Parse, typename Member>
 Field choice(Field field, const Texts& names, Parse parse, Member member) {
-  field.help +=
-      fmt::format(": {} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+  field.help += listed(names);
   return complete<Field::Kind::text>(std::move(field), parse, member);
 }
 
@@ -110,6 +114,18 @@ Field background(Field field) {
   field.get = [](const Scene& scene) {
     return scene.look.transparent ? ordered_json("transparent") : to_json(scene.look.background);
   };
+  return field;
+}
+
+/// A material is not a value of its own: it is what the colour, the metalness and the roughness
+/// make.
+Field material(Field field) {
+  field.kind = Field::Kind::text;
+  field.help += listed(material_names());
+  field.set = [](Scene& scene, const ordered_json& value, const std::string& what) {
+    set_material(scene.look, find_material(value.get<std::string>(), what));
+  };
+  field.get = [](const Scene& scene) { return to_json(material_name(scene.look)); };
   return field;
 }
 
@@ -202,6 +218,8 @@ const std::vector<Field>& fields() {
           whole_within(limits::motion_blur), [](auto& s) -> auto& { return s.look.motion_blur; }),
       background({"look", "background", "COLOR",
                   "background: #rrggbb, #rgb, black, gray, white or transparent", "the theme's"}),
+      material({"look", "material", "NAME", "material, which sets colour, metalness and roughness",
+                "the theme's"}),
       complete<text>(
           {"look", "color", "COLOR", "body colour: #rrggbb, #rgb, black, gray or white",
            "the theme's"},

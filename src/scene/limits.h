@@ -25,7 +25,11 @@ inline constexpr double huge = 1e12;
 
 // Within these limits no product of a body's quantities overflows or underflows.
 inline constexpr Limit length{1e-9, 1e6};        // cm
+inline constexpr Limit length_or_none{0, 1e6};   // cm
+inline constexpr Limit mesh_size{1e-9, 1e9};     // cm
+inline constexpr Limit mesh_scale{1e-12, 1e12};  // cm per unit of the file
 inline constexpr Limit density{1e-9, 1e6};       // g/cm^3
+inline constexpr Limit mass{1e-40, 1e40};        // g
 inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
 inline constexpr Limit step{1e-15, 1e6};         // s
@@ -40,8 +44,9 @@ inline constexpr Limit fraction{0, 1};
 inline constexpr Limit roughness{0.05, 1};
 inline constexpr Limit angle_of_view{0.05, 2.5};  // rad
 
-inline constexpr Limit motion_blur{1, 256};  // poses, integer
-inline constexpr Limit angle{-1e3, 1e3};     // rad, and rad/s of video
+inline constexpr Limit motion_blur{1, 256};            // poses, integer
+inline constexpr Limit angle{-1e3, 1e3};               // rad, and rad/s of video
+inline constexpr Limit crease{0, 3.1415926535897932};  // rad
 // rad
 inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "straight below"};
 inline constexpr Limit distance{0.2, 20};

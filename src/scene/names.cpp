@@ -48,6 +48,11 @@ const std::vector<std::string>& frame_names() {
   return names;
 }
 
+const std::vector<std::string>& equimomental_names() {
+  static const std::vector<std::string> names{"box", "ellipsoid", "cross"};
+  return names;
+}
+
 Theme theme_of(const std::string& name, const std::string& what) {
   return find<Theme>(theme_names(), name, what);
 }
@@ -64,10 +69,15 @@ Frame frame_of(const std::string& name, const std::string& what) {
   return find<Frame>(frame_names(), name, what);
 }
 
+Equimomental equimomental_of(const std::string& name, const std::string& what) {
+  return find<Equimomental>(equimomental_names(), name, what);
+}
+
 std::string name_of(Theme theme) { return name_in(theme_names(), theme); }
 std::string name_of(View view) { return name_in(view_names(), view); }
 std::string name_of(Feature feature) { return name_in(feature_names(), feature); }
 std::string name_of(Frame frame) { return name_in(frame_names(), frame); }
+std::string name_of(Equimomental form) { return name_in(equimomental_names(), form); }
 
 std::vector<std::string> compared_methods(std::vector<std::string> names, const std::string& what) {
   for (const std::string& name : names) motion::find_method(name, what);

@@ -4,12 +4,29 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "scene/limits.h"
 
 namespace twrench::scene {
+namespace {
+
+std::vector<body::Part> equimomental_parts(const Eigen::Vector3d& moments, Equimomental form) {
+  switch (form) {
+    case Equimomental::box:
+      return {body::equimomental_box(moments)};
+    case Equimomental::ellipsoid:
+      return {body::equimomental_ellipsoid(moments)};
+    case Equimomental::cross:
+      break;
+  }
+  const auto cross = body::equimomental_cross(moments);
+  return {cross.begin(), cross.end()};
+}
+
+}  // namespace
 
 std::size_t Overlay::motion_count() const {
   return std::max({compare.size(), compare_omega.size(), std::size_t{1}});
@@ -61,7 +78,7 @@ body::MassProperties mass_properties(const Body& body) {
 }
 
 std::vector<body::Part> visible_parts(const Body& body) {
-  if (body.moments) return {body::equimomental_box(*body.moments)};
+  if (body.moments) return equimomental_parts(*body.moments, body.drawn_as);
   const Eigen::Vector3d centre = body::mass_properties(body.parts).centre_of_mass;
   std::vector<body::Part> parts = body.parts;
   for (body::Part& part : parts) part.position -= centre;
@@ -69,7 +86,24 @@ std::vector<body::Part> visible_parts(const Body& body) {
 }
 
 PartDescription description(const Body& body, std::size_t part) {
+  if (body.moments && body.drawn_as == Equimomental::cross) {
+    static constexpr std::array names{"cross",       "cross",       "cross",      "heavy discs",
+                                      "heavy discs", "light discs", "light discs"};
+    return {names.at(part), {}, {}};
+  }
   return part < body.descriptions.size() ? body.descriptions[part] : PartDescription{};
+}
+
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+  std::vector<std::filesystem::path> files{scene.overlay.font};
+  for (const PartDescription& part : scene.body.descriptions) {
+    if (part.mesh && !part.mesh->path.empty()) files.push_back(part.mesh->path);
+  }
+  for (const Shot& shot : scene.shots) {
+    const std::vector<std::filesystem::path> more = input_files(shot.scene);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
 }
 
 std::vector<PartGroup> part_groups(const Body& body) {

@@ -5,6 +5,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -33,14 +34,18 @@ struct PartLook {
 
 /// The file of a part that is a mesh.
 struct MeshSource {
-  /// The file as it was given.
+  /// The file as it was given, or the name of a built-in mesh.
   std::string file;
-  /// Centimetres per unit of the file.
-  double scale = 1.0;
+  /// Where it was read; empty for a built-in mesh.
+  std::filesystem::path path;
+  /// Centimetres per unit of the file; nothing where its format says it.
+  std::optional<double> scale;
   /// Distance in cm within which vertices are joined; 0 joins only those that coincide.
   double weld = 0.0;
   /// SHA-256 of the file's bytes, in hexadecimal digits.
   std::string sha256;
+  /// What was put right or left out when it was read, a line each.
+  std::vector<std::string> notes;
 };
 
 /// What a scene says of a part beside its shape, mass and place.
@@ -49,8 +54,15 @@ struct PartDescription {
   std::string name;
   /// Its look.
   PartLook look;
-  /// Its file, for a mesh.
+  /// Its file, for a mesh that was read from one.
   std::optional<MeshSource> mesh;
+};
+
+/// What a body is drawn as that is given by its moments alone: something that has these moments.
+enum class Equimomental {
+  box,        ///< A homogeneous box.
+  ellipsoid,  ///< A homogeneous ellipsoid.
+  cross,      ///< A cross with two heavy and two light discs.
 };
 
 /// The body, given by its parts or by its principal moments alone.
@@ -61,6 +73,8 @@ struct Body {
   std::optional<Eigen::Vector3d> moments;
   /// The descriptions of the parts, in their order, as far as they are given; see description().
   std::vector<PartDescription> descriptions = {};
+  /// What it is drawn as if `moments` is set.
+  Equimomental drawn_as = Equimomental::box;
 };
 
 /// The initial condition and how the motion is computed.
@@ -257,11 +271,11 @@ std::vector<int> first_frames(const Scene& film);
 /// is NaN and the centre of mass 0.
 body::MassProperties mass_properties(const Body& body);
 
-/// Returns the parts to draw, relative to the centre of mass: the body's own, or the equimomental
-/// box.
+/// Returns the parts to draw, relative to the centre of mass: the body's own, or equimomental ones.
 std::vector<body::Part> visible_parts(const Body& body);
 
-/// Returns the description of a part; that of one of which nothing is said has its default values.
+/// Returns the description of a visible part; that of one of which nothing is said has its default
+/// values.
 PartDescription description(const Body& body, std::size_t part);
 
 /// Parts of a body with the same name.
@@ -275,16 +289,21 @@ struct PartGroup {
 /// Returns the parts of a body by their names, in the order in which these first appear.
 std::vector<PartGroup> part_groups(const Body& body);
 
+/// Returns the files that a scene was made of beside its own: meshes and a font, those of its shots
+/// included.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
+
 /// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();
 
 /// Loads a scene. `name_or_path` is a path if it ends in ".toml" (in upper or lower case), contains
 /// a folder, or is an existing file but no built-in name; otherwise it names a built-in scene.
 /// Throws InvalidArgument for an unknown name (suggesting the nearest) or an invalid scene (with
-/// file, line and key), FileError if the file cannot be read.
+/// file, line and key), FileError if the file or a mesh that it names cannot be read.
 Scene load_scene(const std::string& name_or_path);
 
-/// Parses a scene from TOML text; `source` names it in errors. Throws InvalidArgument.
+/// Parses a scene from TOML text; `source` names it in errors, and paths of meshes start from its
+/// folder. Throws InvalidArgument, and FileError if a mesh cannot be read.
 Scene parse_scene(std::string_view text, const std::string& source);
 
 }  // namespace twrench::scene

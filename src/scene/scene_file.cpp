@@ -10,6 +10,7 @@
 
 #include "embedded/scenes.h"
 #include "scene/fields.h"
+#include "scene/mesh_files.h"
 #include "scene/scene.h"
 #include "scene/scene_tables.h"
 #include "scene/shot_tables.h"
@@ -29,9 +30,7 @@ bool is_path(const std::string& name_or_path) {
          (!is_builtin && std::filesystem::exists(name_or_path, none));
 }
 
-}  // namespace
-
-Scene parse_scene(std::string_view text, const std::string& source) {
+Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {
   toml::table root;
   try {
     root = toml::parse(text, source);
@@ -43,13 +42,19 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   scene.name = std::filesystem::path(source).stem().string();
   TomlTable file(root, source, "");
   read_fields(file, "", scene);
-  scene.body = read_body(file);
+  scene.body = read_body(file, meshes);
   for (const std::string& name : field_tables()) {
     file.table(name, [&](TomlTable& table) { read_fields(table, name, scene); });
   }
-  read_shots(file, scene);
+  read_shots(file, scene, meshes);
   file.finish();
   return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& source) {
+  return parse(text, source, MeshFiles::beside(source));
 }
 
 std::vector<std::string> builtin_scene_names() {
@@ -68,7 +73,7 @@ Scene load_scene(const std::string& name_or_path) {
   if (!builtin.contains(file)) {
     throw unknown_name("scene", name_or_path, builtin_scene_names());
   }
-  return parse_scene(builtin.at(file), file);
+  return parse(builtin.at(file), file, MeshFiles::built_in());
 }
 
 }  // namespace twrench::scene

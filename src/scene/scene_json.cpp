@@ -2,7 +2,10 @@
 
 #include <twrench/math/so3.h>
 
+#include "scene/dimensions.h"
 #include "scene/fields.h"
+#include "scene/names.h"
+#include "system/sha256.h"
 
 namespace twrench::scene {
 namespace {
@@ -11,33 +14,63 @@ using nlohmann::ordered_json;
 
 ordered_json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-ordered_json shape_json(const body::Cylinder& c) {
-  return {{"shape", "cylinder"}, {"radius", c.radius}, {"length", c.length}};
+ordered_json number(double value) { return value; }
+
+ordered_json number(const Eigen::Vector3d& value) { return numbers(value); }
+
+void add_dimensions(ordered_json& json, const body::Shape& shape) {
+  const auto add = [&](const char* key, const auto& value, const limits::Limit&) {
+    json[key] = number(value);
+  };
+  std::visit([&](const auto& known) { for_dimensions(known, add); }, shape);
 }
 
-ordered_json shape_json(const body::Box& b) {
-  return {{"shape", "box"}, {"size", numbers(b.size)}};
+/// SHA-256 of a mesh that is of no file.
+std::string digest_of(const body::TriangleMesh& mesh) {
+  std::vector<std::uint8_t> bytes;
+  const auto add = [&](const auto& values) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());
+    bytes.insert(bytes.end(), first, first + values.size() * sizeof(values[0]));
+  };
+  add(mesh.vertices);
+  add(mesh.triangles);
+  add(mesh.colors);
+  return system::sha256_hex(bytes);
 }
 
-ordered_json shape_json(const body::Ellipsoid& e) {
-  return {{"shape", "ellipsoid"}, {"radii", numbers(e.radii)}};
+/// The digest tells a file before it was changed from the file afterwards.
+void add_mesh(ordered_json& json, const body::Mesh& mesh, const PartDescription& description) {
+  if (const auto& source = description.mesh) {
+    json["file"] = source->file;
+    if (source->scale) json["scale"] = *source->scale;
+    json["weld"] = source->weld;
+  }
+  json["crease"] = description.look.crease_angle;
+  json["sha256"] = description.mesh ? description.mesh->sha256 : digest_of(*mesh.surface);
 }
 
-ordered_json shape_json(const auto&) { return ordered_json::object(); }
+void add_look(ordered_json& json, const PartLook& look) {
+  if (look.color) json["color"] = to_string(*look.color);
+  if (look.metallic) json["metallic"] = *look.metallic;
+  if (look.roughness) json["roughness"] = *look.roughness;
+}
 
-ordered_json part_json(const body::Part& part, const std::string& name) {
-  ordered_json json = std::visit([](const auto& shape) { return shape_json(shape); }, part.shape);
-  if (!name.empty()) json["name"] = name;
+ordered_json part_json(const body::Part& part, const PartDescription& description) {
+  ordered_json json{{"shape", shape_name(part.shape)}};
+  add_dimensions(json, part.shape);
+  if (const auto* mesh = std::get_if<body::Mesh>(&part.shape)) add_mesh(json, *mesh, description);
+  if (!description.name.empty()) json["name"] = description.name;
   json["density"] = part.density;
   json["position"] = numbers(part.position);
   json["rotation"] = numbers(so3::log(part.body_from_part));
+  add_look(json, description.look);
   return json;
 }
 
 ordered_json parts_json(const Body& body) {
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
-    json.push_back(part_json(body.parts[i], description(body, i).name));
+    json.push_back(part_json(body.parts[i], description(body, i)));
   }
   return json;
 }
@@ -51,7 +84,9 @@ ordered_json& table_in(ordered_json& json, const std::string& name) {
 ordered_json body_json(const Body& body) {
   ordered_json json = ordered_json::object();
   if (!body.parts.empty()) json["part"] = parts_json(body);
-  if (body.moments) json["body"] = {{"moments", numbers(*body.moments)}};
+  if (body.moments) {
+    json["body"] = {{"moments", numbers(*body.moments)}, {"shape", name_of(body.drawn_as)}};
+  }
   return json;
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "scene/dimensions.h"
 #include "scene/fields.h"
 #include "scene/limits.h"
 
@@ -51,19 +52,7 @@ void require_form(Field::Kind kind, const ordered_json& value, const std::string
 
 /// Throws unless the part is one that a scene file may have.
 void require_allowed(const body::Part& part, const std::string& what) {
-  const auto require_length = [&](const char* quantity, double length) {
-    limits::check(limits::length, what + "." + quantity, length);
-  };
-  if (const auto* cylinder = std::get_if<body::Cylinder>(&part.shape)) {
-    require_length("radius", cylinder->radius);
-    require_length("length", cylinder->length);
-  } else if (const auto* box = std::get_if<body::Box>(&part.shape)) {
-    for (const double edge : box->size) require_length("size", edge);
-  } else if (const auto* ellipsoid = std::get_if<body::Ellipsoid>(&part.shape)) {
-    for (const double radius : ellipsoid->radii) {
-      require_length("radii", radius);
-    }
-  }
+  check_dimensions(part.shape, [&](const std::string& key) { return what + "." + key; });
   limits::check(limits::density, what + ".density", part.density);
   limits::check(limits::coordinate, what + ".position", part.position);
 }

@@ -42,8 +42,8 @@ void require_of_film(const TomlTable& table, const Scene& shot, const Scene& fil
 
 /// Reads the tables that a shot has in common with the scene. Returns the duration of the motion
 /// if the shot sets it, otherwise 0.
-double read_scene(TomlTable& table, Scene& shot, const Scene& film) {
-  if (table.has("part") || table.has("body")) shot.body = read_body(table);
+double read_scene(TomlTable& table, Scene& shot, const Scene& film, MeshFiles& meshes) {
+  if (table.has("part") || table.has("body")) shot.body = read_body(table, meshes);
   double duration = 0;
   for (const char* name : {"motion", "look", "camera", "overlay"}) {
     table.table(name, [&](TomlTable& fields) {
@@ -75,7 +75,7 @@ struct Start {
 /// Reads shots one after the other.
 class ShotReader {
  public:
-  explicit ShotReader(const Scene& film) : film_(film) {}
+  ShotReader(const Scene& film, MeshFiles& meshes) : film_(film), meshes_(meshes) {}
 
   void read(TomlTable& table);
 
@@ -95,6 +95,7 @@ class ShotReader {
   std::size_t motion_of(const Scene& shot);
 
   const Scene& film_;
+  MeshFiles& meshes_;
   std::vector<Shot> shots_;
   std::vector<Shown> motions_;
   std::vector<std::size_t> motion_of_shot_;
@@ -132,7 +133,7 @@ void ShotReader::read(TomlTable& table) {
   shot.scene.length = length;
   const auto caption = table.value("caption", Field::Kind::text);
   shot.scene.caption = caption ? caption->get<std::string>() : std::string();
-  shot.scene.motion.duration = read_scene(table, shot.scene, film_);
+  shot.scene.motion.duration = read_scene(table, shot.scene, film_, meshes_);
   shot.fade = read_transition(table, "fade", length);
   shot.move = read_transition(table, "move", length);
   if (shot.move > 0 && !(shows_one_body(shot.scene) && shows_one_body(shots_.back().scene))) {
@@ -169,8 +170,8 @@ std::vector<Shot> ShotReader::finish() {
 
 }  // namespace
 
-void read_shots(TomlTable& file, Scene& film) {
-  ShotReader reader(film);
+void read_shots(TomlTable& file, Scene& film, MeshFiles& meshes) {
+  ShotReader reader(film, meshes);
   file.tables("shot", [&](TomlTable& table) { reader.read(table); });
   film.shots = reader.finish();
   if (film.shots.size() > limits::max_shots) {

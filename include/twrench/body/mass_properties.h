@@ -42,11 +42,21 @@ struct PrincipalAxes {
 /// to round-off, symmetric.
 PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 
-/// The homogeneous box of density 1 g/cm^3 whose principal moments about x, y, z are `moments`:
-/// what is drawn where a body is given by its moments alone. Moments that no real body has
-/// (the triangle inequality fails) give a box with that edge nearly zero. Throws OutOfRange about a
-/// moment that is not positive.
+// What is drawn where a body is given by its moments alone: bodies of density 1 g/cm^3 whose
+// principal moments in g cm^2 about x, y, z are `moments`. Those that no real body has (the
+// triangle inequality fails) give one that is nearly flat. Each throws OutOfRange about a moment
+// that is not positive.
+
+/// A box.
 Part equimomental_box(const Eigen::Vector3d& moments);
+
+/// An ellipsoid.
+Part equimomental_ellipsoid(const Eigen::Vector3d& moments);
+
+/// Terence Tao's discs (mathoverflow.net/a/82020): a flat cross with two heavy discs on the axis of
+/// the least moment, and two lighter ones on that of the intermediate moment. The two arms and the
+/// hub come first, then the heavy discs, then the light ones.
+std::array<Part, 7> equimomental_cross(const Eigen::Vector3d& moments);
 
 /// A mass at a point.
 struct PointMass {

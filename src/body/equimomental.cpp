@@ -1,0 +1,109 @@
+#include <twrench/base/require.h>
+#include <twrench/body/mass_properties.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace twrench::body {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+/// The second moments, the integrals of x^2, y^2 and z^2 over the mass, by I_x = S_y + S_z and its
+/// permutations.
+Vector3d second_moments(const Vector3d& moments) {
+  for (const double moment : moments) require_positive("moments", moment);
+  const double sum = moments.sum();
+  const double least = 1e-6 * sum;  // A plate, where the triangle inequality leaves no thickness.
+  return (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least) / 2.0;
+}
+
+/// The lengths l, and with them a solid of density 1 and volume `fill` l_x l_y l_z, for which the
+/// second moments are the mass times l_i^2 / `divisor`.
+Vector3d lengths(const Vector3d& second, double fill, double divisor) {
+  const double mass = std::pow(fill * std::pow(divisor, 1.5) * std::sqrt(second.prod()), 2.0 / 5.0);
+  return (divisor / mass * second).cwiseSqrt();
+}
+
+/// A flat cross in units of its arms' length, with discs on their ends.
+struct Cross {
+  double heavy_square;  ///< Squares of the discs' radii.
+  double light_square;
+  double width;      ///< Of the arms, and half of it the hub's.
+  double thickness;  ///< Of the discs and the hub.
+  double moment;     ///< The integral of x^2 over it, at density 1.
+
+  /// Thickness of the arms over that of the discs, whose faces they must not share.
+  static constexpr double arm_share = 0.6;
+
+  /// The one with these second moments, up to a factor, of which the first is the largest and the
+  /// third is that across it.
+  explicit Cross(const Vector3d& second);
+};
+
+Cross::Cross(const Vector3d& second) {
+  const double q = second.y() / second.x();
+  // As large as looks well, but where the body is nearly a rod so small that some of the second
+  // moment is left for the light discs.
+  const double heavy = std::min(0.4, 2.5 * q);
+  width = 2.5 * heavy * heavy * heavy;
+  const double A = heavy * heavy;
+  // Per thickness of the discs, both arms and the hub contribute the same to both integrals,
+  const double frame =
+      arm_share * width * (2.0 / 3.0 + width * width / 6.0) + pi * std::pow(width, 4) / 4.0;
+  // and the heavy and the light discs 2 pi A + pi/2 (A^2 + B^2) to that along the heavy ones, with
+  // A and B exchanged to the other, which is q times as large: a quadratic equation for B.
+  const double a = pi / 2.0 * (1.0 - q), b = 2.0 * pi;
+  const double c = (frame + pi / 2.0 * A * A) * (1.0 - q) - 2.0 * pi * q * A;
+  const double B = -2.0 * c / (b + std::sqrt(b * b - 4.0 * a * c));
+  const double along = frame + 2.0 * pi * A + pi / 2.0 * (A * A + B * B);
+  const double across = 4.0 * width * std::pow(arm_share, 3) + pi * width * width + b * (A + B);
+  heavy_square = A;
+  light_square = B;
+  thickness = std::sqrt(12.0 * second.z() / second.x() * along / across);
+  moment = thickness * along;
+}
+
+}  // namespace
+
+Part equimomental_box(const Vector3d& moments) {
+  // Of an edge a the mean square is a^2/12.
+  return {Box{lengths(second_moments(moments), 1.0, 12.0)}, 1.0, Vector3d::Zero(),
+          Matrix3d::Identity()};
+}
+
+Part equimomental_ellipsoid(const Vector3d& moments) {
+  // Of a semi-axis a the mean square is a^2/5.
+  return {Ellipsoid{lengths(second_moments(moments), 4.0 / 3.0 * pi, 5.0)}, 1.0, Vector3d::Zero(),
+          Matrix3d::Identity()};
+}
+
+std::array<Part, 7> equimomental_cross(const Vector3d& moments) {
+  const Vector3d second = second_moments(moments);
+  const Matrix3d axes = principal_axes(moments.asDiagonal()).axes;
+  const Vector3d sorted = axes.cwiseAbs().transpose() * second;
+  const Cross cross(sorted);
+  const double unit = std::pow(sorted.x() / cross.moment, 1.0 / 5.0);
+  const auto placed = [&](const Shape& shape, const Vector3d& position) {
+    return Part{shape, 1.0, unit * axes * position, axes};
+  };
+  const auto disc = [&](double square, const Vector3d& position) {
+    return placed(Cylinder{unit * std::sqrt(square), unit * cross.thickness}, position);
+  };
+  const double width = cross.width, flat = Cross::arm_share * cross.thickness;
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), centre = Vector3d::Zero();
+  return {placed(Box{unit * Vector3d(2.0, width, flat)}, centre),
+          placed(Box{unit * Vector3d(width, 2.0, flat)}, centre),
+          disc(width * width, centre),
+          disc(cross.heavy_square, x),
+          disc(cross.heavy_square, -x),
+          disc(cross.light_square, y),
+          disc(cross.light_square, -y)};
+}
+
+}  // namespace twrench::body

@@ -1,0 +1,34 @@
+#include "scene/materials.h"
+
+#include <twrench/base/nearest.h>
+
+#include <iterator>
+
+namespace twrench::scene {
+
+// The colours of steel (there: iron), brass, wood and rubber are those of the reference sheet
+// "Material Properties" of Google's renderer Filament. Rock reflects 0.3 of the light, as dry rock
+// does, and is a little warmer than grey. The others, and what is rough, are chosen by eye.
+const std::vector<Material>& materials() {
+  static const std::vector<Material> all{
+      {"steel", {192, 189, 186}, 1.0, 0.25}, {"brass", {244, 228, 173}, 1.0, 0.25},
+      {"wood", {135, 92, 60}, 0.0, 0.6},     {"plastic", {200, 204, 210}, 0.0, 0.35},
+      {"rubber", {53, 53, 53}, 0.0, 0.8},    {"rock", {152, 147, 139}, 0.0, 0.95},
+      {"paper", {240, 236, 224}, 0.0, 0.9},
+  };
+  return all;
+}
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  std::ranges::transform(materials(), std::back_inserter(names), &Material::name);
+  return names;
+}
+
+const Material& find_material(const std::string& name, const std::string& what) {
+  const auto found = std::ranges::find(materials(), name, &Material::name);
+  if (found == materials().end()) throw unknown_name(what, name, material_names());
+  return *found;
+}
+
+}  // namespace twrench::scene

@@ -1,0 +1,57 @@
+#include "scene/mesh_files.h"
+
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "embedded/meshes.h"
+
+namespace twrench::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+mesh::MeshFile read_built_in(const std::string& name, const mesh::ReadOptions& options) {
+  const auto& meshes = embedded::meshes();
+  const auto found = meshes.find(name);
+  if (found != meshes.end()) return mesh::read_mesh(found->second, name, options);
+  std::vector<std::string> names;
+  std::ranges::transform(meshes, std::back_inserter(names),
+                         [](const auto& mesh) { return std::string(mesh.first); });
+  throw unknown_name("mesh", name, names);
+}
+
+}  // namespace
+
+MeshFiles MeshFiles::beside(const std::string& scene_file) {
+  return MeshFiles(fs::path(scene_file).parent_path());
+}
+
+const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::ReadOptions& options) {
+  const Key key{file, options.scale, options.weld, options.shell};
+  const auto found = entries_.find(key);
+  if (found != entries_.end()) return found->second;
+  return entries_.emplace(key, load(file, options)).first->second;
+}
+
+MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOptions& options) const {
+  std::error_code failed;
+  const fs::path path = folder_.value_or(fs::path()) / file;
+  const bool is_built_in =
+      !folder_ || (embedded::meshes().contains(file) && !fs::exists(path, failed));
+  mesh::MeshFile read = is_built_in ? read_built_in(file, options) : mesh::read_mesh(path, options);
+  return {std::move(read.shape),
+          {.file = file,
+           .path = is_built_in ? fs::path() : path,
+           .scale = options.scale,
+           .weld = options.weld,
+           .sha256 = std::move(read.sha256),
+           .notes = std::move(read.notes)}};
+}
+
+}  // namespace twrench::scene

@@ -1,0 +1,147 @@
+#include "scene/part_tables.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+#include <twrench/base/nearest.h>
+#include <twrench/math/so3.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "scene/dimensions.h"
+#include "scene/fields.h"
+#include "scene/limits.h"
+#include "scene/materials.h"
+#include "system/error.h"
+
+namespace twrench::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+void read_dimension(TomlTable& part, const std::string& key, double& value,
+                    const limits::Limit& limit) {
+  if (limit.low > 0 || part.has(key)) value = part.required_number(key, limit);
+}
+
+void read_dimension(TomlTable& part, const std::string& key, Vector3d& value,
+                    const limits::Limit& limit) {
+  value = part.required_vector(key, limit);
+}
+
+template <typename Shape>
+body::Shape read_solid(TomlTable& part) {
+  Shape shape{};
+  for_dimensions(shape, [&](const char* key, auto& value, const limits::Limit& limit) {
+    read_dimension(part, key, value, limit);
+  });
+  return shape;
+}
+
+body::Shape read_sphere(TomlTable& part) {
+  return body::Ellipsoid{Vector3d::Constant(part.required_number("radius", limits::length))};
+}
+
+/// Returns the centimetres per unit of the file; nothing where its format says it.
+std::optional<double> read_scale(TomlTable& part) {
+  if (part.has("scale") && part.has("unit")) {
+    throw InvalidArgument(part.place("scale"), "cannot be combined with unit");
+  }
+  if (part.has("scale")) return part.required_number("scale", limits::mesh_scale);
+  if (!part.has("unit")) return std::nullopt;
+  return mesh::unit_length(part.place("unit"), part.required_text("unit"));
+}
+
+/// Returns the path of the mesh. TOML can write a NUL, at which the system would end the path.
+std::string read_path(TomlTable& part) {
+  const std::string file = part.required_text("file");
+  if (!file.empty() && file.find('\0') == std::string::npos) return file;
+  throw InvalidArgument(part.place("file"), "is not the path of a file");
+}
+
+body::Shape read_mesh(TomlTable& part, MeshFiles& meshes, PartDescription& description) {
+  const std::string file = read_path(part);
+  mesh::ReadOptions options{.scale = read_scale(part)};
+  if (part.has("shell")) options.shell = part.required_number("shell", limits::length);
+  read_dimension(part, "weld", options.weld, limits::length_or_none);
+  read_dimension(part, "crease", description.look.crease_angle, limits::crease);
+  try {
+    const MeshFiles::Entry& entry = meshes.read(file, options);
+    description.mesh = entry.source;
+    return entry.shape;
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(part.place("file"), error.what(), error.remedy());
+  } catch (const system::FileError& error) {
+    throw system::FileError(part.place("file"), error.what(), error.remedy());
+  }
+}
+
+body::Shape read_shape(TomlTable& part, MeshFiles& meshes, PartDescription& description) {
+  using Read = body::Shape (*)(TomlTable&);
+  static const std::vector<std::pair<std::string, Read>> solids{
+      {"cylinder", read_solid<body::Cylinder>},   {"box", read_solid<body::Box>},
+      {"ellipsoid", read_solid<body::Ellipsoid>}, {"sphere", read_sphere},
+      {"cone", read_solid<body::Cone>},           {"torus", read_solid<body::Torus>},
+      {"capsule", read_solid<body::Capsule>},     {"tube", read_solid<body::Tube>}};
+  const std::string name = part.required_text("shape");
+  if (name == "mesh") return read_mesh(part, meshes, description);
+  const auto solid = std::ranges::find(solids, name, &std::pair<std::string, Read>::first);
+  if (solid != solids.end()) return solid->second(part);
+  std::vector<std::string> names;
+  std::ranges::transform(solids, std::back_inserter(names), &std::pair<std::string, Read>::first);
+  names.emplace_back("mesh");
+  throw unknown_name(part.place("shape"), name, names);
+}
+
+double read_density(TomlTable& part, const body::Shape& shape) {
+  if (!part.has("mass")) return part.required_number("density", limits::density);
+  if (part.has("density")) {
+    throw InvalidArgument(part.place("mass"), "cannot be combined with density");
+  }
+  const double mass = part.required_number("mass", limits::mass);
+  const double density = mass / body::volume(shape);
+  if (limits::density.allows(density)) return density;
+  throw InvalidArgument(
+      part.place("mass"),
+      fmt::format("is {} g, which makes the density {:.6g} g/cm^3, but that must be {}", mass,
+                  density, limits::density.describe()));
+}
+
+Eigen::Matrix3d read_orientation(TomlTable& part) {
+  const Vector3d axis = part.vector("axis", limits::coordinate, Vector3d::UnitZ());
+  const Vector3d rotation = part.vector("rotation", limits::coordinate, Vector3d::Zero());
+  if (part.has("axis") && part.has("rotation")) {
+    throw InvalidArgument(part.place("rotation"), "cannot be combined with axis");
+  }
+  if (axis.isZero(0.0)) throw InvalidArgument(part.place("axis"), "must not be zero");
+  return part.has("axis") ? body::frame_with_z_along(axis) : so3::exp(rotation);
+}
+
+/// Reads the material, then what differs from it.
+void read_look(TomlTable& part, PartLook& look) {
+  if (part.has("material")) {
+    set_material(look, find_material(part.required_text("material"), part.place("material")));
+  }
+  if (part.has("color")) look.color = parse_color(part.required_text("color"), part.place("color"));
+  if (part.has("metallic")) look.metallic = part.required_number("metallic", limits::fraction);
+  if (part.has("roughness")) look.roughness = part.required_number("roughness", limits::roughness);
+}
+
+}  // namespace
+
+void read_part(TomlTable& table, MeshFiles& meshes, Body& body) {
+  PartDescription description;
+  if (table.has("name")) description.name = table.required_text("name");
+  const body::Shape shape = read_shape(table, meshes, description);
+  check_dimensions(shape, [&](const std::string& key) { return table.place(key); });
+  const double density = read_density(table, shape);
+  const Vector3d position = table.vector("position", limits::coordinate, Vector3d::Zero());
+  const Eigen::Matrix3d orientation = read_orientation(table);
+  read_look(table, description.look);
+  body.parts.push_back({shape, density, position, orientation});
+  body.descriptions.push_back(std::move(description));
+}
+
+}  // namespace twrench::scene
