@@ -47,7 +47,8 @@ class SceneOptions {
   void add_inertia_option();
 
   /// Returns the scene with all overrides applied. Throws as load_scene() does, and
-  /// InvalidArgument. Warns on standard error about moments that no real body has.
+  /// InvalidArgument. Warns on standard error about what was put right in a mesh, and about
+  /// moments that no real body has.
   scene::Scene scene() const { return scenes().front(); }
 
   /// The scenes as they were named.

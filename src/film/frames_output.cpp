@@ -12,10 +12,11 @@ namespace twrench::film {
 namespace {
 
 /// Throws if the run would destroy frames without permission.
-void refuse_to_destroy(const std::filesystem::path& folder, const std::string& objection,
+void refuse_to_destroy(const std::filesystem::path& folder, const video::EarlierRun& earlier,
                        const video::Shard& shard, Reuse reuse) {
-  if (objection.empty() || reuse == Reuse::overwrite) return;
-  throw ForeignFramesError(folder.string(), objection, !shard.is_whole());
+  if (earlier.objection().empty() || reuse == Reuse::overwrite) return;
+  if (reuse == Reuse::resume && earlier.is_outdated()) return;
+  throw ForeignFramesError(folder.string(), earlier.objection(), !shard.is_whole());
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ FramesOutput::FramesOutput(std::filesystem::path folder, video::Manifest film,
       frames_(std::move(frames)),
       reuse_(reuse),
       earlier_(folder_, film_, frames_) {
-  refuse_to_destroy(folder_, earlier_.objection(), film_.shard, reuse_);
+  refuse_to_destroy(folder_, earlier_, film_.shard, reuse_);
 }
 
 std::size_t FramesOutput::count_without_file() const {

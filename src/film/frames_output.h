@@ -14,7 +14,8 @@ namespace twrench::film {
 /// What a run may do with existing frames.
 enum class Reuse {
   none,       ///< Redraw frames of this video; do not touch others.
-  resume,     ///< Keep intact frames of this video; do not touch others.
+  resume,     ///< Keep intact frames of this video, and redraw those of meshes that have changed
+              ///< since; do not touch others.
   overwrite,  ///< Redraw any frames.
 };
 

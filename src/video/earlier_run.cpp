@@ -39,6 +39,7 @@ EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
 
 void EarlierRun::object_to(const std::filesystem::path& manifest, const std::string& why) {
   foreign_.push_back(manifest);
+  outdated_ = false;
   if (objection_.empty()) {
     objection_ = fmt::format("contains {} ({})", why, manifest.filename().string());
   }
@@ -58,7 +59,10 @@ void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& 
   try {
     const Manifest head = read_manifest_head(manifest);
     if (!same_film(head, film)) {
-      return object_to(manifest, "frames of another scene, font, size, renderer or version");
+      const bool first = objection_.empty();
+      object_to(manifest, "frames of another scene, mesh, font, size, renderer or version");
+      outdated_ = first && head.shard == film.shard && same_but_for_meshes(head, film);
+      return;
     }
     const bool is_own = head.shard == film.shard;
     if (!is_own && !draws_any(head, frames)) return;

@@ -23,6 +23,10 @@ class EarlierRun {
   /// video, or frames that no manifest describes. Empty if there are none.
   const std::string& objection() const { return objection_; }
 
+  /// Returns whether the objection is only that meshes have changed since this run's own frames
+  /// were drawn.
+  bool is_outdated() const { return outdated_; }
+
   /// Returns the manifests that belong to other videos or cannot be read.
   const std::vector<std::filesystem::path>& foreign_manifests() const { return foreign_; }
 
@@ -43,6 +47,7 @@ class EarlierRun {
 
   std::filesystem::path folder_;
   std::string objection_;
+  bool outdated_ = false;
   std::vector<std::filesystem::path> foreign_;
   std::vector<FrameRecord> own_;
   std::map<int, FrameRecord> by_number_;  ///< Of this video.

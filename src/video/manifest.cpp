@@ -42,6 +42,14 @@ std::string format_frame(const FrameRecord& record) {
       .dump();
 }
 
+/// Erases the digests of files wherever they stand in the scene.
+void erase_digests(nlohmann::ordered_json& json) {
+  if (json.is_object()) json.erase("sha256");
+  for (nlohmann::ordered_json& value : json) {
+    if (value.is_structured()) erase_digests(value);
+  }
+}
+
 }  // namespace
 
 std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
@@ -72,6 +80,13 @@ std::string format_manifest(const Manifest& manifest) {
 bool same_film(const Manifest& a, const Manifest& b) {
   return a.version == b.version && a.scene == b.scene && a.font == b.font &&
          a.renderer == b.renderer && a.width == b.width && a.height == b.height;
+}
+
+bool same_but_for_meshes(const Manifest& a, const Manifest& b) {
+  Manifest x = a, y = b;
+  erase_digests(x.scene);
+  erase_digests(y.scene);
+  return same_film(x, y);
 }
 
 }  // namespace twrench::video

@@ -72,6 +72,9 @@ std::string frame_file_name(int frame);
 /// program version, scene, font, GL renderer and size.
 bool same_film(const Manifest& a, const Manifest& b);
 
+/// Returns whether the films are the same but for what is in the files of their meshes.
+bool same_but_for_meshes(const Manifest& a, const Manifest& b);
+
 /// Returns the manifest as JSON with one frame per line; doubles survive the round trip exactly.
 std::string format_manifest(const Manifest& manifest);
 
