@@ -1,8 +1,6 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <twrench/base/require.h>
-#include <twrench/math/so3.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/exact_many.h>
@@ -15,7 +13,6 @@
 #include <optional>
 #include <span>
 
-#include "body.h"
 #include "interruptible.h"
 #include "module.h"
 
@@ -27,41 +24,6 @@ using Array = py::array_t<double, py::array::c_style>;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-body::Shape shape_called(const std::string& name, const Vector3d& size) {
-  if (name == "cylinder") return body::Cylinder{size[0], size[1]};
-  if (name == "box") return body::Box{size};
-  return body::Ellipsoid{size};
-}
-
-body::Part make_part(const std::string& shape, const Vector3d& size, double density,
-                     const Vector3d& position, const std::optional<Vector3d>& axis,
-                     const std::optional<Vector3d>& rotation) {
-  const Matrix3d turn = axis       ? body::frame_with_z_along(*axis)
-                        : rotation ? so3::exp(*rotation)
-                                   : Matrix3d::Identity();
-  return {shape_called(shape, size), density, position, turn};
-}
-
-Body body_from_parts(const std::vector<body::Part>& parts) {
-  // Not in the braces below: where it throws there, GCC 12 destroys what stands before it twice.
-  const body::MassProperties properties = body::mass_properties(parts);
-  return {{parts, {}}, properties};
-}
-
-Body body_from_moments(const Vector3d& moments) {
-  for (const double moment : moments) require_positive("moments", moment);
-  const scene::Body description{{}, moments};
-  const body::MassProperties properties = scene::mass_properties(description);
-  return {description, properties};
-}
-
-Body body_from_inertia(const Matrix3d& inertia) {
-  const motion::FreeBody checked(inertia, Vector3d::Zero());
-  const auto& [moments, axes] = checked.principal();
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {{}, {unknown, Vector3d::Zero(), inertia, moments, axes}};
-}
 
 Array new_array(std::vector<py::ssize_t> shape) { return Array(std::move(shape)); }
 
@@ -217,17 +179,6 @@ const char* name_of(motion::ExactMotion::Kind kind) {
 }  // namespace
 
 void add_dynamics(py::module_& module) {
-  py::class_<body::Part>(module, "Part").def(py::init(&make_part));
-  py::class_<Body>(module, "Body")
-      .def_static("from_parts", &body_from_parts)
-      .def_static("from_moments", &body_from_moments)
-      .def_static("from_inertia", &body_from_inertia)
-      .def_property_readonly("mass", [](const Body& b) { return b.properties.mass; })
-      .def_property_readonly("centre_of_mass",
-                             [](const Body& b) { return b.properties.centre_of_mass; })
-      .def_property_readonly("inertia", [](const Body& b) { return b.properties.inertia; })
-      .def_property_readonly("moments", [](const Body& b) { return b.properties.moments; })
-      .def_property_readonly("axes", [](const Body& b) { return b.properties.axes; });
   py::class_<motion::FreeBody>(module, "FreeBody")
       .def(py::init<const Matrix3d&, const Vector3d&>())
       .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); });

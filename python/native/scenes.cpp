@@ -1,5 +1,6 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 #include <twrench/motion/trajectory.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "body.h"
 #include "errors.h"
 #include "module.h"
+#include "pickling.h"
 #include "scene/fields.h"
 #include "scene/scene_json.h"
 #include "scene/scene_values.h"
@@ -50,6 +52,7 @@ void add_scenes(py::module_& module) {
   module.def("scene_names", &scene::builtin_scene_names);
   py::class_<Scene>(module, "Scene")
       .def(py::init<const Scene&>())
+      .def(py::pickle([](const Scene& scene) { return state_of(scene); }, &scene_with))
       .def_static(
           "load",
           [](const std::string& name) { return on_scene([&] { return scene::load_scene(name); }); })
@@ -70,6 +73,7 @@ void add_scenes(py::module_& module) {
             }
             on_scene([&] { scene::set_body(scene, body.description); });
           })
+      .def("input_files", &scene::input_files)
       .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })
       .def("motion_times",
            [](const Scene& s) { return on_scene([&] { return timeline::motion_times(s); }); })

@@ -5,7 +5,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0.
 """
 
 from ._native import version as __version__
-from .body import Body, Box, Cylinder, Ellipsoid, Part, Sphere
+from .body import Body, Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .errors import (
     EncoderError,
     Error,
@@ -33,6 +33,8 @@ from .study import MethodStudy, Study, StudyRun, study
 __all__ = [
     "Body",
     "Box",
+    "Capsule",
+    "Cone",
     "Cylinder",
     "Ellipsoid",
     "EncoderError",
@@ -42,6 +44,7 @@ __all__ = [
     "Film",
     "GlError",
     "ManyMotions",
+    "Mesh",
     "Method",
     "MethodStudy",
     "Motion",
@@ -53,6 +56,8 @@ __all__ = [
     "Sphere",
     "Study",
     "StudyRun",
+    "Torus",
+    "Tube",
     "UsageError",
     "__version__",
     "exact",

@@ -53,6 +53,20 @@ def times(name: str, value: ArrayLike) -> Array:
     return array(name, value, (None,), "a one-dimensional array of times in s")
 
 
+def indices(name: str, value: ArrayLike, count: int) -> NDArray[np.uint32]:
+    """Indices of `count` things, of shape (m, 3)."""
+    refused = UsageError(f"{name}: must be an array of integers of shape (m, 3), not {brief(value)}")
+    try:
+        given = np.asarray(value)
+    except ValueError as error:
+        raise refused from error
+    if given.dtype.kind not in "iu" or given.ndim != 2 or given.shape[1] != 3:
+        raise refused
+    if given.size and not 0 <= given.min() <= given.max() < count:
+        raise UsageError(f"{name}: must be from 0 to {count - 1}, the last of the vertices")
+    return np.ascontiguousarray(given, dtype=np.uint32)
+
+
 def number(name: str, value: Any) -> float:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)):
         raise UsageError(f"{name}: must be a number, not {brief(value)}")

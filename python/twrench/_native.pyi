@@ -9,22 +9,50 @@ _Array = NDArray[np.float64]
 
 version: str
 
+class Shape:
+    @property
+    def volume(self) -> float: ...
+
+def solid(name: str, dimensions: Sequence[float]) -> Shape: ...
+def mesh_of_file(file: str, scale: float | None, weld: float, shell: float) -> Shape: ...
+def mesh_of_arrays(
+    vertices: _Array,
+    triangles: NDArray[np.uint32],
+    colors: NDArray[np.float32],
+    scale: float | None,
+    weld: float,
+    shell: float,
+) -> Shape: ...
+def unit_length(name: str, unit: str) -> float: ...
+
+class Look:
+    def __init__(
+        self,
+        material: str,
+        color: str,
+        metallic: float | None,
+        roughness: float | None,
+        crease: float | None,
+    ) -> None: ...
+
 class Part:
     def __init__(
         self,
-        shape: str,
-        size: Sequence[float],
-        density: float,
+        shape: Shape,
+        density: float | None,
+        mass: float,
         position: _Array,
         axis: _Array | None,
         rotation: _Array | None,
+        name: str,
+        look: Look,
     ) -> None: ...
 
 class Body:
     @staticmethod
     def from_parts(parts: list[Part]) -> Body: ...
     @staticmethod
-    def from_moments(moments: _Array) -> Body: ...
+    def from_moments(moments: _Array, shape: str) -> Body: ...
     @staticmethod
     def from_inertia(inertia: _Array) -> Body: ...
     @property
@@ -165,6 +193,7 @@ class Scene:
     def get(self, key: str) -> str: ...
     def set(self, key: str, json: str) -> None: ...
     def json(self) -> str: ...
+    def input_files(self) -> list[Path]: ...
     def has_shots(self) -> bool: ...
     def motion_times(self) -> list[float]: ...
     def frame_count(self) -> int: ...

@@ -112,6 +112,7 @@ class Scene:
     samples = _Value[int]()
     motion_blur = _Value[int]()
     background = _Value[Optional[str]]()
+    material = _Value[Optional[str]]()
     color = _Value[Optional[str]]()
     metallic = _Value[Optional[float]]()
     roughness = _Value[Optional[float]]()
@@ -228,6 +229,9 @@ class Scene:
         scene._drawer = None
         return scene
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_inputs": self._inputs, "_native": self._native, "_drawer": None}
+
     def __deepcopy__(self, _: object) -> Scene:
         return self.__copy__()
 
@@ -327,7 +331,7 @@ class Scene:
         video = None if path is None else Path(_arguments.path("path", path))
         folder = None if frames_dir is None else Path(_arguments.path("frames_dir", frames_dir))
         existing = "overwrite" if overwrite else "resume" if resume else "none"
-        inputs = self._inputs + ([Path(self.font)] if os.path.exists(self.font) else [])
+        inputs = self._inputs + self._native.input_files()
         count = _native.render(
             self._native,
             video,

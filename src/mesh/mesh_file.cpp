@@ -138,6 +138,20 @@ MeshFile read(const std::string& name, Content content, std::string digest,
   return file;
 }
 
+/// Throws unless it is what a reader would have made.
+void require_content(const std::string& name, const body::TriangleMesh& mesh) {
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    if (!vertex.allFinite()) throw InvalidArgument(name, "a coordinate is not finite");
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      if (corner < mesh.vertices.size()) continue;
+      throw InvalidArgument(name, fmt::format("a triangle has the vertex {}, but there are {}",
+                                              corner, mesh.vertices.size()));
+    }
+  }
+}
+
 }  // namespace
 
 bool is_mesh_name(const std::filesystem::path& file) { return format_of(file) != nullptr; }
@@ -164,6 +178,16 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
     digest = digest_of(text, content.digests);
   }  // The checks need the memory of the bytes.
   return read(file.string(), std::move(content), std::move(digest), options);
+}
+
+MeshFile checked_mesh(const std::string& name, body::TriangleMesh mesh,
+                      const ReadOptions& options) {
+  check(options);
+  require_content(name, mesh);
+  Content content;
+  content.mesh = std::move(mesh);
+  content.scale = 1.0;
+  return finish(name, std::move(content), options);
 }
 
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {

@@ -81,4 +81,9 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
 /// Reads a mesh from memory; `name` is what messages call it, and its ending counts like a file's.
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options);
 
+/// Does the same with a mesh that is in memory, whose unit is a centimetre unless the options say
+/// otherwise; `name` is what messages call it. Throws InvalidArgument also where an index is out of
+/// range or a coordinate is not finite.
+MeshFile checked_mesh(const std::string& name, body::TriangleMesh mesh, const ReadOptions& options);
+
 }  // namespace twrench::mesh

@@ -27,6 +27,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
     from twrench import _native
 
     keys = {field.key for field in _native.fields()}
+    # The material is what colour, metalness and roughness make; see below.
     keys = keys - {"frame"} | {"camera_frame"}
     assert keys == {key for key, value in vars(Scene).items() if type(value).__name__ == "_Value"}
     other = {
@@ -40,13 +41,23 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "compare_omega": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.5)), "trail_point": (1.0, 2.0, 3.0),
         "trail_length": 5.0, "font": "mono",
     }  # fmt: skip
-    assert other.keys() == keys
+    assert other.keys() == keys - {"material"}
     scene = Scene()
     for key, value in other.items():
         assert getattr(scene, key) != value
         setattr(scene, key, value)
         assert getattr(scene, key) == value, key
-    assert {key: getattr(Scene(**other), key) for key in keys} == other
+    assert {key: getattr(Scene(**other), key) for key in other} == other
+
+
+def test_a_material_is_a_colour_a_metalness_and_a_roughness():
+    scene = Scene(material="rubber", roughness=0.5)
+    assert (scene.color, scene.metallic, scene.roughness) == ("#353535", 0, 0.5)
+    assert scene.material is None
+    scene.material = "brass"
+    assert (scene.color, scene.metallic, scene.material) == ("#f4e4ad", 1, "brass")
+    with pytest.raises(SceneError, match="material: .*did you mean 'brass'"):
+        scene.material = "bras"
 
 
 def test_a_scene_is_that_of_its_file(tmp_path):
