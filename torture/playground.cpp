@@ -43,10 +43,37 @@ speed = 1
 
 std::string part(const std::string& keys) { return "[[part]]\nshape = \"cylinder\"\n" + keys; }
 
+std::string mesh(const std::string& file, const std::string& keys) {
+  return "[[part]]\nshape = \"mesh\"\nfile = \"" + file + "\"\ndensity = 2\n" + keys;
+}
+
+void put_meshes(const fs::path& folder) {
+  const std::string open = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+  put(folder / "open.obj", open);
+  put(folder / "sound.obj", open + "f 2 3 4\n");
+  put(folder / "short.stl", std::string(80, 'x') + "\xff\xff\xff\xff");
+}
+
 void put_scenes(const fs::path& folder) {
   const std::string cylinder = "radius = 1\nlength = 2\ndensity = 3\n";
+  const std::string solids =
+      "[[part]]\nshape = \"cone\"\nradius = 1\nlength = 2\nmass = 3\nmaterial = \"wood\"\n"
+      "[[part]]\nshape = \"torus\"\nradius = 2\ntube_radius = 0.5\ndensity = 3\n"
+      "[[part]]\nshape = \"tube\"\nradius = 2\ninner_radius = 1\nlength = 1\ndensity = 3\n"
+      "[[part]]\nshape = \"capsule\"\nradius = 1\nlength = 2\ndensity = 3\n";
   const std::vector<std::pair<std::string, std::string>> scenes{
       {"sound.toml", sound_scene},
+      {"solids.toml", solids},
+      {"mesh.toml", mesh("sound.obj", "unit = \"cm\"\n")},
+      {"wall.toml", mesh("open.obj", "unit = \"cm\"\nshell = 0.1\n")},
+      {"built_in_mesh.toml", mesh("toutatis.obj", "unit = \"km\"\n")},
+      {"no_unit.toml", mesh("sound.obj", "")},
+      {"open_mesh.toml", mesh("open.obj", "unit = \"cm\"\n")},
+      {"no_mesh.toml", mesh("missing.obj", "unit = \"cm\"\n")},
+      {"endless_mesh.toml", mesh("/dev/zero", "unit = \"cm\"\n")},
+      {"secret_mesh.toml", mesh("secret.toml", "unit = \"cm\"\n")},
+      {"scene_as_mesh.toml", mesh("sound.toml", "unit = \"cm\"\n")},
+      {"short_mesh.toml", mesh("short.stl", "unit = \"cm\"\n")},
       {"moments.toml", "[body]\nmoments = [3, 4, 5]\n"},
       {"with a space.toml", sound_scene},
       {"caf\xc3\xa9.toml", sound_scene},
@@ -141,6 +168,7 @@ void put_places(const fs::path& folder) {
 
 void furnish(const fs::path& folder, const fs::path& twrench) {
   put_scenes(folder);
+  put_meshes(folder);
   for (const auto& [name, scene] : {std::pair{"frames", "sound.toml"}, {"other", "stable-y"}}) {
     const Ended ended =
         run({{twrench.string(), "render", scene, "--no-video", "--size", "64x48", "--duration", "1",

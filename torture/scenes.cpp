@@ -1,13 +1,12 @@
-// torture_scenes SECONDS SEED [CASE]: draws random valid scenes until the time is over, or a single
-// one of them. Faults are: an undocumented exception, a picture of the wrong size or with damaged
-// areas beyond its edges, and a frame drawn in reused memory that differs from the same frame in
-// new memory. Layers outside the picture are assertions, and the rest is for sanitizers: build with
-// both.
+// torture_scenes SECONDS SEED [CASE]: draws random scenes, valid but for some of their meshes,
+// until the time is over, or a single one of them. Faults are: an undocumented exception, a picture
+// of the wrong size or with damaged areas beyond its edges, and a frame drawn in reused memory that
+// differs from the same frame in new memory. Layers outside the picture are assertions, and the
+// rest is for sanitizers: build with both.
 //
 // Case k is made by a generator seeded only from SEED and k. Its number is printed on standard
 // error while it is drawn, so that the last one is the one that crashed.
 #include <fmt/format.h>
-#include <twrench/math/so3.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/method.h>
 
@@ -21,7 +20,6 @@
 #include <cstdlib>
 #include <map>
 #include <numbers>
-#include <random>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -29,6 +27,7 @@
 
 #include "gl/backend.h"
 #include "image/png.h"
+#include "random_body.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "scene/scene_json.h"
@@ -39,86 +38,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Random numbers that are the same with every standard library; the standard distributions are
-/// not.
-class Dice {
- public:
-  Dice(std::uint32_t seed, std::uint32_t number) {
-    std::seed_seq sequence{seed, number};
-    engine_.seed(sequence);
-  }
-
-  /// In [low, high).
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
-  }
-  /// Log-uniform.
-  double spread(double low, double high) {
-    return std::exp(uniform(std::log(low), std::log(high)));
-  }
-  int whole(int low, int high) { return static_cast<int>(std::floor(uniform(low, high + 1.0))); }
-  bool chance(double share) { return uniform(0, 1) < share; }
-  Vector3d vector(double low, double high) {
-    const double x = uniform(low, high), y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-  }
-  template <typename Values>
-  const auto& pick(const Values& values) {
-    return values[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(values)) - 1))];
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-scene::Color random_color(Dice& dice) {
-  const int red = dice.whole(0, 255), green = dice.whole(0, 255);
-  return {red, green, dice.whole(0, 255)};
-}
-
-body::Part random_part(Dice& dice, double size) {
-  const double least = dice.chance(0.1) ? 1e-4 : 0.02;  // wires, needles and sheets too
-  const auto length = [&] { return size * dice.spread(least, 2); };
-  const auto lengths = [&] {
-    const double x = length(), y = length();
-    return Vector3d(x, y, length());
-  };
-  body::Shape shape;
-  switch (dice.whole(0, 2)) {
-    case 0: {
-      const double radius = length();
-      shape = body::Cylinder{radius, length()};
-      break;
-    }
-    case 1:
-      shape = body::Box{lengths()};
-      break;
-    default:
-      shape =
-          body::Ellipsoid{dice.chance(0.3) ? Vector3d(Vector3d::Constant(length())) : lengths()};
-  }
-  const double density = dice.spread(0.1, 20);
-  const Vector3d position = size * dice.vector(-1.5, 1.5);
-  const Vector3d turn = dice.chance(0.3)
-                            ? Vector3d(std::numbers::pi / 2 * Vector3d::Unit(dice.whole(0, 2)))
-                            : dice.vector(-3, 3);
-  return {shape, density, position, so3::exp(turn)};
-}
-
-scene::Body random_body(Dice& dice) {
-  scene::Body body;
-  if (dice.chance(0.15)) {
-    const double x = dice.spread(0.01, 1), y = dice.spread(0.01, 1), z = dice.spread(0.01, 1);
-    body.moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
-    return body;
-  }
-  const double size = dice.chance(0.1) ? dice.spread(1e-6, 1e5) : dice.spread(1e-2, 1e3);
-  const int count = dice.whole(1, 8);
-  for (int i = 0; i < count; ++i) body.parts.push_back(random_part(dice, size));
-  return body;
-}
-
-scene::Motion random_motion(Dice& dice) {
+scene::Motion random_motion(SceneDice& dice) {
   scene::Motion motion;
   const double speed = dice.spread(0.1, 100);
   const double kind = dice.uniform(0, 1);
@@ -134,7 +54,7 @@ scene::Motion random_motion(Dice& dice) {
 }
 
 /// Usually about 10^5 pixels with any aspect ratio, sometimes as long as possible.
-scene::Film random_film(Dice& dice, const scene::Motion& motion) {
+scene::Film random_film(SceneDice& dice, const scene::Motion& motion) {
   scene::Film film;
   const bool extreme = dice.chance(0.15);
   const double area = dice.spread(400, 300'000);
@@ -149,7 +69,7 @@ scene::Film random_film(Dice& dice, const scene::Motion& motion) {
   return film;
 }
 
-scene::Look random_look(Dice& dice) {
+scene::Look random_look(SceneDice& dice) {
   scene::Look look;
   look.theme =
       dice.pick(std::array{scene::Theme::studio, scene::Theme::paper, scene::Theme::space});
@@ -158,13 +78,11 @@ scene::Look random_look(Dice& dice) {
   const double kind = dice.uniform(0, 1);
   look.transparent = kind < 0.2;
   if (kind > 0.8) look.background = random_color(dice);
-  if (dice.chance(0.2)) look.color = random_color(dice);
-  if (dice.chance(0.2)) look.metallic = dice.uniform(0, 1);
-  if (dice.chance(0.2)) look.roughness = dice.uniform(0.05, 1);
+  vary(dice, look);
   return look;
 }
 
-scene::CameraPath random_camera(Dice& dice) {
+scene::CameraPath random_camera(SceneDice& dice) {
   scene::CameraPath camera;
   camera.azimuth = dice.uniform(-10, 10);
   if (dice.chance(0.5)) camera.elevation = dice.uniform(-1, 1) * std::numbers::pi / 2;
@@ -177,7 +95,7 @@ scene::CameraPath random_camera(Dice& dice) {
   return camera;
 }
 
-scene::Overlay random_overlay(Dice& dice, const scene::Motion& motion) {
+scene::Overlay random_overlay(SceneDice& dice, const scene::Motion& motion) {
   using enum scene::Feature;
   constexpr std::array all{floor,  axes,  momentum,   omega,  trail,   plane,
                            labels, hud,   components, sphere, poinsot, curve,
@@ -201,7 +119,7 @@ scene::Overlay random_overlay(Dice& dice, const scene::Motion& motion) {
   return overlay;
 }
 
-std::string random_title(Dice& dice) {
+std::string random_title(SceneDice& dice) {
   static const std::array<std::string, 16> titles{"",
                                                   "x",
                                                   "The Dzhanibekov effect",
@@ -227,7 +145,7 @@ std::string random_title(Dice& dice) {
   return title;
 }
 
-scene::Scene random_scene(Dice& dice) {
+scene::Scene random_scene(SceneDice& dice) {
   scene::Scene scene;
   scene.name = "torture";
   scene.title = random_title(dice);
@@ -241,7 +159,7 @@ scene::Scene random_scene(Dice& dice) {
 }
 
 /// One to three, ascending.
-std::vector<int> random_frames(Dice& dice, int count) {
+std::vector<int> random_frames(SceneDice& dice, int count) {
   std::vector<int> frames;
   const int wanted = dice.whole(1, 3);
   for (int i = 0; i < wanted; ++i) frames.push_back(dice.whole(0, count - 1));
@@ -269,7 +187,7 @@ void check(const image::Frame& frame, const scene::Scene& scene) {
 }
 
 /// Draws some frames of the scene as the program does, each of them twice.
-void draw(const scene::Scene& scene, Dice& dice) {
+void draw(const scene::Scene& scene, SceneDice& dice) {
   const auto opened = gl::open_context({});
   const timeline::Timeline timeline(scene, random_frames(dice, scene.frame_count()));
   render::Renderer renderer(*opened.context, scene, timeline.solutions());
@@ -297,10 +215,11 @@ enum class Outcome { drawn, refused, fault };
 
 /// Expected errors are not faults, except those that report one.
 Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>& refusals) {
-  Dice dice(seed, number);
-  const scene::Scene scene = random_scene(dice);
+  SceneDice dice(seed, number);
+  scene::Scene scene;
   std::string what;
   try {
+    scene = random_scene(dice);
     draw(scene, dice);
     return Outcome::drawn;
   } catch (const std::exception& error) {
