@@ -45,6 +45,16 @@ double parse_number(const std::string& text, const std::string& what) {
   return value;
 }
 
+double parse_number(const std::string& text, const std::string& what,
+                    const scene::limits::Limit& limit) {
+  return scene::limits::check(limit, what, parse_number(text, what));
+}
+
+int parse_whole(const std::string& text, const std::string& what,
+                const scene::limits::Limit& limit) {
+  return scene::limits::check_whole(limit, what, parse_number(text, what));
+}
+
 std::vector<double> parse_numbers(const std::string& text, const std::string& what) {
   return split_numbers(text, ',', what);
 }

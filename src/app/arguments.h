@@ -5,15 +5,22 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "scene/limits.h"
 
 namespace twrench::app {
 
 // Conversions of command-line arguments to values. Each throws InvalidArgument about `what`, the
-// option. Numbers use '.' whatever the locale; the caller checks ranges.
+// option. Numbers use '.' whatever the locale; where no limit is given, the caller checks the
+// range.
 
 /// Splits "A,B,..." into its words.
 std::vector<std::string> parse_words(const std::string& text);
 double parse_number(const std::string& text, const std::string& what);
+/// Parses a number, or an integer, and holds it against its limit.
+double parse_number(const std::string& text, const std::string& what,
+                    const scene::limits::Limit& limit);
+int parse_whole(const std::string& text, const std::string& what,
+                const scene::limits::Limit& limit);
 /// Parses "T1,T2,...".
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);
 /// Parses "X,Y,Z".

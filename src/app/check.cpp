@@ -30,7 +30,7 @@ struct CheckOptions {
 };
 
 double parse_bound(const std::string& text, const std::string& option) {
-  return scene::limits::check({0.0, scene::limits::huge}, option, parse_number(text, option));
+  return parse_number(text, option, {0.0, scene::limits::huge});
 }
 
 /// Throws InvalidArgument where a bound is for what the file does not have.

@@ -158,8 +158,7 @@ check::Problem CheckSetup::problem() const {
   }
   problem.omega_time.reset();
   if (omega_at_ != "first") {
-    problem.omega_time = scene::limits::check(scene::limits::coordinate, "--omega-at",
-                                              parse_number(omega_at_, "--omega-at"));
+    problem.omega_time = parse_number(omega_at_, "--omega-at", scene::limits::coordinate);
   }
   problem.fit = fit_;
   if (frame_ == "momentum") problem.frame = check::FrameFrom::momentum;
@@ -192,7 +191,11 @@ check::Convention CheckSetup::convention(const std::string& file,
 }
 
 void CheckSetup::require_not_input(const std::filesystem::path& output) const {
-  if (!scene_.empty()) system::require_not_input(output, scene_);
+  if (scene_.empty()) return;
+  system::require_not_input(output, scene_);
+  for (const std::filesystem::path& file : scene::input_files(scene::load_scene(scene_))) {
+    system::require_not_input(output, file);
+  }
 }
 
 }  // namespace twrench::app

@@ -67,19 +67,13 @@ void require_bound_of_metric(const CompareOptions& options, const char* bound, c
 Criteria criteria_of(const CompareOptions& options) {
   require_bound_of_metric(options, "--share", "share");
   require_bound_of_metric(options, "--min-ssim", "ssim");
-  const auto number = [](const scene::limits::Limit& limit, const char* name,
-                         const std::string& text) {
-    return scene::limits::check(limit, name, parse_number(text, name));
-  };
   constexpr int most_edges = 16;
   Criteria criteria;
   criteria.metric = options.metric == "ssim" ? Metric::similarity : Metric::share;
-  criteria.threshold = scene::limits::check_whole({0, 255}, "--threshold",
-                                                  parse_number(options.threshold, "--threshold"));
-  criteria.share = number(scene::limits::fraction, "--share", options.share);
-  criteria.min_similarity = number({-1, 1}, "--min-ssim", options.min_ssim);
-  criteria.edges = scene::limits::check_whole({0, most_edges}, "--edges",
-                                              parse_number(options.edges, "--edges"));
+  criteria.threshold = parse_whole(options.threshold, "--threshold", {0, 255});
+  criteria.share = parse_number(options.share, "--share", scene::limits::fraction);
+  criteria.min_similarity = parse_number(options.min_ssim, "--min-ssim", {-1, 1});
+  criteria.edges = parse_whole(options.edges, "--edges", {0, most_edges});
   for (const std::string& area : options.ignored) {
     criteria.ignored.push_back(parse_area(area, "--ignore"));
   }

@@ -34,8 +34,7 @@ video::VideoOutput EncodeOptions::video_output() const {
     throw InvalidArgument("--width", "only GIF and WebP are scaled",
                           "leave it out, or render frames of that --size");
   }
-  const double pixels = parse_number(width, "--width");
-  video.width = scene::limits::check_whole(scene::limits::pixels, "--width", pixels);
+  video.width = parse_whole(width, "--width", scene::limits::pixels);
   return video;
 }
 

@@ -54,13 +54,9 @@ void warn_of_coarse_clocks(const scene::Scene& scene,
 void write_gltf(const ExportOptions& options, const scene::Scene& scene, Output& output) {
   constexpr scene::limits::Limit max_angle{interchange::least_max_angle, scene::limits::huge,
                                            "the limit of glTF's float32 numbers"};
-  const auto number = [](const scene::limits::Limit& limit, const char* option,
-                         const std::string& text) {
-    return scene::limits::check(limit, option, parse_number(text, option));
-  };
   const interchange::AnimationOptions animation{
-      .max_angle = number(max_angle, "--max-angle", options.max_angle),
-      .speed = number(scene::limits::speed, "--speed", options.speed)};
+      .max_angle = parse_number(options.max_angle, "--max-angle", max_angle),
+      .speed = parse_number(options.speed, "--speed", scene::limits::speed)};
   interchange::gltf_scene(scene, animation, generator()).write_glb([&](std::string_view piece) {
     output.write(piece);
   });

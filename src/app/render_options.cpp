@@ -124,9 +124,7 @@ film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
   settings.reuse = overwrite ? film::Reuse::overwrite
                    : resume  ? film::Reuse::resume
                              : film::Reuse::none;
-  if (!jobs.empty()) {
-    settings.jobs = scene::limits::check_whole({1, 256}, "--jobs", parse_number(jobs, "--jobs"));
-  }
+  if (!jobs.empty()) settings.jobs = parse_whole(jobs, "--jobs", {1, 256});
   settings.backend = backend;
   return settings;
 }

@@ -91,9 +91,7 @@ std::vector<Bound> bounds_of(const StudyOptions& options) {
   std::vector<Bound> bounds;
   const auto add = [&](const std::string& name, const std::string& text, const auto& value) {
     if (text.empty()) return;
-    bounds.push_back(
-        {name, scene::limits::check({0.0, scene::limits::huge}, name, parse_number(text, name)),
-         value});
+    bounds.push_back({name, parse_number(text, name, {0.0, scene::limits::huge}), value});
   };
   add("--max-error", options.max_error,
       [](const study::Study&, const study::StudyRun& r) { return r.error; });
