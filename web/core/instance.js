@@ -1,0 +1,101 @@
+/**
+ * The compiled core and its memory. C++ hands numbers over in a scratch area of doubles: JavaScript
+ * writes the arguments to its beginning, calls, and reads the results from the same place.
+ *
+ * An exception of C++ arrives as a {@link CoreError}. Nothing was unwound then, so the instance is
+ * replaced by a new one at the next call, and `generation` tells who holds a pointer into the old one.
+ */
+
+/** An error of the C++ core: "WHAT: WHY", as the program says it. */
+export class CoreError extends Error {
+  /** @param {string} message */
+  constructor(message) {
+    super(message);
+    this.name = 'CoreError';
+    /** What was not allowed or failed: "inertia", "tolerance", "method rk4". */
+    this.quantity = message.split(':', 1)[0];
+  }
+}
+
+/**
+ * What bindings.cpp exports.
+ * @typedef {Record<string, (...values: number[]) => number> & {memory: WebAssembly.Memory}} Exports
+ */
+
+export class Instance {
+  /** @param {WebAssembly.Module} module */
+  constructor(module) {
+    this.module = module;
+    this.generation = 0;
+    this.dead = true;
+    /** @type {Exports} */
+    this.exports = /** @type {any} */ (null);
+    this.revive();
+  }
+
+  /** Makes a new instance if the last one was left by an exception. */
+  revive() {
+    if (!this.dead) return;
+    const nothing = () => 0;
+    const names = WebAssembly.Module.imports(this.module);
+    /** @type {WebAssembly.Imports} */
+    const imports = {};
+    for (const { module, name } of names) (imports[module] ??= {})[name] = nothing;
+    imports.env = { ...imports.env, fail: (/** @type {number} */ text) => this.fail(text) };
+    this.exports = /** @type {any} */ (new WebAssembly.Instance(this.module, imports).exports);
+    this.exports._initialize?.();
+    this.dead = false;
+    ++this.generation;
+  }
+
+  /** @param {number} text @returns {never} */
+  fail(text) {
+    throw new CoreError(this.text(text));
+  }
+
+  /**
+   * Calls an exported function.
+   * @param {string} name
+   * @param {number[]} values
+   */
+  call(name, ...values) {
+    this.revive();
+    try {
+      return this.exports[name](...values);
+    } catch (error) {
+      this.dead = true;
+      if (error instanceof WebAssembly.RuntimeError) {
+        throw new CoreError(`core: stopped in ${name}: ${error.message}`);
+      }
+      throw error;
+    }
+  }
+
+  /**
+   * The scratch area with room for that many doubles. Later calls may move it.
+   * @param {number} count
+   */
+  scratch(count) {
+    const begin = this.call('scratch', count);
+    return new Float64Array(this.exports.memory.buffer, begin, count);
+  }
+
+  /**
+   * Writes numbers to the scratch area, calls, and returns a copy of its first `count` numbers.
+   * @param {number} count
+   * @param {ArrayLike<number>} numbers
+   * @param {string} name
+   * @param {number[]} values
+   */
+  compute(count, numbers, name, ...values) {
+    this.scratch(Math.max(count, numbers.length)).set(numbers);
+    this.call(name, ...values);
+    return this.scratch(count).slice();
+  }
+
+  /** The text, terminated by 0, at an address. @param {number} begin */
+  text(begin) {
+    const bytes = new Uint8Array(this.exports.memory.buffer);
+    return new TextDecoder().decode(bytes.slice(begin, bytes.indexOf(0, begin)));
+  }
+}
