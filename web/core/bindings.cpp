@@ -1,0 +1,277 @@
+// What JavaScript calls (core.js). Arguments and results that are not single numbers lie in a scratch
+// area of doubles: a function reads its arguments from the beginning and leaves its results there.
+
+#include <fmt/format.h>
+#include <twrench/body/mass_properties.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/diagnostics.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/method.h>
+#include <twrench/motion/polhode.h>
+#include <twrench/motion/stability.h>
+#include <twrench/motion/trajectory.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "recorded_run.h"
+#include "render/body/gap_closing.h"
+#include "render/body/mesh.h"
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using namespace twrench;
+
+std::vector<double> numbers;
+
+/// Writes results to the scratch area, one after another.
+class Results {
+ public:
+  explicit Results(std::size_t count) {
+    if (numbers.size() < count) numbers.resize(count);
+  }
+  Results& operator<<(double x) {
+    numbers[next_++] = x;
+    return *this;
+  }
+  Results& operator<<(const Vector3d& v) { return *this << v[0] << v[1] << v[2]; }
+  Results& operator<<(const Matrix3d& m) {
+    for (int row = 0; row < 3; ++row) *this << Vector3d(m.row(row).transpose());
+    return *this;
+  }
+
+ private:
+  std::size_t next_ = 0;
+};
+
+Vector3d vector_at(std::size_t i) { return Vector3d(&numbers[i]); }
+Matrix3d matrix_at(std::size_t i) { return Eigen::Map<const RowMajor>(&numbers[i]); }
+
+/// Replaces the times at the beginning by the samples: all X, then all omega.
+void write_samples(const std::vector<motion::Sample>& samples) {
+  Results results(12 * samples.size());
+  for (const motion::Sample& sample : samples) results << sample.X;
+  for (const motion::Sample& sample : samples) results << sample.omega;
+}
+
+std::vector<double> times_at_beginning(std::size_t n) {
+  return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n)};
+}
+
+body::Shape shape_at(const double* p) {
+  switch (static_cast<int>(p[0])) {
+    case 0:
+      return body::Cylinder{p[1], p[2]};
+    case 1:
+      return body::Box{Vector3d(p + 1)};
+    case 2:
+      return body::Ellipsoid{Vector3d(p + 1)};
+    case 3:
+      return body::Cone{p[1], p[2], p[3]};
+    case 4:
+      return body::Torus{p[1], p[2]};
+    case 5:
+      return body::Capsule{p[1], p[2]};
+    case 6:
+      return body::Tube{p[1], p[2], p[3]};
+    default:
+      return body::Mesh{nullptr, 0, {p[1], Vector3d(p + 2), Eigen::Map<const RowMajor>(p + 5)}};
+  }
+}
+
+std::vector<body::Part> parts_at_beginning(std::size_t count) {
+  constexpr std::size_t per_part = 27;
+  std::vector<body::Part> parts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* p = &numbers[per_part * i];
+    parts.push_back({shape_at(p), p[14], Vector3d(p + 15), Eigen::Map<const RowMajor>(p + 18)});
+  }
+  return parts;
+}
+
+/// A body and its exact motion.
+struct Motion {
+  motion::FreeBody body;
+  motion::ExactMotion exact{body};
+  double initial_energy = motion::energy(body.inertia(), body.omega());
+};
+
+/// The level of the motion in principal axes.
+std::optional<motion::EnergyLevel> level_of(const Motion& motion) {
+  const auto& [moments, axes] = motion.body.principal();
+  const Vector3d mu = (axes.transpose() * motion.body.momentum()).stableNormalized();
+  if (mu.isZero(0)) return std::nullopt;
+  return motion::level_through(moments, mu);
+}
+
+void write_level(Results& results, const motion::EnergyLevel& level, const Matrix3d& axes,
+                 std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double phi = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    results << Vector3d(axes * level.at(phi));
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Room for `count` doubles, whose first may already be set.
+double* scratch(std::size_t count) {
+  if (numbers.size() < count) numbers.resize(count);
+  return numbers.data();
+}
+
+/// All methods as JSON, in the terms of core.js.
+const char* methods() {
+  static std::string json;
+  json = "[";
+  for (const motion::Method& m : motion::methods()) {
+    json += fmt::format(
+        R"({}{{"name":"{}","order":{},"exact":{},"adaptive":{},"leavesGroup":{},)"
+        R"("conservesEnergy":{},"reversible":{},"summary":"{}","source":"{}"}})",
+        json.size() > 1 ? "," : "", m.name, m.order ? fmt::to_string(*m.order) : "null", m.exact(),
+        m.adaptive(), m.linear(), m.conserves_energy, m.reversible, m.summary, m.source);
+  }
+  json += "]";
+  return json.c_str();
+}
+
+/// The motion of the inertia and the omega in the scratch area.
+Motion* motion_new() { return new Motion{motion::FreeBody(matrix_at(0), vector_at(9))}; }
+
+void motion_free(const Motion* motion) { delete motion; }
+
+void motion_facts(const Motion* motion) {
+  const auto flips = motion->exact.flips();
+  Results results(22);
+  results << motion->body.momentum() << motion->initial_energy << motion->body.principal().moments
+          << motion->body.principal().axes << static_cast<double>(motion->exact.kind())
+          << (flips ? 1.0 : 0.0);
+  if (!flips) return;
+  results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing;
+}
+
+void motion_samples(const Motion* motion, std::size_t n) {
+  write_samples(motion->exact.at(times_at_beginning(n), 1));
+}
+
+void motion_integrate(const Motion* motion, std::size_t n, std::size_t method, double step,
+                      double tolerance, double most_steps) {
+  const motion::StepControl control{
+      .step = step, .tolerance = tolerance, .max_steps = static_cast<std::int64_t>(most_steps)};
+  write_samples(motion::integrate(motion->body, motion::methods()[method], control,
+                                  times_at_beginning(n))
+                    .samples);
+}
+
+/// Of n times, attitudes and velocities: energy drifts, orthogonality errors, momentum errors, and
+/// distances from the exact motion.
+void motion_diagnose(const Motion* motion, std::size_t n) {
+  const std::vector<motion::Sample> exact = motion->exact.at(times_at_beginning(n), 1);
+  std::vector<double> columns(4 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const motion::Sample sample{numbers[i], matrix_at(n + 9 * i), vector_at(10 * n + 3 * i)};
+    const auto found = motion::diagnose(motion->body, motion->initial_energy, sample);
+    columns[i] = found.energy_drift;
+    columns[n + i] = found.orthogonality_error;
+    columns[2 * n + i] = found.momentum_error;
+    columns[3 * n + i] = (sample.X - exact[i].X).norm();
+  }
+  std::ranges::copy(columns, numbers.begin());
+}
+
+bool energy_curve(const Motion* motion, std::size_t count) {
+  const auto level = level_of(*motion);
+  if (!level) return false;
+  Results results(3 * count);
+  write_level(results, *level, motion->body.principal().axes, count);
+  return true;
+}
+
+std::size_t energy_curves(const Motion* motion, int curves, std::size_t count) {
+  const auto& [moments, axes] = motion->body.principal();
+  const auto levels = motion::level_family(moments, curves);
+  Results results(3 * count * levels.size());
+  for (const motion::EnergyLevel& level : levels) write_level(results, level, axes, count);
+  return levels.size();
+}
+
+bool separatrix_curves(const Motion* motion, std::size_t count) {
+  const auto& [moments, axes] = motion->body.principal();
+  const auto circles = motion::separatrix(moments);
+  if (!circles) return false;
+  Results results(6 * count);
+  for (const Vector3d& u : *circles) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double phi = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+      results << Vector3d(axes * (std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * u));
+    }
+  }
+  return true;
+}
+
+using twrench::page::RecordedRun;
+
+RecordedRun* run_new(const Motion* motion, std::size_t method, double step, double tolerance) {
+  return new RecordedRun(motion->body, motion::methods()[method],
+                         {.step = step, .tolerance = tolerance});
+}
+
+void run_free(const RecordedRun* run) { delete run; }
+
+double run_advance(RecordedRun* run, double t, double steps) {
+  run->advance(t, static_cast<std::size_t>(steps));
+  return run->reached();
+}
+
+double run_reached(const RecordedRun* run) { return run->reached(); }
+double run_steps(const RecordedRun* run) { return static_cast<double>(run->steps()); }
+double run_evaluations(const RecordedRun* run) { return static_cast<double>(run->evaluations()); }
+
+void run_samples(RecordedRun* run, std::size_t n) {
+  std::vector<motion::Sample> samples;
+  for (const double t : times_at_beginning(n)) samples.push_back(run->at(t));
+  write_samples(samples);
+}
+
+std::size_t run_flips(const RecordedRun* run) {
+  const std::vector<double>& times = run->flip_times();
+  scratch(times.size());
+  std::ranges::copy(times, numbers.begin());
+  return times.size();
+}
+
+void mass_properties(std::size_t parts) {
+  const body::MassProperties found = body::mass_properties(parts_at_beginning(parts));
+  Results(25) << found.mass << found.centre_of_mass << found.inertia << found.moments << found.axes;
+}
+
+void equimomental_box() {
+  Results(3) << std::get<body::Box>(body::equimomental_box(vector_at(0)).shape).size;
+}
+
+void stability_of(int axis, double omega) {
+  const motion::Stability found = motion::stability(vector_at(0), axis, omega);
+  Results(2) << static_cast<double>(found.kind) << found.rate;
+}
+
+/// Where the vertices and the indices are and how many, and the ends of the parts.
+void body_mesh(std::size_t count, double tolerance) {
+  static render::Mesh mesh;
+  mesh = render::body_mesh(render::close_gaps(parts_at_beginning(count)), tolerance);
+  const auto address = [](const auto& v) {
+    return static_cast<double>(reinterpret_cast<std::uintptr_t>(v.data()));
+  };
+  Results results(4 + count);
+  results << address(mesh.vertices) << static_cast<double>(mesh.vertices.size())
+          << address(mesh.indices) << static_cast<double>(mesh.indices.size());
+  for (const std::size_t end : mesh.part_ends) results << static_cast<double>(end);
+}
+
+}  // extern "C"

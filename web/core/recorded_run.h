@@ -1,0 +1,47 @@
+#pragma once
+
+#include <twrench/motion/propagator.h>
+#include <twrench/study/flip_search.h>
+
+#include <memory>
+#include <vector>
+
+namespace twrench::page {
+
+/// A method that goes forward along a motion and remembers where its steps began, so that a page can
+/// show any time that was reached.
+class RecordedRun {
+ public:
+  /// Throws OutOfRange for a step or a tolerance that cannot be.
+  RecordedRun(const motion::FreeBody& body, const motion::Method& method,
+              const motion::StepControl& control);
+  RecordedRun(const RecordedRun&) = delete;
+  RecordedRun& operator=(const RecordedRun&) = delete;
+
+  /// Takes steps until t in s is reached, but at most `most`. Throws MotionError.
+  void advance(double t, std::size_t most);
+
+  /// Returns the sample at t >= 0 in s and takes the steps that are missing. Throws OutOfRange and
+  /// MotionError.
+  motion::Sample at(double t);
+
+  double reached() const { return propagator_->t(); }                     ///< s
+  std::int64_t steps() const { return propagator_->steps(); }             ///< rejected ones too
+  std::int64_t evaluations() const { return propagator_->evaluations(); } ///< of omega
+  /// Returns the times of the flips in the method's own solution so far, s.
+  const std::vector<double>& flip_times() const { return flips_.times(); }
+
+ private:
+  struct Begin {
+    double t;           ///< s
+    Eigen::Matrix3d X;  ///< space_from_body
+  };
+
+  motion::FreeBody body_;
+  motion::Method method_;
+  std::unique_ptr<motion::Propagator> propagator_;
+  study::FlipSearch flips_;
+  std::vector<Begin> begins_;
+};
+
+}  // namespace twrench::page

@@ -1,0 +1,182 @@
+// Draws the body in stage coordinates, as src/render/body/body_pass.cpp does with several samples a
+// pixel: the camera's axes, with the body's centre at the origin and its bounding radius scaled to 1.
+import body_frag from "../../shaders/body.frag";
+import body_vert from "../../shaders/body.vert";
+import brush from "../../shaders/brush.glsl";
+import marked from "../../shaders/marked.glsl";
+import matte from "../../shaders/matte.glsl";
+import metal from "../../shaders/metal.glsl";
+import occluders_frag from "../../shaders/occluders.glsl";
+import occluders_vert from "../../shaders/occluders.vert";
+import studio from "../../shaders/studio.glsl";
+import tone from "../../shaders/tone.glsl";
+import unmarked from "../../shaders/unmarked.glsl";
+import unoccluded_frag from "../../shaders/unoccluded.glsl";
+import unoccluded_vert from "../../shaders/unoccluded.vert";
+import {cofactors, product, scale, times} from "../math/linear.js";
+import {Program, setAttributes} from "./program.js";
+
+/** @typedef {import("./surface.js").Surface} Surface */
+/** @typedef {import("../math/camera.js").Camera} Camera */
+
+const offsetLocation = 2;
+
+/**
+ * @param {WebGL2RenderingContext} gl @param {Surface} surface
+ * @param {{constants: string, metal: boolean}} material
+ */
+function programOf(gl, surface, material) {
+  const count = Math.max(...surface.parts.map((part) => part.occluders.length));
+  const constants = `${material.constants}const int occluder_count = ${count};\n`;
+  const alone = count === 0;
+  return new Program(
+    gl,
+    [constants, alone ? unoccluded_vert : occluders_vert, body_vert],
+    [
+      constants, studio, alone ? unoccluded_frag : occluders_frag, tone, brush,
+      surface.marked ? marked : unmarked, material.metal ? metal : matte, body_frag,
+    ],
+  );
+}
+
+export class BodyPass {
+  /**
+   * @param {WebGL2RenderingContext} gl @param {Surface} surface
+   * @param {{constants: string, metal: boolean}} material of a theme, see page_json
+   */
+  constructor(gl, surface, material) {
+    this.gl = gl;
+    this.surface = surface;
+    this.program = programOf(gl, surface, material);
+    this.array = gl.createVertexArray();
+    this.vertices = gl.createBuffer();
+    this.indices = gl.createBuffer();
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    gl.bufferData(gl.ARRAY_BUFFER, surface.vertices, gl.STATIC_DRAW);
+    setAttributes(gl, [3, 3]);
+    gl.disableVertexAttribArray(offsetLocation);
+    gl.vertexAttrib1f(offsetLocation, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, surface.indices, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+  }
+
+  /**
+   * Draws the body in the pose X, space_from_body, to the bound framebuffer.
+   * @param {Camera} camera @param {number[]} X
+   */
+  draw(camera, X) {
+    this.#begin(camera, X, 0);
+    this.gl.frontFace(this.gl.CCW);
+    this.#drawParts(camera, X);
+  }
+
+  /**
+   * Draws the body's image in a horizontal mirror.
+   * @param {Camera} camera @param {number[]} X @param {number} height of the mirror, y in space, cm
+   */
+  drawMirrored(camera, X, height) {
+    this.#begin(camera, X, height);
+    this.gl.frontFace(this.gl.CW);  // a mirror reverses the winding
+    this.#drawParts(camera, X);
+    this.gl.frontFace(this.gl.CCW);
+  }
+
+  /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror */
+  #begin(camera, X, mirrorHeight) {
+    const {gl, program} = this;
+    const {radius} = this.surface;
+    const seen = seenFromStage(camera, mirrorHeight / radius);
+    const cameraFromBody = product(camera.attitude, X);
+    program.use();
+    const eye = times(seen.turn, [0, 0, camera.distance / radius]);
+    program.set("eye", [eye[0] + seen.shift[0], eye[1] + seen.shift[1], eye[2] + seen.shift[2]]);
+    program.setMatrix("clip_from_stage", clipFromStage(camera, radius, seen));
+    program.setMatrix("stage_from_body", scale9(1 / radius, cameraFromBody));
+    program.setMatrix("stage_normal_from_body", cofactors(cameraFromBody));
+    program.set("picture", [1, 1, 0]);
+    program.set("part_lift", 0);
+    gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.CULL_FACE);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  }
+
+  /** @param {Camera} camera @param {number[]} X */
+  #drawParts(camera, X) {
+    const {gl, program, surface} = this;
+    const stageFromBody = scale9(1 / surface.radius, product(camera.attitude, X));
+    gl.bindVertexArray(this.array);
+    let begin = 0;
+    const drawTo = (/** @type {number} */ end, /** @type {number[]} */ axis) => {
+      if (end > begin) {
+        program.set("side_axis", scale(surface.radius, times(stageFromBody, axis)));
+        gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
+      }
+      begin = end;
+    };
+    for (const part of surface.parts) {
+      this.#setOccluders(part.occluders, stageFromBody);
+      program.set("part_radii", part.radii);
+      program.set("across_from_body", part.across);
+      drawTo(part.side_begin, [0, 0, 0]);
+      drawTo(part.end, part.axis);
+    }
+    gl.disable(gl.BLEND);
+    gl.disable(gl.CULL_FACE);
+    gl.bindVertexArray(null);
+  }
+
+  /** @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody */
+  #setOccluders(capsules, stageFromBody) {
+    const count = Math.max(...this.surface.parts.map((part) => part.occluders.length));
+    if (count === 0) return;
+    const from = [], to = [];
+    for (let i = 0; i < count; ++i) {
+      const capsule = capsules[i];
+      // Unused ones are too small and far away to be visible.
+      from.push(...(capsule ? [...times(stageFromBody, capsule.from), capsule.radius / this.surface.radius] : [0, 0, -1e4, 1e-6]));
+      to.push(...(capsule ? [...times(stageFromBody, capsule.to), 0] : [0, 1, -1e4, 0]));
+    }
+    this.program.set("occluders_from", from);
+    this.program.set("occluders_to", to);
+  }
+
+  free() {
+    const {gl} = this;
+    gl.deleteVertexArray(this.array);
+    gl.deleteBuffer(this.vertices);
+    gl.deleteBuffer(this.indices);
+    gl.deleteProgram(this.program.program);
+  }
+}
+
+/** @type {(s: number, m: number[]) => number[]} */
+const scale9 = (s, m) => m.map((x) => s * x);
+
+/**
+ * The stage as it is seen in a mirror at that height, in stage units; as it is for the height 0.
+ * @param {Camera} camera @param {number} height
+ */
+function seenFromStage(camera, height) {
+  if (height === 0) return {turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], shift: [0, 0, 0]};
+  const up = [camera.attitude[1], camera.attitude[4], camera.attitude[7]];
+  const turn = [];
+  for (let i = 0; i < 3; ++i) {
+    for (let k = 0; k < 3; ++k) turn.push((i === k ? 1 : 0) - 2 * up[i] * up[k]);
+  }
+  return {turn, shift: scale(2 * height, up)};
+}
+
+/** @param {Camera} camera @param {number} radius @param {{turn: number[], shift: number[]}} seen */
+function clipFromStage(camera, radius, {turn, shift}) {
+  const p = camera.projection;
+  const result = [];
+  for (let row = 0; row < 16; row += 4) {
+    const r = [radius * p[row], radius * p[row + 1], radius * p[row + 2]];
+    for (let i = 0; i < 3; ++i) result.push(r[0] * turn[i] + r[1] * turn[3 + i] + r[2] * turn[6 + i]);
+    result.push(r[0] * shift[0] + r[1] * shift[1] + r[2] * shift[2] + p[row + 3] - camera.distance * p[row + 2]);
+  }
+  return result;
+}

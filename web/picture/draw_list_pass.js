@@ -1,0 +1,83 @@
+// Renders draw lists as premultiplied colour: src/render/overlay/draw_list_pass.cpp.
+import draw_list_frag from "../../shaders/draw_list.frag";
+import draw_list_vert from "../../shaders/draw_list.vert";
+import {floatsOfVertex} from "./draw_list.js";
+import {Program, setAttributes} from "./program.js";
+
+/** @typedef {import("./draw_list.js").DrawList} DrawList */
+/**
+ * How triangles are drawn: which faces; whether they write depth; whether only what is hidden is
+ * drawn; what is added to z in clip space.
+ * @typedef {{faces?: "all" | "near" | "far", writesDepth?: boolean, hidden?: boolean, opacity?: number, clipZ?: number}} Mode
+ */
+
+const faintest = 0.25, steps = 5, deepest = 0.01;  // of what the body hides; the last, of the pane's height
+
+export class DrawListPass {
+  /** @param {WebGL2RenderingContext} gl */
+  constructor(gl) {
+    this.gl = gl;
+    this.program = new Program(gl, [draw_list_vert], [draw_list_frag]);
+    this.array = gl.createVertexArray();
+    this.vertices = gl.createBuffer();
+    this.indices = gl.createBuffer();
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    setAttributes(gl, [4, 4, 3]);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    gl.bindVertexArray(null);
+  }
+
+  /** Draws faintly what the body, the only thing drawn so far, hides. @param {DrawList} list */
+  drawGhosts(list) {
+    /** @type {Mode[]} */
+    const modes = [{faces: "near", hidden: true, opacity: faintest}];
+    const shown = (/** @type {number} */ step) => faintest + ((1 - faintest) * step) / (steps + 1);
+    for (let step = 1; step <= steps; ++step) {
+      modes.push({faces: "near", opacity: (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
+        clipZ: (list.clipZNearer ?? 0) * deepest * ((steps + 1 - step) / steps)});
+    }
+    this.#draw(list, list.ghosts, modes);
+  }
+
+  /** @param {DrawList} list */
+  drawOpaque(list) {
+    this.#draw(list, list.faces, [{writesDepth: true}]);
+    this.#draw(list, list.outlines, [{faces: "far"}]);
+  }
+
+  /** @param {DrawList} list */
+  drawTranslucent(list) {
+    this.#draw(list, list.faces, [{}]);
+  }
+
+  /** @param {DrawList} list @param {number[]} indices @param {Mode[]} modes */
+  #draw(list, indices, modes) {
+    if (indices.length === 0) return;
+    const {gl, program} = this;
+    program.use();
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    gl.bufferData(gl.ARRAY_BUFFER, list.vertices.subarray(0, list.count * floatsOfVertex), gl.STREAM_DRAW);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(indices), gl.STREAM_DRAW);
+    gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    for (const {faces = "all", writesDepth = false, hidden = false, opacity = 1, clipZ = 0} of modes) {
+      program.set("opacity", opacity);
+      program.set("clip_z", clipZ);
+      gl.depthFunc(hidden ? gl.GREATER : gl.LESS);
+      gl.depthMask(writesDepth);
+      if (faces === "all") gl.disable(gl.CULL_FACE);
+      else gl.enable(gl.CULL_FACE);
+      gl.frontFace(faces === "far" ? gl.CW : gl.CCW);
+      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+    }
+    gl.depthFunc(gl.LESS);
+    gl.depthMask(true);
+    gl.frontFace(gl.CCW);
+    gl.disable(gl.CULL_FACE);
+    gl.disable(gl.BLEND);
+    gl.bindVertexArray(null);
+  }
+}

@@ -1,0 +1,4 @@
+// What the bundler turns into text.
+declare module "*.vert" { const text: string; export default text; }
+declare module "*.frag" { const text: string; export default text; }
+declare module "*.glsl" { const text: string; export default text; }
