@@ -1,0 +1,42 @@
+#include "page/page_json.h"
+
+#include "page/surface_json.h"
+#include "page/theme_json.h"
+#include "scene/limits.h"
+#include "scene/scene_json.h"
+
+namespace twrench::page {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json range_json(const scene::limits::Limit& limit) { return {limit.low, limit.high}; }
+
+ordered_json limits_json() {
+  namespace limits = scene::limits;
+  return {{"moment", range_json(limits::moment)},
+          {"moment_ratio", limits::max_moment_ratio},
+          {"omega", range_json(limits::coordinate)},
+          {"step", range_json(limits::step)},
+          {"tolerance", range_json(limits::tolerance)},
+          {"time", {-limits::duration.high, limits::duration.high}}};
+}
+
+}  // namespace
+
+ordered_json page_json(const scene::Scene& scene) {
+  const body::MassProperties properties = scene::mass_properties(scene.body);
+  ordered_json inertia = ordered_json::array();
+  for (const auto row : properties.inertia.rowwise()) {
+    for (const double value : row) inertia.push_back(value);
+  }
+  scene::Scene alone = scene;
+  alone.shots.clear();
+  return {{"scene", scene::scene_json(alone)},
+          {"inertia", std::move(inertia)},
+          {"surface", surface_json(scene)},
+          {"themes", themes_json(scene.look)},
+          {"limits", limits_json()}};
+}
+
+}  // namespace twrench::page

@@ -1,0 +1,61 @@
+#include "page/theme_json.h"
+
+#include <utility>
+
+#include "render/body/shader_constants.h"
+#include "render/look/theme.h"
+
+namespace twrench::page {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json color_json(const scene::Color& color) { return {color.red, color.green, color.blue}; }
+
+ordered_json backdrop_json(const render::Backdrop& backdrop) {
+  return {{"above", color_json(backdrop.above)},
+          {"below", color_json(backdrop.below)},
+          {"vignette", backdrop.vignette},
+          {"stars", backdrop.stars}};
+}
+
+ordered_json floor_json(const std::optional<render::FloorStyle>& floor) {
+  if (!floor) return nullptr;
+  return {{"light", color_json(floor->light)},
+          {"shadow", floor->shadow},
+          {"reflection", floor->reflection},
+          {"clouds", floor->clouds}};
+}
+
+ordered_json overlay_json(const render::OverlayColors& colors) {
+  ordered_json axis = ordered_json::array(), curve = ordered_json::array();
+  for (const scene::Color& color : colors.axis) axis.push_back(color_json(color));
+  for (const scene::Color& color : colors.curve) curve.push_back(color_json(color));
+  return {{"text", color_json(colors.text)},   {"dim", color_json(colors.dim)},
+          {"panel", color_json(colors.panel)}, {"panel_opacity", colors.panel_opacity},
+          {"axis", std::move(axis)},           {"momentum", color_json(colors.momentum)},
+          {"omega", color_json(colors.omega)}, {"trail", color_json(colors.trail)},
+          {"plane", color_json(colors.plane)}, {"curve", std::move(curve)}};
+}
+
+ordered_json theme_json(scene::Look look, scene::Theme theme) {
+  look.theme = theme;
+  const render::ThemeStyle& style = render::style_of(theme);
+  const render::Material material = render::material(look);
+  return {{"constants", render::shader_constants(material, style.studio)},
+          {"metal", material.diffuse == glm::vec3(0)},
+          {"backdrop", backdrop_json(style.backdrop)},
+          {"floor", floor_json(style.floor)},
+          {"overlay", overlay_json(style.overlay)}};
+}
+
+}  // namespace
+
+ordered_json themes_json(const scene::Look& look) {
+  using enum scene::Theme;
+  return {{"studio", theme_json(look, studio)},
+          {"paper", theme_json(look, paper)},
+          {"space", theme_json(look, space)}};
+}
+
+}  // namespace twrench::page

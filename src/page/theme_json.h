@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "scene/scene.h"
+
+namespace twrench::page {
+
+/// Returns the themes by their names: the constants of the body's shaders as GLSL, for the look of
+/// the scene in that theme, and the colours of the background, the floor and the overlays.
+nlohmann::ordered_json themes_json(const scene::Look& look);
+
+}  // namespace twrench::page
