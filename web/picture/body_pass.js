@@ -73,6 +73,24 @@ export class BodyPass {
   }
 
   /**
+   * Draws the body as a ghost over what is there: its near side only, in front of everything.
+   * @param {Camera} camera @param {number[]} X @param {number} opacity 0 to 1
+   */
+  drawGhost(camera, X, opacity) {
+    const {gl} = this;
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.colorMask(false, false, false, false);
+    this.draw(camera, X);
+    gl.colorMask(true, true, true, true);
+    gl.depthFunc(gl.LEQUAL);
+    this.#begin(camera, X, 0);
+    gl.blendColor(0, 0, 0, opacity);
+    gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+    this.#drawParts(camera, X);
+    gl.depthFunc(gl.LESS);
+  }
+
+  /**
    * Draws the body's image in a horizontal mirror.
    * @param {Camera} camera @param {number[]} X @param {number} height of the mirror, y in space, cm
    */

@@ -1,0 +1,170 @@
+// The motion that is shown, with what the views need of it, computed once.
+import {clamp, column, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
+
+/** @typedef {import("../core/core.js").Core} Core */
+/** @typedef {import("../core/core.js").Sample} Sample */
+
+const pointsOfCurve = 240, familySize = 4;
+const radiansOfTrail = 12;  // how far the body rotates in the time that a trail covers
+const along = 1 - 1e-9;
+
+/**
+ * The body's principal axes as the momentum views show them, least moment first: each with its
+ * largest component positive, so that they are left-handed as often as not.
+ * @typedef {object} PrincipalFrame
+ * @property {number[]} axes body_from_own
+ * @property {number[]} colors Indices of the colours of the overlay's axes.
+ * @property {string[]} names
+ * @property {number[]} moments
+ */
+
+/** @param {number[]} axes @param {number[]} moments @returns {PrincipalFrame} */
+function principalFrame(axes, moments) {
+  const columns = [0, 1, 2].map((i) => column(axes, i));
+  const largest = columns.map((axis) => axis.reduce((best, x, i) => (Math.abs(x) > Math.abs(axis[best]) ? i : best), 0));
+  const own = columns.every((axis, i) => Math.abs(axis[largest[i]]) > along);
+  const positive = columns.map((axis, i) => (axis[largest[i]] < 0 ? scale(-1, axis) : axis));
+  return {
+    axes: transposed(positive.flat()),
+    colors: own ? largest : [0, 1, 2],
+    names: own ? largest.map((i) => "xyz"[i]) : ["I₁", "I₂", "I₃"],
+    moments,
+  };
+}
+
+/** The points of a curve, 3 numbers each. @param {Float64Array} flat */
+function pointsOf(flat) {
+  const points = [];
+  for (let i = 0; i < flat.length; i += 3) points.push([flat[i], flat[i + 1], flat[i + 2]]);
+  return points;
+}
+
+export class MotionModel {
+  /**
+   * @param {Core} core @param {number[]} inertia 9 numbers, g cm^2 @param {number[]} omega rad/s
+   */
+  constructor(core, inertia, omega) {
+    this.motion = core.motion(inertia, omega);
+    this.inertia = inertia;
+    this.omega = omega;
+    const {facts} = this.motion;
+    this.facts = facts;
+    this.momentum = norm(facts.momentum);
+    this.up = normalized(facts.momentum);
+    this.atRest = this.momentum === 0;
+    this.principal = principalFrame(facts.axes, facts.moments);
+    this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
+    const rate = norm(omega);
+    this.trailLength = rate > 0 ? radiansOfTrail / rate : 1;
+    this.#findCurves();
+    this.#findSteadyFrame();
+  }
+
+  #findCurves() {
+    const {motion} = this;
+    const own = this.atRest ? null : motion.energyCurve(pointsOfCurve);
+    /** The curve of the momentum's direction, body axes; null for a sphere and at rest. */
+    this.level = own && pointsOf(own);
+    this.separatrix = (motion.separatrix(pointsOfCurve) ?? []).map(pointsOf);
+    this.family = motion.energyCurves(familySize, pointsOfCurve).map(pointsOf);
+    /** @type {number} omega along L, rad/s: the distance of the invariable plane. */
+    this.height = this.atRest ? 1 : dot(this.omega, this.up);
+    // Of the herpolhode, in units of the plane's distance.
+    const radii = (this.level ?? []).map((mu) => {
+      const omega = times(this.inverseInertia, scale(this.momentum, mu));
+      return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
+    });
+    this.annulus = radii.length ? {inner: Math.min(...radii), outer: Math.max(...radii)} : {inner: 0, outer: 0};
+  }
+
+  get inverseInertia() {
+    const {axes, moments} = this.facts;
+    const inverse = moments.map((moment) => 1 / moment);
+    return product(product(axes, [inverse[0], 0, 0, 0, inverse[1], 0, 0, 0, inverse[2]]), transposed(axes));
+  }
+
+  /** The rotation about L that the body would have if it rotated about the axis nearest to L. */
+  #findSteadyFrame() {
+    const {axes, moments} = this.facts;
+    const m = times(transposed(axes), times(this.inertia, this.omega)).map(Math.abs);
+    const nearest = m.indexOf(Math.max(...m));
+    this.steady = this.atRest ? [0, 0, 0] : scale(this.momentum / moments[nearest], this.up);
+  }
+
+  /**
+   * The attitude of a frame of reference, space_from_frame.
+   * @param {import("./state.js").FrameName} name @param {Sample} sample
+   */
+  frameAt(name, sample) {
+    if (name === "body") return sample.X;
+    if (name === "rotating") return rotation(scale(sample.t, this.steady));
+    return identity;
+  }
+
+  /** The direction of the momentum in body axes, of length 1 unless the method has left it. @param {number[]} omega */
+  muOf(omega) {
+    return this.atRest ? [0, 0, 0] : scale(1 / this.momentum, times(this.inertia, omega));
+  }
+
+  /** The angular velocity with the same |L| whose momentum has that direction. @param {number[]} mu unit vector */
+  omegaOf(mu) {
+    return times(this.inverseInertia, scale(this.momentum, mu));
+  }
+
+  /** The angle between L and the axis about which the motion starts, rad. @param {number[]} omega */
+  tiltOf(omega) {
+    const m = times(transposed(this.facts.axes), times(this.inertia, omega));
+    const start = times(transposed(this.facts.axes), times(this.inertia, this.omega)).map(Math.abs);
+    const k = start.indexOf(Math.max(...start));
+    return Math.atan2(Math.hypot(m[(k + 1) % 3], m[(k + 2) % 3]), Math.abs(m[k]));
+  }
+
+  /** Flips up to the time t, from 0. @param {number} t */
+  flipsUntil(t) {
+    if (!this.flips || !Number.isFinite(this.flips.first) || t < this.flips.first) return 0;
+    if (!Number.isFinite(this.flips.interval)) return 1;
+    return 1 + Math.floor((t - this.flips.first) / this.flips.interval);
+  }
+
+  /** @param {number} t @returns {number | null} */
+  nextFlip(t) {
+    return this.flips ? this.motion.nextFlip(t) : null;
+  }
+
+  /** @param {number} t @returns {number | null} */
+  previousFlip(t) {
+    return this.flips ? this.motion.previousFlip(t) : null;
+  }
+
+  release() {
+    this.motion.release();
+  }
+}
+
+/**
+ * Evenly spaced times of a trail that ends at t, about 0.03 rad apart.
+ * @param {number} t @param {number} length s @param {number} rate rad/s
+ */
+export function trailTimes(t, length, rate) {
+  const points = clamp(Math.ceil((length * rate) / 0.03), 50, 600);
+  const step = length / points;
+  const times = [];
+  for (let n = Math.ceil((t - length) / step); n * step < t; ++n) times.push(n * step);
+  times.push(t);
+  return times;
+}
+
+/**
+ * The samples of a trail as objects.
+ * @param {import("../core/core.js").Samples} samples
+ * @returns {Sample[]}
+ */
+export function listed(samples) {
+  const list = [];
+  for (let i = 0; i < samples.t.length; ++i) {
+    const o = samples.omega;
+    list.push({t: samples.t[i], X: Array.from(samples.X.subarray(9 * i, 9 * i + 9)),
+      omega: /** @type {[number, number, number]} */ ([o[3 * i], o[3 * i + 1], o[3 * i + 2]])});
+  }
+  return list;
+}
