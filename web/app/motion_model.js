@@ -1,5 +1,5 @@
 // The motion that is shown, with what the views need of it, computed once.
-import {clamp, column, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
+import {clamp, column, diagonal, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
 
 /** @typedef {import("../core/core.js").Core} Core */
 /** @typedef {import("../core/core.js").Sample} Sample */
@@ -56,6 +56,7 @@ export class MotionModel {
     this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
     const rate = norm(omega);
     this.trailLength = rate > 0 ? radiansOfTrail / rate : 1;
+    this.inverseInertia = product(product(facts.axes, diagonal(facts.moments.map((moment) => 1 / moment))), transposed(facts.axes));
     this.#findCurves();
     this.#findSteadyFrame();
   }
@@ -75,12 +76,6 @@ export class MotionModel {
       return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
     });
     this.annulus = radii.length ? {inner: Math.min(...radii), outer: Math.max(...radii)} : {inner: 0, outer: 0};
-  }
-
-  get inverseInertia() {
-    const {axes, moments} = this.facts;
-    const inverse = moments.map((moment) => 1 / moment);
-    return product(product(axes, [inverse[0], 0, 0, 0, inverse[1], 0, 0, 0, inverse[2]]), transposed(axes));
   }
 
   /** The rotation about L that the body would have if it rotated about the axis nearest to L. */

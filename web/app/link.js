@@ -1,0 +1,110 @@
+// The state in the address, after the #: what differs from the page as it opens, as key=value pairs
+// a person can read. Whatever does not make sense is left out and reported.
+import {features, speeds} from "./state.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./page_data.js").PageData} PageData */
+
+/** @typedef {(text: string) => any} Reader  of a value; undefined if it makes no sense */
+
+/** @param {string} text */
+const numberIn = (text) => (/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN);
+
+/** @param {number} low @param {number} high @returns {Reader} */
+const number = (low, high) => (text) => {
+  const value = numberIn(text);
+  return value >= low && value <= high ? value : undefined;
+};
+
+/** @param {number[][]} ranges @returns {Reader} */
+const numbers = (ranges) => (text) => {
+  const values = text.split(",").map(numberIn);
+  const fits = values.length === ranges.length && values.every((value, i) => value >= ranges[i][0] && value <= ranges[i][1]);
+  return fits ? values : undefined;
+};
+
+/** @param {readonly string[]} words @returns {Reader} */
+const oneOf = (words) => (text) => (words.includes(text) ? text : undefined);
+
+/** @param {readonly string[]} words @param {number} [count] @returns {Reader} */
+const someOf = (words, count) => (text) => {
+  const found = text === "" ? [] : text.split(",");
+  const fits = found.every((word, i) => words.includes(word) && found.indexOf(word) === i || count !== undefined && words.includes(word));
+  return fits && (count === undefined || found.length === count) ? found : undefined;
+};
+
+/**
+ * How each value of the state is read.
+ * @param {PageData} data @param {readonly string[]} methods @param {number} tourSteps
+ * @returns {Record<string, Reader>}
+ */
+export function readers({limits}, methods, tourSteps) {
+  const moments = numbers([limits.moment, limits.moment, limits.moment]);
+  return {
+    t: number(0, limits.time[1]),
+    speed: (text) => speeds.find((speed) => speed === numberIn(text)),
+    omega: numbers([limits.omega, limits.omega, limits.omega]),
+    moments: (text) => {
+      const values = moments(text);
+      return values && Math.max(...values) <= limits.moment_ratio * Math.min(...values) ? values : undefined;
+    },
+    theme: oneOf(["auto", "studio", "paper", "space"]),
+    frame: oneOf(["space", "body", "rotating"]),
+    show: someOf(features),
+    view: numbers([[-100, 100], [-Math.PI, Math.PI], [0.25, 8]]),
+    from: number(0, limits.time[1]),
+    length: number(1e-3, limits.time[1]),
+    compare: oneOf(["off", "beside", "ghost"]),
+    methods: someOf(methods, 2),
+    step: number(limits.step[0], limits.step[1]),
+    tolerance: number(limits.tolerance[0], limits.tolerance[1]),
+    lang: oneOf(["en", "nb"]),
+    tour: (text) => (/^\d+$/.test(text) ? number(0, tourSteps)(text) : undefined),
+  };
+}
+
+/**
+ * Reads a link.
+ * @param {string} hash With or without its #.
+ * @param {Record<string, Reader>} known
+ * @returns {{values: Partial<State>, ignored: string[]}} `ignored` is text that anybody may have written.
+ */
+export function readLink(hash, known) {
+  /** @type {Record<string, any>} */
+  const values = {};
+  const ignored = [];
+  for (const pair of hash.replace(/^#/, "").split("&").filter(Boolean)) {
+    const [key, text] = decoded(pair);
+    const value = Object.hasOwn(known, key) ? known[key](text) : undefined;
+    if (value === undefined) ignored.push(`${key}=${text}`.slice(0, 60));
+    else values[key] = value;
+  }
+  return {values, ignored};
+}
+
+/** @param {string} pair */
+function decoded(pair) {
+  const at = pair.indexOf("=");
+  const [key, text] = at < 0 ? [pair, ""] : [pair.slice(0, at), pair.slice(at + 1)];
+  try {
+    return [decodeURIComponent(key), decodeURIComponent(text)];
+  } catch {
+    return [key, text];
+  }
+}
+
+/**
+ * The link to a state: only what differs from the state in which the page opens.
+ * @param {State} state @param {State} initial
+ */
+export function linkTo(state, initial) {
+  const pairs = [];
+  for (const [key, value] of Object.entries(state)) {
+    const text = textOf(value);
+    if (text !== textOf(/** @type {any} */ (initial)[key])) pairs.push(`${key}=${text}`);
+  }
+  return pairs.join("&");
+}
+
+/** @param {any} value */
+const textOf = (value) => (Array.isArray(value) ? value.join(",") : String(value));

@@ -1,0 +1,83 @@
+// The state of the page: everything that a link to it holds. One object, replaced as a whole at each
+// change, so that a view can compare what it drew.
+
+/** @typedef {"space" | "body" | "rotating"} FrameName */
+/** @typedef {"studio" | "paper" | "space"} ThemeName */
+/** @typedef {"off" | "beside" | "ghost"} Comparison */
+
+/**
+ * @typedef {object} State
+ * @property {number} t Time of the motion, s.
+ * @property {number} speed Seconds of motion per second.
+ * @property {number[]} omega At t = 0, body axes, rad/s.
+ * @property {number[] | null} moments Of the body's x, y and z axes, g cm^2; null for the scene's body.
+ * @property {ThemeName | "auto"} theme
+ * @property {FrameName} frame
+ * @property {string[]} show What is shown around the body.
+ * @property {number[]} view Azimuth and elevation from the scene's camera, rad, and zoom.
+ * @property {number} from Where the timeline begins, s.
+ * @property {number} length Of the timeline, s.
+ * @property {Comparison} compare
+ * @property {string[]} methods The two that are compared.
+ * @property {number} step s
+ * @property {number} tolerance
+ * @property {"en" | "nb"} lang
+ * @property {number} tour The step that is open, from 1; 0 for none.
+ */
+
+export const features = ["floor", "axes", "momentum", "omega", "trail", "plane", "labels"];
+export const speeds = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((power) => 2 ** power);
+
+/**
+ * The state in which the page of a scene opens.
+ * @param {import("./page_data.js").PageData} data
+ * @param {readonly string[]} languages The reader's, as in navigator.languages.
+ * @returns {State}
+ */
+export function initialState({scene}, languages) {
+  const power = Math.min(Math.max(Math.floor(Math.log2(scene.film.speed)), -4), 4);
+  const compared = scene.overlay.compare ?? [];
+  const first = languages.find((language) => /^(en|nb|nn|no)\b/.test(language)) ?? "en";
+  return {
+    t: 0,
+    speed: 2 ** power,
+    omega: scene.motion.omega,
+    moments: null,
+    theme: "auto",
+    frame: scene.camera.frame ?? "space",
+    show: features.filter((feature) => scene.overlay.show.includes(feature)),
+    view: [0, 0, 1],
+    from: 0,
+    length: scene.motion.duration,
+    compare: compared.length > 1 ? "beside" : "off",
+    methods: compared.length > 1 ? compared.slice(0, 2) : ["exact", "rk4"],
+    step: Math.max(scene.motion.step, 0.01),
+    tolerance: Math.max(scene.motion.tolerance, 1e-6),
+    lang: first.startsWith("en") ? "en" : "nb",
+    tour: 0,
+  };
+}
+
+/** @typedef {(state: State, before: State) => void} Listener */
+
+export class Store {
+  /** @param {State} state */
+  constructor(state) {
+    this.initial = state;
+    this.state = state;
+    /** @type {Listener[]} */
+    this.listeners = [];
+  }
+
+  /** @param {Listener} listener Is called after each change. */
+  subscribe(listener) {
+    this.listeners.push(listener);
+  }
+
+  /** @param {Partial<State>} changes */
+  set(changes) {
+    const before = this.state;
+    this.state = {...before, ...changes};
+    for (const listener of this.listeners) listener(this.state, before);
+  }
+}
