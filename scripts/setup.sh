@@ -12,6 +12,8 @@
 #   setup.sh package  making Debian's packages
 #   setup.sh docs     building the reference pages
 #   setup.sh interchange running other programs on what is exported
+#   setup.sh page     building what pages are written from
+#   setup.sh browser  testing pages in a browser
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -97,6 +99,20 @@ distros  | debootstrap                   | debootstrap
 interchange | Node.js                    | nodejs
 interchange | npm                        | npm
 interchange | Blender, to import glTF    | blender                   | its importer is not tested
+page     | Clang, for WebAssembly        | clang-19 clang-22 clang-21 clang-20 clang-18
+page     | its linker                    | lld-19 lld-22 lld-21 lld-20 lld-18
+page     | its libc++                    | libc++-19-dev-wasm32 libc++-22-dev-wasm32 libc++-21-dev-wasm32 libc++-20-dev-wasm32 libc++-18-dev-wasm32
+page     | its libc++abi                 | libc++abi-19-dev-wasm32 libc++abi-22-dev-wasm32 libc++abi-21-dev-wasm32 libc++abi-20-dev-wasm32 libc++abi-18-dev-wasm32
+page     | its compiler-rt               | libclang-rt-19-dev-wasm32 libclang-rt-22-dev-wasm32 libclang-rt-21-dev-wasm32 libclang-rt-20-dev-wasm32 libclang-rt-18-dev-wasm32
+page     | a C library for WebAssembly   | wasi-libc
+page     | Eigen                         | libeigen3-dev
+page     | fmt                           | libfmt-dev
+page     | Boost's headers               | libboost-dev
+page     | the bundler of scripts        | esbuild
+page     | OpenSSL's program             | openssl
+browser  | Chromium                      | chromium chromium-browser
+browser  | Node.js                       | nodejs
+browser  | npm                           | npm
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
 arm64    | pkg-config                    | pkgconf pkg-config
@@ -130,13 +146,15 @@ END
 }
 
 case "${1-}" in
-  render | arm64 | distros) uses=("$1") ;;
+  render | arm64 | page | distros) uses=("$1") ;;
   python) uses=(render python) ;;
   bench | foreign) uses=(render "$1") ;;
-  test | package | interchange) uses=(render python "$1") ;;
+  test | interchange) uses=(render python "$1") ;;
+  package) uses=(render python page package) ;;
+  browser) uses=(render page browser) ;;
   check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|distros" >&2
     exit 2
     ;;
 esac

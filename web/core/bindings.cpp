@@ -1,9 +1,9 @@
-// What JavaScript calls (core.js). Arguments and results that are not single numbers lie in a scratch
-// area of doubles: a function reads its arguments from the beginning and leaves its results there.
+// What JavaScript calls (core.js). Arguments and results that are not single numbers lie in a
+// scratch area of doubles: a function reads its arguments from the beginning and leaves its results
+// there.
 
 #include <fmt/format.h>
 #include <twrench/body/mass_properties.h>
-#include <twrench/math/so3.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/method.h>
@@ -17,8 +17,6 @@
 #include <vector>
 
 #include "recorded_run.h"
-#include "render/body/gap_closing.h"
-#include "render/body/mesh.h"
 
 namespace {
 
@@ -122,32 +120,34 @@ void write_level(Results& results, const motion::EnergyLevel& level, const Matri
 extern "C" {
 
 /// Room for `count` doubles, whose first may already be set.
-double* scratch(std::size_t count) {
+[[clang::export_name("scratch")]] double* scratch(std::size_t count) {
   if (numbers.size() < count) numbers.resize(count);
   return numbers.data();
 }
 
 /// All methods as JSON, in the terms of core.js.
-const char* methods() {
+[[clang::export_name("methods")]] const char* methods() {
   static std::string json;
   json = "[";
   for (const motion::Method& m : motion::methods()) {
-    json += fmt::format(
-        R"({}{{"name":"{}","order":{},"exact":{},"adaptive":{},"leavesGroup":{},)"
-        R"("conservesEnergy":{},"reversible":{},"summary":"{}","source":"{}"}})",
-        json.size() > 1 ? "," : "", m.name, m.order ? fmt::to_string(*m.order) : "null", m.exact(),
-        m.adaptive(), m.linear(), m.conserves_energy, m.reversible, m.summary, m.source);
+    json += fmt::format(R"({}{{"name":"{}","order":{},"exact":{},"adaptive":{},"leavesGroup":{},)"
+                        R"("conservesEnergy":{},"reversible":{},"summary":"{}","source":"{}"}})",
+                        json.size() > 1 ? "," : "", m.name,
+                        m.order ? fmt::to_string(*m.order) : "null", m.exact(), m.adaptive(),
+                        m.linear(), m.conserves_energy, m.reversible, m.summary, m.source);
   }
   json += "]";
   return json.c_str();
 }
 
 /// The motion of the inertia and the omega in the scratch area.
-Motion* motion_new() { return new Motion{motion::FreeBody(matrix_at(0), vector_at(9))}; }
+[[clang::export_name("motion_new")]] Motion* motion_new() {
+  return new Motion{motion::FreeBody(matrix_at(0), vector_at(9))};
+}
 
-void motion_free(const Motion* motion) { delete motion; }
+[[clang::export_name("motion_free")]] void motion_free(const Motion* motion) { delete motion; }
 
-void motion_facts(const Motion* motion) {
+[[clang::export_name("motion_facts")]] void motion_facts(const Motion* motion) {
   const auto flips = motion->exact.flips();
   Results results(22);
   results << motion->body.momentum() << motion->initial_energy << motion->body.principal().moments
@@ -157,22 +157,25 @@ void motion_facts(const Motion* motion) {
   results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing;
 }
 
-void motion_samples(const Motion* motion, std::size_t n) {
+[[clang::export_name("motion_samples")]] void motion_samples(const Motion* motion, std::size_t n) {
   write_samples(motion->exact.at(times_at_beginning(n), 1));
 }
 
-void motion_integrate(const Motion* motion, std::size_t n, std::size_t method, double step,
-                      double tolerance, double most_steps) {
+[[clang::export_name("motion_integrate")]] void motion_integrate(const Motion* motion,
+                                                                 std::size_t n, std::size_t method,
+                                                                 double step, double tolerance,
+                                                                 double most_steps) {
   const motion::StepControl control{
       .step = step, .tolerance = tolerance, .max_steps = static_cast<std::int64_t>(most_steps)};
-  write_samples(motion::integrate(motion->body, motion::methods()[method], control,
-                                  times_at_beginning(n))
-                    .samples);
+  write_samples(
+      motion::integrate(motion->body, motion::methods()[method], control, times_at_beginning(n))
+          .samples);
 }
 
 /// Of n times, attitudes and velocities: energy drifts, orthogonality errors, momentum errors, and
 /// distances from the exact motion.
-void motion_diagnose(const Motion* motion, std::size_t n) {
+[[clang::export_name("motion_diagnose")]] void motion_diagnose(const Motion* motion,
+                                                               std::size_t n) {
   const std::vector<motion::Sample> exact = motion->exact.at(times_at_beginning(n), 1);
   std::vector<double> columns(4 * n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -186,7 +189,7 @@ void motion_diagnose(const Motion* motion, std::size_t n) {
   std::ranges::copy(columns, numbers.begin());
 }
 
-bool energy_curve(const Motion* motion, std::size_t count) {
+[[clang::export_name("energy_curve")]] bool energy_curve(const Motion* motion, std::size_t count) {
   const auto level = level_of(*motion);
   if (!level) return false;
   Results results(3 * count);
@@ -194,7 +197,8 @@ bool energy_curve(const Motion* motion, std::size_t count) {
   return true;
 }
 
-std::size_t energy_curves(const Motion* motion, int curves, std::size_t count) {
+[[clang::export_name("energy_curves")]] std::size_t energy_curves(const Motion* motion, int curves,
+                                                                  std::size_t count) {
   const auto& [moments, axes] = motion->body.principal();
   const auto levels = motion::level_family(moments, curves);
   Results results(3 * count * levels.size());
@@ -202,7 +206,8 @@ std::size_t energy_curves(const Motion* motion, int curves, std::size_t count) {
   return levels.size();
 }
 
-bool separatrix_curves(const Motion* motion, std::size_t count) {
+[[clang::export_name("separatrix_curves")]] bool separatrix_curves(const Motion* motion,
+                                                                   std::size_t count) {
   const auto& [moments, axes] = motion->body.principal();
   const auto circles = motion::separatrix(moments);
   if (!circles) return false;
@@ -218,60 +223,54 @@ bool separatrix_curves(const Motion* motion, std::size_t count) {
 
 using twrench::page::RecordedRun;
 
-RecordedRun* run_new(const Motion* motion, std::size_t method, double step, double tolerance) {
+[[clang::export_name("run_new")]] RecordedRun* run_new(const Motion* motion, std::size_t method,
+                                                       double step, double tolerance) {
   return new RecordedRun(motion->body, motion::methods()[method],
                          {.step = step, .tolerance = tolerance});
 }
 
-void run_free(const RecordedRun* run) { delete run; }
+[[clang::export_name("run_free")]] void run_free(const RecordedRun* run) { delete run; }
 
-double run_advance(RecordedRun* run, double t, double steps) {
+[[clang::export_name("run_advance")]] double run_advance(RecordedRun* run, double t, double steps) {
   run->advance(t, static_cast<std::size_t>(steps));
   return run->reached();
 }
 
-double run_reached(const RecordedRun* run) { return run->reached(); }
-double run_steps(const RecordedRun* run) { return static_cast<double>(run->steps()); }
-double run_evaluations(const RecordedRun* run) { return static_cast<double>(run->evaluations()); }
+[[clang::export_name("run_reached")]] double run_reached(const RecordedRun* run) {
+  return run->reached();
+}
+[[clang::export_name("run_steps")]] double run_steps(const RecordedRun* run) {
+  return static_cast<double>(run->steps());
+}
+[[clang::export_name("run_evaluations")]] double run_evaluations(const RecordedRun* run) {
+  return static_cast<double>(run->evaluations());
+}
 
-void run_samples(RecordedRun* run, std::size_t n) {
+[[clang::export_name("run_samples")]] void run_samples(RecordedRun* run, std::size_t n) {
   std::vector<motion::Sample> samples;
   for (const double t : times_at_beginning(n)) samples.push_back(run->at(t));
   write_samples(samples);
 }
 
-std::size_t run_flips(const RecordedRun* run) {
+[[clang::export_name("run_flips")]] std::size_t run_flips(const RecordedRun* run) {
   const std::vector<double>& times = run->flip_times();
   scratch(times.size());
   std::ranges::copy(times, numbers.begin());
   return times.size();
 }
 
-void mass_properties(std::size_t parts) {
+[[clang::export_name("mass_properties")]] void mass_properties(std::size_t parts) {
   const body::MassProperties found = body::mass_properties(parts_at_beginning(parts));
   Results(25) << found.mass << found.centre_of_mass << found.inertia << found.moments << found.axes;
 }
 
-void equimomental_box() {
+[[clang::export_name("equimomental_box")]] void equimomental_box() {
   Results(3) << std::get<body::Box>(body::equimomental_box(vector_at(0)).shape).size;
 }
 
-void stability_of(int axis, double omega) {
+[[clang::export_name("stability_of")]] void stability_of(int axis, double omega) {
   const motion::Stability found = motion::stability(vector_at(0), axis, omega);
   Results(2) << static_cast<double>(found.kind) << found.rate;
-}
-
-/// Where the vertices and the indices are and how many, and the ends of the parts.
-void body_mesh(std::size_t count, double tolerance) {
-  static render::Mesh mesh;
-  mesh = render::body_mesh(render::close_gaps(parts_at_beginning(count)), tolerance);
-  const auto address = [](const auto& v) {
-    return static_cast<double>(reinterpret_cast<std::uintptr_t>(v.data()));
-  };
-  Results results(4 + count);
-  results << address(mesh.vertices) << static_cast<double>(mesh.vertices.size())
-          << address(mesh.indices) << static_cast<double>(mesh.indices.size());
-  for (const std::size_t end : mesh.part_ends) results << static_cast<double>(end);
 }
 
 }  // extern "C"

@@ -119,14 +119,6 @@ export { CoreError };
  * @property {number} rate 1/s of growth, or rad/s of the wobble
  */
 
-/**
- * Triangles as the film draws them: rounded rims, gaps closed.
- * @typedef {object} Mesh
- * @property {Float32Array} vertices position (cm) and normal of each, 6 numbers, in body axes
- * @property {Uint32Array} indices three per triangle, counter-clockwise from outside
- * @property {number[]} partEnds in indices, the end of each part
- */
-
 const kinds = /** @type {Kind[]} */ (['steady', 'about_least', 'about_greatest', 'separatrix']);
 const stabilities = /** @type {const} */ (['unstable', 'stable', 'neutral']);
 
@@ -233,25 +225,6 @@ export class Core {
   stability(moments, axis, omega) {
     const [kind, rate] = this.instance.compute(2, moments, 'stability_of', axis, omega);
     return { kind: stabilities[kind], rate };
-  }
-
-  /**
-   * The triangles of a body as the film draws it. Its facets are within `tolerance` cm of the parts.
-   * Meshes are not drawn by this.
-   * @param {readonly Part[]} parts about the centre of mass
-   * @param {number} tolerance cm
-   * @returns {Mesh}
-   */
-  bodyMesh(parts, tolerance) {
-    const { instance } = this;
-    const head = instance.compute(4, packed(parts), 'body_mesh', parts.length, tolerance);
-    const [vertices, vertexCount, indices, indexCount] = head;
-    const { buffer } = instance.exports.memory;
-    return {
-      vertices: new Float32Array(buffer, vertices, 6 * vertexCount).slice(),
-      indices: new Uint32Array(buffer, indices, indexCount).slice(),
-      partEnds: [...instance.scratch(4 + parts.length).slice(4)],
-    };
   }
 }
 

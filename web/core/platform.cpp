@@ -1,6 +1,6 @@
 // What the core needs of its surroundings, in a page: no threads, and exceptions that JavaScript
-// catches. Debian has no unwinder for WebAssembly, so nothing is unwound: core.js replaces the whole
-// instance after an exception.
+// catches. Debian has no unwinder for WebAssembly, so nothing is unwound: core.js replaces the
+// whole instance after an exception.
 
 #include <cstdint>
 #include <cstdlib>
@@ -8,10 +8,9 @@
 
 #include "base/parallel.h"
 
-[[clang::import_module("env"), clang::import_name("fail")]] extern "C" [[noreturn]] void fail(
-    const char* what);
-
 extern "C" {
+
+[[noreturn, clang::import_module("env"), clang::import_name("fail")]] void fail(const char* what);
 
 void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
 

@@ -48,9 +48,8 @@ motion::Sample RecordedRun::at(double t) {
                                       [](double time, const Begin& b) { return time < b.t; });
   const Begin& begin = *(after - 1);
   if (t == 0) return {t, begin.X, body_.omega()};
-  const Eigen::Matrix3d X = t == begin.t
-                                ? begin.X
-                                : motion::take_step(body_, method_, begin.X, t - begin.t).X;
+  const Eigen::Matrix3d X =
+      t == begin.t ? begin.X : motion::take_step(body_, method_, begin.X, t - begin.t).X;
   return {t, X, motion::angular_velocity(body_, method_, X)};
 }
 

@@ -8,8 +8,8 @@
 
 namespace twrench::page {
 
-/// A method that goes forward along a motion and remembers where its steps began, so that a page can
-/// show any time that was reached.
+/// A method that goes forward along a motion and remembers where its steps began, so that a page
+/// can show any time that was reached.
 class RecordedRun {
  public:
   /// Throws OutOfRange for a step or a tolerance that cannot be.
@@ -25,9 +25,9 @@ class RecordedRun {
   /// MotionError.
   motion::Sample at(double t);
 
-  double reached() const { return propagator_->t(); }                     ///< s
-  std::int64_t steps() const { return propagator_->steps(); }             ///< rejected ones too
-  std::int64_t evaluations() const { return propagator_->evaluations(); } ///< of omega
+  double reached() const { return propagator_->t(); }                      ///< s
+  std::int64_t steps() const { return propagator_->steps(); }              ///< rejected ones too
+  std::int64_t evaluations() const { return propagator_->evaluations(); }  ///< of omega
   /// Returns the times of the flips in the method's own solution so far, s.
   const std::vector<double>& flip_times() const { return flips_.times(); }
 
