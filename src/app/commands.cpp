@@ -35,6 +35,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_render(app);
   add_simulate(app);
   add_export(app);
+  add_page(app);
   add_plot(app);
   add_inertia(app);
   add_study(app, code);

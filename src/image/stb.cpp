@@ -18,4 +18,16 @@ void filter_row(std::span<const std::uint8_t> row, int channels, std::span<std::
                          channels, sub, reinterpret_cast<signed char*>(&filtered[1]));
 }
 
+std::vector<std::uint8_t> jpeg(const Image& image, int quality) {
+  std::vector<std::uint8_t> bytes;
+  const auto append = [](void* to, void* data, int size) {
+    const auto* begin = static_cast<const std::uint8_t*>(data);
+    auto& file = *static_cast<std::vector<std::uint8_t>*>(to);
+    file.insert(file.end(), begin, begin + size);
+  };
+  stbi_write_jpg_to_func(append, &bytes, image.width, image.height, image.channels,
+                         image.pixels.data(), quality);
+  return bytes;
+}
+
 }  // namespace twrench::image::stb
