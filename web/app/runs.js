@@ -1,0 +1,98 @@
+// The two methods that are compared, each under way along the motion, and how far they are from it.
+
+/** @typedef {import("../core/core.js").Run} Run */
+/** @typedef {import("../core/core.js").Sample} Sample */
+/** @typedef {import("./motion_model.js").MotionModel} MotionModel */
+/** @typedef {import("./state.js").State} State */
+
+const millisecondsOfFrame = 6;  // that both methods together may take
+const stepsAtOnce = 400;
+
+/** A method under way. */
+class Runner {
+  /** @param {MotionModel} model @param {string} method @param {{step: number, tolerance: number}} control */
+  constructor(model, method, control) {
+    this.model = model;
+    this.method = method;
+    this.exact = method === "exact";
+    /** What stopped it. */
+    this.failure = "";
+    /** @type {Run | null} */
+    this.run = this.exact ? null : model.motion.run(method, control);
+    this.reached = 0;
+  }
+
+  /** Goes on towards t for a while. @param {number} t s @param {number} deadline ms */
+  advance(t, deadline) {
+    if (!this.run || this.failure || this.reached >= t) return;
+    try {
+      do {
+        this.reached = this.run.advance(t, stepsAtOnce);
+      } while (this.reached < t && performance.now() < deadline);
+    } catch (error) {
+      this.failure = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** Whether it knows the motion at t. @param {number} t */
+  knows(t) {
+    return this.exact || (this.reached >= t && t >= 0);
+  }
+
+  /**
+   * The samples at times up to the last that it knows.
+   * @param {number[]} times ascending
+   */
+  samples(times) {
+    if (!this.run) return this.model.motion.samples(times);
+    const known = times.filter((time) => time >= 0 && this.knows(time));
+    return this.run.samples(known.length ? known : [this.reached]);
+  }
+
+  /** The flips until t, in its own solution. @param {number} t */
+  flipsUntil(t) {
+    if (!this.run) return this.model.flipsUntil(t);
+    return this.run.flipTimes().filter((time) => time <= t).length;
+  }
+
+  get steps() {
+    return this.run ? this.run.steps : 0;
+  }
+
+  release() {
+    this.run?.release();
+  }
+}
+
+export class Runs {
+  constructor() {
+    /** @type {Runner[]} */
+    this.runners = [];
+    this.key = "";
+  }
+
+  /**
+   * Starts the methods of the state anew if something they depend on has changed. Throws a CoreError
+   * for a step that a method refuses.
+   * @param {State} state @param {MotionModel} model
+   */
+  prepare({compare, methods, step, tolerance}, model) {
+    const key = compare === "off" ? "" : [methods, step, tolerance].join();
+    if (key === this.key && model === this.model) return;
+    for (const runner of this.runners) runner.release();
+    this.key = key;
+    this.model = model;
+    this.runners = key === "" ? [] : methods.map((method) => new Runner(model, method, {step, tolerance}));
+  }
+
+  /**
+   * Lets the methods go on towards t.
+   * @param {number} t
+   * @returns {boolean} whether one of them has not reached it yet
+   */
+  advance(t) {
+    const start = performance.now();
+    this.runners.forEach((runner, i) => runner.advance(t, start + (millisecondsOfFrame * (i + 1)) / this.runners.length));
+    return this.runners.some((runner) => !runner.failure && !runner.knows(t));
+  }
+}

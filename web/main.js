@@ -1,0 +1,40 @@
+// Puts the page together: the state, what shows it, and what changes it.
+import {byId} from "./app/dom.js";
+import {App} from "./app/app.js";
+import {readCore, readPageData} from "./app/page_data.js";
+import {Core} from "./core/core.js";
+import {word} from "./words/words.js";
+
+/** What a test, or a user's own script, can ask. */
+const twrench = {
+  /** @type {Promise<void>} */
+  ready: Promise.resolve(),
+  /** @param {number} t @returns {Promise<import("./core/core.js").Sample>} of the motion shown */
+  sample: async (t) => {
+    await twrench.ready;
+    return app.model.motion.at(t);
+  },
+  /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
+  picture: async (options) => {
+    await twrench.ready;
+    return app.picture(options);
+  },
+};
+Object.assign(window, {twrench});
+
+/** @type {App} */
+let app;
+
+async function start() {
+  if (!document.createElement("canvas").getContext("webgl2")) return;
+  const data = readPageData();
+  app = new App(data, await Core.load(/** @type {BufferSource} */ (await readCore())));
+}
+
+twrench.ready = start();
+twrench.ready.catch((error) => {
+  byId("note").textContent = word("cannot", error.message);
+  byId("note").hidden = false;
+  byId("live").hidden = true;
+  byId("poster").hidden = false;
+});

@@ -1,0 +1,54 @@
+// A canvas for curves, as sharp as the display, with the theme's colours.
+
+export class Chart {
+  /** @param {HTMLElement} box Holds a canvas. @param {() => void} changed */
+  constructor(box, changed) {
+    this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector("canvas"));
+    this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
+    new ResizeObserver(() => {
+      const ratio = devicePixelRatio;
+      this.canvas.width = Math.max(1, Math.round(box.clientWidth * ratio));
+      this.canvas.height = Math.max(1, Math.round(box.clientHeight * ratio));
+      this.resized = true;
+      changed();
+    }).observe(box);
+  }
+
+  /** Clears it; what is drawn then is in CSS pixels. */
+  begin() {
+    const {context, canvas} = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.scale(devicePixelRatio, devicePixelRatio);
+    context.lineJoin = "round";
+    context.font = `${this.fontSize}px system-ui, "DejaVu Sans", sans-serif`;
+    return context;
+  }
+
+  get fontSize() {
+    return 0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize);
+  }
+
+  get width() {
+    return this.canvas.width / devicePixelRatio;
+  }
+
+  get height() {
+    return this.canvas.height / devicePixelRatio;
+  }
+}
+
+/**
+ * A step of 1, 2 or 5 times a power of ten, so that there are about `count` in a span.
+ * @param {number} span @param {number} count
+ */
+export function tickStep(span, count) {
+  const rough = span / Math.max(count, 1), power = 10 ** Math.floor(Math.log10(rough));
+  return power * ([1, 2, 5].find((factor) => factor * power >= rough) ?? 10);
+}
+
+/** The time at a tick, without needless digits. @param {number} t @param {number} step */
+export function tickText(t, step) {
+  if (t !== 0 && Math.abs(t) >= 1e7) return t.toPrecision(Math.min(15, Math.max(1, Math.ceil(Math.log10(t / step)) + 1))).replace(/\.?0+$/, "");
+  return t.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+}

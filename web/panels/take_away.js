@@ -1,0 +1,54 @@
+// The buttons by which the reader takes something along.
+import {byId} from "../app/dom.js";
+import {commandLine, csv, sceneFile} from "../app/take_away.js";
+import {word} from "../words/words.js";
+
+/**
+ * @typedef {object} Shown
+ * @property {import("../app/state.js").Store} store
+ * @property {import("../app/page_data.js").PageData} data
+ * @property {() => import("../app/motion_model.js").MotionModel} model
+ * @property {() => string} theme
+ * @property {() => string} link
+ * @property {() => string} picture A PNG as a data URL.
+ */
+
+/** @param {string} text */
+async function copy(text) {
+  const box = byId("copied");
+  box.hidden = false;
+  let done = true;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    done = false;  // not allowed in a frame, or on a page from a file in some browsers
+  }
+  box.textContent = text;
+  byId("announce").textContent = word(done ? "copied" : "notCopied");
+  if (!done) getSelection()?.selectAllChildren(box);
+}
+
+/** @param {string} url @param {string} name */
+function save(url, name) {
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+}
+
+export class TakeAway {
+  /** @param {Shown} shown */
+  constructor({store, data, model, theme, link, picture}) {
+    const on = (/** @type {string} */ id, /** @type {() => void} */ act) => byId(id).addEventListener("click", act);
+    const {name} = data.scene;
+    on("copy-link", () => copy(link()));
+    on("copy-command", () => copy(commandLine(store.state, data, theme())));
+    on("copy-scene", () => copy(sceneFile(store.state, data, theme())));
+    on("save-png", () => save(picture(), `${name ?? "twrench"}.png`));
+    on("save-csv", () => {
+      const url = URL.createObjectURL(new Blob([csv(store.state, model(), data.scene.film.fps)], {type: "text/csv"}));
+      save(url, `${name ?? "twrench"}.csv`);
+      setTimeout(() => URL.revokeObjectURL(url), 10000);
+    });
+  }
+}
