@@ -41,27 +41,13 @@ export class App {
     this.model = this.#modelOf(this.store.state);
     this.runs = new Runs();
     this.announcer = new Announcer();
+    /** @type {{model: MotionModel, page: number, samples: import("../core/core.js").Sample[]} | null} */
+    this.rolled = null;
+    /** @type {{moments: number[], surface: import("../picture/surface.js").Surface} | null} */
+    this.box = null;
     this.player = new Player(this.store, () => this.draw());
-    this.#makeParts();
-    this.store.subscribe((state, before) => this.#changed(state, before));
-    this.#followLink();
-    addEventListener("resetview", () => this.bodyView.resetView());
-    addEventListener("hashchange", () => this.#followLink());
-    matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#changed(this.store.state, this.store.state));
-    byId("poster").hidden = true;
-    byId("live").hidden = false;
-    this.#changed(this.store.state, {...this.store.state, lang: /** @type {any} */ ("")});
-    this.player.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-  }
-
-  #makeParts() {
-    const {store, data, core, player} = this;
-    const invalidate = () => player.invalidate();
+    const {store, player} = this, invalidate = () => player.invalidate();
     this.bodyView = new BodyView(byId("body"), invalidate, data.scene.camera);
-    this.bodyView.moved = () => {
-      const {azimuth, elevation, zoom} = this.bodyView.view;
-      store.set({view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4)))});
-    };
     this.sphereView = new SphereView(byId("sphere"), invalidate);
     this.poinsotView = new PoinsotView(byId("poinsot"), invalidate, data.scene.camera.azimuth);
     this.transport = new Transport(store, player, () => this.model);
@@ -77,10 +63,23 @@ export class App {
     this.takeAway = new TakeAway({store, data, model: () => this.model, theme: () => this.themeName, link: () => this.link,
       picture: () => this.picture({width: this.bodyView.canvas.width, height: this.bodyView.canvas.height})});
     this.#makeKeys();
+    this.store.subscribe((state, before) => this.#changed(state, before));
+    this.#followLink();
+    addEventListener("resetview", () => this.bodyView.resetView());
+    addEventListener("hashchange", () => this.#followLink());
+    matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#changed(this.store.state, this.store.state));
+    byId("poster").hidden = true;
+    byId("live").hidden = false;
+    this.#changed(this.store.state, {...this.store.state, lang: /** @type {any} */ ("")});
+    this.player.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
   #makeKeys() {
     const {bodyView, sphereView, poinsotView, player, store} = this;
+    bodyView.moved = () => {
+      const {azimuth, elevation, zoom} = bodyView.view;
+      store.set({view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4)))});
+    };
     const startAt = (/** @type {number[]} */ mu) => store.set({omega: this.model.omegaOf(mu)});
     makeTurnable(bodyView);
     makeTurnable(poinsotView);
@@ -105,7 +104,7 @@ export class App {
   /** @param {State} state */
   #modelOf({moments, omega}) {
     const inertia = moments ? [moments[0], 0, 0, 0, moments[1], 0, 0, 0, moments[2]] : this.data.inertia;
-    return new MotionModel(this.core, inertia, omega);
+    return new MotionModel(this.core, inertia, omega, this.data.scene.overlay.trail_length);
   }
 
   /** The theme that is shown. @returns {import("./state.js").ThemeName} */
@@ -216,11 +215,8 @@ export class App {
   /** @param {State} state */
   #surface({moments}) {
     if (!moments) return this.sceneSurface;
-    if (this.boxFor !== moments) {
-      this.boxFor = moments;
-      this.box = boxSurface(moments);
-    }
-    return this.box ?? this.sceneSurface;
+    if (this.box?.moments !== moments) this.box = {moments, surface: boxSurface(moments)};
+    return this.box.surface;
   }
 
   draw() {

@@ -42,8 +42,9 @@ function pointsOf(flat) {
 export class MotionModel {
   /**
    * @param {Core} core @param {number[]} inertia 9 numbers, g cm^2 @param {number[]} omega rad/s
+   * @param {number} [trailLength] s; by default that of a rotation by 12 rad
    */
-  constructor(core, inertia, omega) {
+  constructor(core, inertia, omega, trailLength) {
     this.motion = core.motion(inertia, omega);
     this.inertia = inertia;
     this.omega = omega;
@@ -55,35 +56,34 @@ export class MotionModel {
     this.principal = principalFrame(facts.axes, facts.moments);
     this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
     const rate = norm(omega);
-    this.trailLength = rate > 0 ? radiansOfTrail / rate : 1;
+    this.trailLength = trailLength ?? (rate > 0 ? radiansOfTrail / rate : 1);
     this.inverseInertia = product(product(facts.axes, diagonal(facts.moments.map((moment) => 1 / moment))), transposed(facts.axes));
-    this.#findCurves();
-    this.#findSteadyFrame();
-  }
-
-  #findCurves() {
-    const {motion} = this;
-    const own = this.atRest ? null : motion.energyCurve(pointsOfCurve);
+    /** @type {number} omega along L, rad/s: the distance of the invariable plane. */
+    this.height = this.atRest ? 1 : dot(omega, this.up);
+    const own = this.atRest ? null : this.motion.energyCurve(pointsOfCurve);
     /** The curve of the momentum's direction, body axes; null for a sphere and at rest. */
     this.level = own && pointsOf(own);
-    this.separatrix = (motion.separatrix(pointsOfCurve) ?? []).map(pointsOf);
-    this.family = motion.energyCurves(familySize, pointsOfCurve).map(pointsOf);
-    /** @type {number} omega along L, rad/s: the distance of the invariable plane. */
-    this.height = this.atRest ? 1 : dot(this.omega, this.up);
-    // Of the herpolhode, in units of the plane's distance.
-    const radii = (this.level ?? []).map((mu) => {
-      const omega = times(this.inverseInertia, scale(this.momentum, mu));
-      return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
-    });
-    this.annulus = radii.length ? {inner: Math.min(...radii), outer: Math.max(...radii)} : {inner: 0, outer: 0};
+    this.separatrix = (this.motion.separatrix(pointsOfCurve) ?? []).map(pointsOf);
+    this.family = this.motion.energyCurves(familySize, pointsOfCurve).map(pointsOf);
+    this.annulus = this.#herpolhodeAnnulus();
+    this.steady = this.#steadyRotation();
   }
 
-  /** The rotation about L that the body would have if it rotated about the axis nearest to L. */
-  #findSteadyFrame() {
+  /** How far omega's tip is from L on the invariable plane, in units of the plane's distance. */
+  #herpolhodeAnnulus() {
+    if (!this.level) return {inner: 0, outer: 0};
+    const radii = this.level.map((mu) => {
+      const omega = this.omegaOf(mu);
+      return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
+    });
+    return {inner: Math.min(...radii), outer: Math.max(...radii)};
+  }
+
+  /** The rotation about L that the body would have if it rotated about the axis nearest to L, rad/s. */
+  #steadyRotation() {
     const {axes, moments} = this.facts;
     const m = times(transposed(axes), times(this.inertia, this.omega)).map(Math.abs);
-    const nearest = m.indexOf(Math.max(...m));
-    this.steady = this.atRest ? [0, 0, 0] : scale(this.momentum / moments[nearest], this.up);
+    return this.atRest ? [0, 0, 0] : scale(this.momentum / moments[m.indexOf(Math.max(...m))], this.up);
   }
 
   /**
@@ -104,14 +104,6 @@ export class MotionModel {
   /** The angular velocity with the same |L| whose momentum has that direction. @param {number[]} mu unit vector */
   omegaOf(mu) {
     return times(this.inverseInertia, scale(this.momentum, mu));
-  }
-
-  /** The angle between L and the axis about which the motion starts, rad. @param {number[]} omega */
-  tiltOf(omega) {
-    const m = times(transposed(this.facts.axes), times(this.inertia, omega));
-    const start = times(transposed(this.facts.axes), times(this.inertia, this.omega)).map(Math.abs);
-    const k = start.indexOf(Math.max(...start));
-    return Math.atan2(Math.hypot(m[(k + 1) % 3], m[(k + 2) % 3]), Math.abs(m[k]));
   }
 
   /** Flips up to the time t, from 0. @param {number} t */
@@ -137,14 +129,14 @@ export class MotionModel {
 }
 
 /**
- * Evenly spaced times of a trail that ends at t, about 0.03 rad apart.
+ * Evenly spaced times of a trail that ends at t and begins no earlier than 0, about 0.03 rad apart.
  * @param {number} t @param {number} length s @param {number} rate rad/s
  */
 export function trailTimes(t, length, rate) {
   const points = clamp(Math.ceil((length * rate) / 0.03), 50, 600);
   const step = length / points;
   const times = [];
-  for (let n = Math.ceil((t - length) / step); n * step < t; ++n) times.push(n * step);
+  for (let n = Math.max(0, Math.ceil((t - length) / step)); n * step < t; ++n) times.push(n * step);
   times.push(t);
   return times;
 }

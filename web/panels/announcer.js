@@ -8,6 +8,8 @@ export class Announcer {
   constructor() {
     this.count = 0;
     this.last = -Infinity;
+    /** @type {import("../app/motion_model.js").MotionModel | null} */
+    this.model = null;
   }
 
   /** @param {import("../app/motion_model.js").MotionModel} model @param {number} t */

@@ -26,6 +26,16 @@ export class Components {
   constructor(box, store, changed) {
     this.chart = new Chart(box, changed);
     this.window = {from: 0, to: 1};
+    this.points = 0;
+    /** @type {MotionModel | null} */
+    this.model = null;
+    /** @type {Float64Array} */
+    this.X = new Float64Array();
+    /** The curves, which stay while time goes on. */
+    this.still = document.createElement("canvas");
+    this.drawn = false;
+    /** @type {any} */
+    this.colors = null;
     const seekTo = (/** @type {PointerEvent} */ event) => {
       const {left, width} = box.getBoundingClientRect();
       const share = clamp((event.clientX - left - margin) / (width - 2 * margin), 0, 1);
@@ -49,7 +59,7 @@ export class Components {
     this.window = {from, to};
     this.model = model;
     this.points = points;
-    this.samples = model.motion.samples(Float64Array.from({length: points + 1}, (_, i) => from + ((to - from) * i) / points));
+    ({X: this.X} = model.motion.samples(Float64Array.from({length: points + 1}, (_, i) => from + ((to - from) * i) / points)));
     this.drawn = false;
     return this.window;
   }
@@ -59,7 +69,7 @@ export class Components {
     const {chart, window: {from, to}} = this;
     this.#drawCurves(colors);
     const context = chart.begin();
-    if (this.still) context.drawImage(this.still, 0, 0, chart.width, chart.height);
+    context.drawImage(this.still, 0, 0, chart.width, chart.height);
     const x = margin + ((t - from) / (to - from)) * (chart.width - 2 * margin);
     context.strokeStyle = colors.text;
     context.lineWidth = 1.5;
@@ -85,10 +95,10 @@ export class Components {
     for (let row = 0; row < 3; ++row) draw(row, row * (height + gap), height);
   }
 
-  /** Draws the curves to a picture of their own, which stays while time goes on. @param {any} colors */
+  /** Draws the curves to their own picture. @param {any} colors */
   #drawCurves(colors) {
-    const {chart, samples, points} = this;
-    if (!samples || points === undefined || (this.drawn && this.colors === colors && !chart.resized)) return;
+    const {chart, X, points} = this;
+    if (this.drawn && this.colors === colors && !chart.resized) return;
     chart.resized = false;
     this.drawn = true;
     this.colors = colors;
@@ -102,7 +112,7 @@ export class Components {
       for (let column = 0; column < 3; ++column) {
         context.beginPath();
         for (let i = 0; i <= points; ++i) {
-          context.lineTo(margin + (wide * i) / points, top + height * (0.5 - 0.46 * samples.X[9 * i + 3 * row + column]));
+          context.lineTo(margin + (wide * i) / points, top + height * (0.5 - 0.46 * X[9 * i + 3 * row + column]));
         }
         context.strokeStyle = colors.curve[3 * row + column];
         context.setLineDash(dashes[column]);
@@ -112,7 +122,6 @@ export class Components {
       context.setLineDash([]);
       this.#drawNames(row, top, height, colors);
     });
-    this.still ??= document.createElement("canvas");
     this.still.width = chart.canvas.width;
     this.still.height = chart.canvas.height;
     this.still.getContext("2d")?.drawImage(chart.canvas, 0, 0);

@@ -13,6 +13,9 @@ export class DataTable {
     this.details = /** @type {HTMLDetailsElement} */ (byId("data"));
     this.details.addEventListener("toggle", changed);
     this.body = /** @type {HTMLElement} */ (byId("table").querySelector("tbody"));
+    this.key = "";
+    /** @type {MotionModel | null} */
+    this.model = null;
     const head = element("tr");
     head.append(...names.map((name, i) => {
       const cell = element("th", "", i === 0 ? "t, s" : name);

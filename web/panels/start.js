@@ -49,13 +49,13 @@ export class BodyPanel {
   constructor(store, data) {
     const own = [0, 4, 8].map((i) => data.inertia[i]);
     this.given = own.map((moment) => Number(moment.toPrecision(6)));
-    const range = [Math.min(...own) / 100, 2.5 * Math.max(...own)];
+    this.range = rangeAbout(own);
     this.choices = /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[name=body]"));
     for (const choice of this.choices) {
       choice.addEventListener("change", () => store.set({moments: choice.value === "scene" ? null : this.given}));
     }
     this.fields = [0, 1, 2].map((i) => new NumberField(byId("moments"), {
-      name: `I${"xyz"[i]}`, label: () => `I${"xyz"[i]}, g cm²`, range, limits: data.limits.moment,
+      name: `I${"xyz"[i]}`, label: () => `I${"xyz"[i]}, g cm²`, range: rangeAbout(own), logarithmic: true, limits: data.limits.moment,
       set: (value) => store.set({moments: replaced(store.state.moments ?? this.given, i, value)}),
     }));
   }
@@ -64,8 +64,21 @@ export class BodyPanel {
   show({moments}, model) {
     for (const choice of this.choices) choice.checked = choice.value === (moments ? "moments" : "scene");
     byId("moments").hidden = !moments;
-    if (moments) this.fields.forEach((field, i) => field.show(moments[i]));
+    if (moments) this.#showMoments(moments);
     const note = byId("moments-note"), text = model.facts.isReal ? "" : word("unreal");
     if (note.textContent !== text) note.textContent = text;
   }
+
+  /** @param {number[]} moments */
+  #showMoments(moments) {
+    const outside = moments.some((moment) => moment < this.range[0] || moment > this.range[1]);
+    if (outside) this.range = rangeAbout(moments);
+    this.fields.forEach((field, i) => {
+      if (outside) field.setRange(this.range);
+      field.show(moments[i]);
+    });
+  }
 }
+
+/** What sliders of moments cover. @param {number[]} moments */
+const rangeAbout = (moments) => [Math.min(...moments) / 10, 5 * Math.max(...moments)];

@@ -17,6 +17,8 @@ export class Timeline {
     this.box = box;
     this.store = store;
     this.chart = new Chart(box, actions.invalidate);
+    /** @type {{model: MotionModel, key: string, dense: boolean, times: number[]} | null} */
+    this.flipsFor = null;
     box.addEventListener("pointerdown", (event) => {
       box.setPointerCapture(event.pointerId);
       this.#seekTo(event);

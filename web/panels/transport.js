@@ -110,7 +110,7 @@ export class Transport {
     slider.setAttribute("aria-valuemax", String(from + length));
     slider.setAttribute("aria-valuenow", String(Number(t.toPrecision(6))));
     slider.setAttribute("aria-valuetext", word("timeText", decimal(t, 1), flips));
-    const says = model.flips ? `${flips} ${word("flips")} · ${next === null ? word("steady") : word("nextFlip", brief(next - t))}` : word("noFlips");
+    const says = model.flips ? `${word("flips", flips)} · ${next === null ? word("steady") : word("nextFlip", brief(next - t))}` : word("noFlips");
     byId("readout").textContent = `t = ${decimal(t, digits > 1 ? 2 : digits)} s · ${says}`;
     byId("flip-back").toggleAttribute("disabled", !model.flips);
     byId("flip-on").toggleAttribute("disabled", !model.flips);

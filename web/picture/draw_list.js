@@ -74,6 +74,13 @@ export class DrawList {
   /** @type {number[]} */ faces = [];
   /** @type {number[]} */ outlines = [];
   /** @type {number[]} */ ghosts = [];
+  /** @type {number[]} */ clipFromSpace = [];
+  /** @type {number[]} */ attitude = [];
+  /** The eye in space. @type {number[]} */ eye = [0, 0, 1];
+  /** Of the picture, in pixels. */ halfSize = [1, 1];
+  /** The width of a thin line in pixels. */ hairline = 1;
+  /** Pixels per unit length at distance 1. */ scale = 1;
+  /** What brings an item nearer by the picture's height, in clip space. */ clipZNearer = 0;
 
   /**
    * Clears the list; later items are seen by `camera`, whose picture has that size in pixels.

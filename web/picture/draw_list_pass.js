@@ -35,7 +35,7 @@ export class DrawListPass {
     const shown = (/** @type {number} */ step) => faintest + ((1 - faintest) * step) / (steps + 1);
     for (let step = 1; step <= steps; ++step) {
       modes.push({faces: "near", opacity: (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
-        clipZ: (list.clipZNearer ?? 0) * deepest * ((steps + 1 - step) / steps)});
+        clipZ: list.clipZNearer * deepest * ((steps + 1 - step) / steps)});
     }
     this.#draw(list, list.ghosts, modes);
   }

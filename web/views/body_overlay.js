@@ -116,7 +116,7 @@ export class BodyOverlay {
     });
     list.lineOnHalo(line, this.colors.panel);
     const last = line[line.length - 1];
-    const near = add(last.place, scale(1.15 * width * this.radius, normalized(subtract(list.eye ?? [0, 0, 1], last.place))));
+    const near = add(last.place, scale(1.15 * width * this.radius, normalized(subtract(list.eye, last.place))));
     list.dot(near, 1.15 * last.width + haloOf(last.width), {color: this.colors.panel, opacity: 0.9});
     list.dot(near, 1.15 * last.width, {color, opacity: 1});
   }

@@ -39,6 +39,11 @@ export class BodyView extends CanvasView {
     this.home = {azimuth: lens.azimuth, elevation: lens.elevation};
     this.opaque = new DrawList();
     this.translucent = new DrawList();
+    this.starsFor = "";
+    /** @type {BodyOverlay | null} */
+    this.overlay = null;
+    /** @type {{overlay: BodyOverlay, key: string, value: import("../math/camera.js").Framing} | null} */
+    this.framing = null;
     this.restore();
   }
 

@@ -110,8 +110,8 @@ export class CanvasView {
       const span = this.#name(shown++);
       span.textContent = text;
       span.style.color = css(color);
-      const left = this.canvas.clientWidth * pane.left + (0.5 + 0.5 * x) * width + (13 * dx) / length;
-      const top = (0.5 - 0.5 * y) * height + (13 * dy) / length;
+      const left = this.canvas.clientWidth * pane.left + clamp((0.5 + 0.5 * x) * width + (13 * dx) / length, 10, width - 10);
+      const top = clamp((0.5 - 0.5 * y) * height + (13 * dy) / length, 12, height - 12);
       span.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
     }
     return shown;

@@ -33,6 +33,11 @@ export class PoinsotView extends CanvasView {
     this.home = {azimuth, elevation};
     this.opaque = new DrawList();
     this.translucent = new DrawList();
+    /** @type {MotionModel | null} */
+    this.model = null;
+    this.viewFromSpace = identity;
+    this.radii = [1, 1, 1];
+    this.planeRadius = leastPlane;
     this.restore();
   }
 
@@ -50,7 +55,7 @@ export class PoinsotView extends CanvasView {
   }
 
   camera() {
-    const radii = this.radii ?? [1, 1, 1], planeRadius = this.planeRadius ?? leastPlane;
+    const {radii, planeRadius} = this;
     /** @type {number[][]} */
     const points = [[0, 1.1 * momentumEnd, 0]];
     for (let i = 0; i < 24; ++i) {
@@ -65,7 +70,7 @@ export class PoinsotView extends CanvasView {
 
   /** @param {Sample} sample */
   #contact({X, omega}) {
-    return scale(1 / (this.model?.height ?? 1), times(this.viewFromSpace ?? identity, times(X, omega)));
+    return scale(1 / (this.model?.height ?? 1), times(this.viewFromSpace, times(X, omega)));
   }
 
   /** @param {{model: MotionModel, trail: Sample[], herpolhode: Sample[], colors: any}} picture */
@@ -79,9 +84,9 @@ export class PoinsotView extends CanvasView {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     opaque.begin(camera, canvas.width, canvas.height);
     translucent.begin(camera, canvas.width, canvas.height);
-    const fromUnit = product(product(this.viewFromSpace ?? identity, now.X), product(model.principal.axes, diagonal(this.radii ?? [1, 1, 1])));
+    const fromUnit = product(product(this.viewFromSpace, now.X), product(model.principal.axes, diagonal(this.radii)));
     const ground = {color: colors.panel, opacity: colors.panel_opacity};
-    if (!model.atRest) translucent.disc([0, 1, 0], [0, 1, 0], this.planeRadius ?? 1, ground, ground);
+    if (!model.atRest) translucent.disc([0, 1, 0], [0, 1, 0], this.planeRadius, ground, ground);
     translucent.ellipsoid(fromUnit, {color: colors.plane, opacity: 0.4}, 0.9, ground);
     this.#addGrid(fromUnit, colors);
     if (!model.atRest) {
@@ -103,8 +108,8 @@ export class PoinsotView extends CanvasView {
       const points = [];
       for (let k = 0; k <= curvePoints; k += 2) {
         const unit = unitAt((2 * Math.PI * k) / curvePoints), place = times(fromUnit, unit);
-        const visible = shown(place, times(normalFromUnit, unit), list.eye ?? place);
-        points.push({place, width: list.hairline ?? 1, ink: {color: colors.dim, opacity: opacity * visible}});
+        const visible = shown(place, times(normalFromUnit, unit), list.eye);
+        points.push({place, width: list.hairline, ink: {color: colors.dim, opacity: opacity * visible}});
       }
       list.line(points);
     };
@@ -117,10 +122,10 @@ export class PoinsotView extends CanvasView {
   /** @param {MotionModel} model @param {number[]} X @param {any} colors */
   #addPolhode(model, X, colors) {
     if (!model.level) return;
-    const list = this.translucent, turned = product(this.viewFromSpace ?? identity, X);
+    const list = this.translucent, turned = product(this.viewFromSpace, X);
     const line = model.level.map((mu) => {
       const place = scale(1 / model.height, times(turned, model.omegaOf(mu)));
-      return {place, width: 2 * (list.hairline ?? 1), ink: {color: colors.omega, opacity: shown(place, times(turned, mu), list.eye ?? place)}};
+      return {place, width: 2 * list.hairline, ink: {color: colors.omega, opacity: shown(place, times(turned, mu), list.eye)}};
     });
     line.push(line[0]);
     list.lineOnHalo(line, colors.panel);
@@ -131,16 +136,16 @@ export class PoinsotView extends CanvasView {
     const points = [];
     for (let i = 0; i <= curvePoints; ++i) {
       const angle = (2 * Math.PI * i) / curvePoints;
-      points.push({place: [radius * Math.sin(angle), 1, radius * Math.cos(angle)], width: width * (this.translucent.hairline ?? 1), ink: {color, opacity}});
+      points.push({place: [radius * Math.sin(angle), 1, radius * Math.cos(angle)], width: width * this.translucent.hairline, ink: {color, opacity}});
     }
     this.translucent.line(points);
   }
 
   /** @param {MotionModel} model @param {Sample[]} trail @param {Sample[]} herpolhode @param {any} colors */
   #addPlane(model, trail, herpolhode, colors) {
-    const list = this.translucent, hairline = list.hairline ?? 1, up = [0, 1, 0];
-    list.disc(up, up, this.planeRadius ?? 1, {color: colors.plane, opacity: 0.36}, {color: colors.plane, opacity: 0.22});
-    this.#addRing(this.planeRadius ?? 1, 1.2, colors.plane, 0.9);
+    const list = this.translucent, hairline = list.hairline, up = [0, 1, 0];
+    list.disc(up, up, this.planeRadius, {color: colors.plane, opacity: 0.36}, {color: colors.plane, opacity: 0.22});
+    this.#addRing(this.planeRadius, 1.2, colors.plane, 0.9);
     for (const radius of [model.annulus.inner, model.annulus.outer]) {
       if (radius > 0.01) this.#addRing(radius, 1, colors.dim, 0.45);
     }

@@ -25,6 +25,10 @@ export class SphereView extends CanvasView {
     super(box, changed);
     this.opaque = new DrawList();
     this.translucent = new DrawList();
+    /** @type {MotionModel | null} */
+    this.model = null;
+    this.viewFromBody = identity;
+    this.facing = "";
     this.restore();
   }
 
@@ -61,7 +65,7 @@ export class SphereView extends CanvasView {
 
   /** The principal axis with that index in the view's coordinates. @param {number} i */
   #axis(i) {
-    if (!this.model || !this.viewFromBody) return column(identity, i);
+    if (!this.model) return column(identity, i);
     return times(this.viewFromBody, column(this.model.principal.axes, i));
   }
 
@@ -96,7 +100,7 @@ export class SphereView extends CanvasView {
 
   /** @param {ArrayLike<number>} mu body axes */
   #place(mu) {
-    return times(this.viewFromBody ?? identity, mu);
+    return times(this.viewFromBody, mu);
   }
 
   /** @param {number[][]} curve body axes @param {number} width in hairlines @param {number[]} color @param {number} opacity */
@@ -104,7 +108,7 @@ export class SphereView extends CanvasView {
     const list = this.translucent;
     const line = curve.map((mu) => {
       const place = this.#place(mu);
-      return {place: scale(lifted, place), width: width * (list.hairline ?? 1), ink: {color, opacity: opacity * shown(place, place, list.eye ?? place)}};
+      return {place: scale(lifted, place), width: width * list.hairline, ink: {color, opacity: opacity * shown(place, place, list.eye)}};
     });
     line.push(line[0]);
     list.line(line);
@@ -125,7 +129,7 @@ export class SphereView extends CanvasView {
 
   /** @param {MotionModel} model @param {Sample[]} trail @param {number[]} color @param {any} colors */
   #addMomentum(model, trail, color, colors) {
-    const list = this.translucent, hairline = list.hairline ?? 1, eye = list.eye ?? [0, 0, 1];
+    const list = this.translucent, hairline = list.hairline, eye = list.eye;
     const now = trail[trail.length - 1];
     const line = trail.map((sample) => {
       const age = Math.min(Math.max((now.t - sample.t) / model.trailLength, 0), 1);
@@ -143,7 +147,7 @@ export class SphereView extends CanvasView {
 
   /** The handle: a ring around where the motion starts. @param {MotionModel} model @param {any} colors */
   #addStart(model, colors) {
-    const list = this.translucent, eye = list.eye ?? [0, 0, 1];
+    const list = this.translucent, eye = list.eye;
     const place = this.#place(model.up), clear = 0.35 + 0.65 * shown(place, place, eye);
     const normal = normalized(subtract(eye, place));
     const radius = (7.5 * Math.max(devicePixelRatio, 1)) / Math.max(list.pixels(place), 1);
@@ -168,7 +172,7 @@ export class SphereView extends CanvasView {
 
   /** The direction of the momentum, body axes, at a place in the picture. @param {number[]} at */
   muAt([x, y]) {
-    return times(transposed(this.viewFromBody ?? identity), pickSphere(this.camera(), x, y, 1));
+    return times(transposed(this.viewFromBody), pickSphere(this.camera(), x, y, 1));
   }
 
   /**
@@ -180,7 +184,7 @@ export class SphereView extends CanvasView {
     const camera = this.camera();
     const place = this.#place(this.model.up);
     const moved = place.map((x, i) => x + right * camera.attitude[i] + up * camera.attitude[3 + i]);
-    return times(transposed(this.viewFromBody ?? identity), normalized(moved));
+    return times(transposed(this.viewFromBody), normalized(moved));
   }
 }
 
