@@ -9,6 +9,8 @@ import {word} from "./words/words.js";
 const twrench = {
   /** @type {Promise<void>} */
   ready: Promise.resolve(),
+  /** @type {Core | null} For motions of the asker's own. */
+  core: null,
   /** @param {number} t @returns {Promise<import("./core/core.js").Sample>} of the motion shown */
   sample: async (t) => {
     await twrench.ready;
@@ -28,7 +30,8 @@ let app;
 async function start() {
   if (!document.createElement("canvas").getContext("webgl2")) return;
   const data = readPageData();
-  app = new App(data, await Core.load(/** @type {BufferSource} */ (await readCore())));
+  twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
+  app = new App(data, twrench.core);
 }
 
 twrench.ready = start();

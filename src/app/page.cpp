@@ -16,6 +16,7 @@
 #include "image/stb.h"
 #include "page/page_json.h"
 #include "page/poster.h"
+#include "scene/scene_json.h"
 #include "system/base64.h"
 #include "system/file.h"
 
@@ -62,12 +63,15 @@ std::string poster_html(const scene::Scene& scene) {
   }
 }
 
-/// In a script of data, nothing may look like the end of the script.
-std::string scene_html(const scene::Scene& scene) {
+/// In a script of data, nothing may look like the end of the script. `source` is the scene's name
+/// or file: with it and the values there, the page writes a command line for what it shows.
+std::string scene_html(const scene::Scene& scene, const std::string& source) {
   nlohmann::ordered_json json = page::page_json(scene);
   json["program"] = std::string("twrench ") + version;
+  json["source"] = source;
+  json["source_scene"] = scene::scene_json(scene::load_scene(source));
   std::string data;
-  for (const char c : json.dump()) {
+  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
     if (c == '<') {
       data += "\\u003c";
     } else {
@@ -109,7 +113,7 @@ void write_page(const PageOptions& options) {
   const std::string html = page_template(options);
   const scene::Scene scene = options.scene.scene();
   const std::string title = xml_text(scene.title.empty() ? scene.name : scene.title);
-  const std::string data = scene_html(scene), picture = poster_html(scene);
+  const std::string data = scene_html(scene, options.scene.names().front()), picture = poster_html(scene);
   Output output(options.output);
   Filling page(html, output);
   page.put("{{title}}", title);
