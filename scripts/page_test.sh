@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# page_test.sh [TEST]: builds the page and the program with it, checks the types of the page's scripts,
+# and tests pages in Chromium; with a word, the tests whose names have it.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+# A Node.js that is not Debian's serves as well.
+if ! command -v node npm chromium >/dev/null; then scripts/setup.sh browser; fi
+scripts/page.sh --check
+scripts/build.sh release twrench
+export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json
+cp tests/page/*.mjs build/page/npm
+node build/page/npm/page_test.mjs "$@"

@@ -1,0 +1,93 @@
+// What the tests in a browser share: a page of twrench in Chromium, in which nothing may go wrong
+// unseen.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import puppeteer from 'puppeteer-core';
+
+export const folder = mkdtempSync(join(tmpdir(), 'twrench-page-'));
+
+/** Runs the program and returns its standard output. */
+export const twrench = (...words) =>
+  execFileSync(process.env.TWRENCH, words, { encoding: 'utf8', maxBuffer: 1 << 28 });
+
+/** Writes a page and returns its file. */
+export function writePage(name, ...words) {
+  const file = join(folder, name);
+  twrench('page', ...words, '-o', file);
+  return file;
+}
+
+const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find((path) => {
+  try {
+    execFileSync(path, ['--version'], { stdio: 'ignore' });
+    return true;
+  } catch {
+    return false;
+  }
+});
+
+export const browser = await puppeteer.launch({
+  executablePath,
+  protocolTimeout: 120_000,
+  // Without a graphics card WebGL 2 is drawn by SwiftShader.
+  args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage'],
+});
+
+/**
+ * Opens a page and waits until it is ready. Errors of the console and requests are collected in
+ * `trouble`: a test that does not expect any calls quiet().
+ */
+export async function open(file, { hash = '', width = 1280, height = 800, ...emulated } = {}) {
+  const page = await browser.newPage();
+  await page.setViewport({ width, height, deviceScaleFactor: emulated.scale ?? 1 });
+  if (emulated.features) await page.emulateMediaFeatures(emulated.features);
+  const trouble = watch(page, file);
+  await page.goto(pathToFileURL(file).href + hash);
+  await page.evaluate(() => globalThis.twrench.ready);
+  return {
+    page,
+    trouble,
+    quiet: () => assert.deepEqual(trouble, [], 'errors in the console, or requests'),
+  };
+}
+
+/** Collects what goes wrong in a page. */
+export function watch(page, file) {
+  const trouble = [];
+  const own = pathToFileURL(file).href;
+  page.on('pageerror', (error) => trouble.push(`error: ${error.message}`));
+  page.on('console', (message) => {
+    // A software renderer tells that reading pixels stalls it.
+    if (/GPU stall due to ReadPixels/.test(message.text())) return;
+    if (['error', 'warn'].includes(message.type())) trouble.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on('request', (request) => {
+    const url = request.url();
+    if (!url.startsWith(own) && !/^(data|blob):/.test(url)) trouble.push(`request: ${url}`);
+  });
+  return trouble;
+}
+
+/** Runs the tests in order, and ends with an exit status that says whether all passed. */
+export async function run(tests) {
+  let failed = 0;
+  const chosen = process.argv[2];
+  for (const [name, test] of Object.entries(tests)) {
+    if (chosen && !name.includes(chosen)) continue;
+    const start = performance.now();
+    try {
+      await test();
+      console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${name}\n${error.stack}`);
+    }
+    for (const page of await browser.pages()) if (page.url() !== 'about:blank') await page.close();
+  }
+  await browser.close();
+  process.exit(failed ? 1 : 0);
+}

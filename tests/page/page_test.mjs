@@ -1,0 +1,213 @@
+// Pages in a real browser: that they draw, that they compute what the program computes, that they ask
+// nothing of the network, and that nothing in them runs which is not theirs.
+import assert from 'node:assert/strict';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { join } from 'node:path';
+import { browser, folder, open, run, twrench, watch, writePage } from './browser.mjs';
+
+const flip = writePage('flip.html');
+
+const simulated = (...words) => {
+  const [head, ...rows] = twrench('simulate', ...words).trim().split('\n');
+  const columns = head.split(',');
+  return rows.map((row) => {
+    const value = Object.fromEntries(row.split(',').map((text, i) => [columns[i], Number(text)]));
+    return {
+      t: value.t,
+      X: columns.slice(1, 10).map((name) => value[name]),
+      omega: [value.wx, value.wy, value.wz],
+    };
+  });
+};
+
+const distance = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
+
+const tests = {
+  async 'there is a live WebGL 2 context, and a picture that is not of one colour'() {
+    const { page, quiet } = await open(flip);
+    const renderer = await page.evaluate(() => {
+      const gl = document.createElement('canvas').getContext('webgl2');
+      return gl && gl.getParameter(gl.VERSION);
+    });
+    assert.match(String(renderer), /WebGL 2/);
+    const colours = await page.evaluate(async () => {
+      const image = new Image();
+      image.src = await globalThis.twrench.picture({ width: 320, height: 180, t: 0 });
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: 320, height: 180 });
+      const context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      return new Set(new Uint32Array(context.getImageData(0, 0, 320, 180).data.buffer)).size;
+    });
+    assert.ok(colours > 500, `${colours} colours`);
+    quiet();
+  },
+
+  async 'every reference case is met, to 2e-15 * max(1, |omega| t)'() {
+    const cases = JSON.parse(readFileSync(process.env.REFERENCE));
+    const { page, quiet } = await open(flip);
+    const number = (x) => Number(x);
+    let samples = 0;
+    for (const c of cases) {
+      const moments = (c.inertia_values_g_cm2 ?? c.inertia).map(number);
+      const found = await page.evaluate(
+        ([a, b, d], omega, times) => {
+          const motion = globalThis.twrench.core.motion([a, 0, 0, 0, b, 0, 0, 0, d], omega);
+          return times.map((t) => motion.at(t));
+        },
+        moments, c.omega0, c.samples.map((s) => s.t),
+      );
+      c.samples.forEach((expected, i) => {
+        const bound = 2e-15 * Math.max(1, Math.hypot(...c.omega0) * expected.t);
+        assert.ok(distance(found[i].X, expected.X.flat().map(number)) <= bound, `${c.name} X(${expected.t})`);
+        assert.ok(distance(found[i].omega, expected.omega.map(number)) <= bound, `${c.name} omega(${expected.t})`);
+        ++samples;
+      });
+    }
+    assert.ok(samples >= 33);
+    quiet();
+  },
+
+  async 'each method computes what the program computes'() {
+    const methods = twrench('methods').trim().split('\n').map((line) => line.split(/\s+/)[0]);
+    const { page, quiet } = await open(flip);
+    const known = await page.evaluate(() => globalThis.twrench.core.methods.map((m) => m.name));
+    assert.deepEqual(known, methods.filter((name) => known.includes(name)));
+    assert.equal(known.length, 14);
+    for (const method of known) {
+      const control = ['--method', method, '--step', '0.02', '--tolerance', '1e-9'];
+      const expected = simulated('dzhanibekov', ...control, '--times', '0,1,7.3,20');
+      const found = await page.evaluate((name, times) => {
+        const { core } = globalThis.twrench;
+        const motion = core.motion([982.2713030224087, 0, 0, 0, 722.6710300807721, 0, 0, 0, 1578.650308428871], [1, 0.05, 0]);
+        const { X } = motion.integrate(name, { step: 0.02, tolerance: 1e-9 }, times);
+        const run = motion.run(name, { step: 0.02, tolerance: 1e-9 }).samples(times);
+        return [[...X], [...run.X]];
+      }, method, expected.map((s) => s.t));
+      // Sines and powers of two C libraries may differ in the last digit, and errors grow with the motion.
+      const wanted = expected.flatMap((s) => s.X);
+      assert.ok(distance(found[0], wanted) <= 2e-13, `${method}: ${distance(found[0], wanted)}`);
+      assert.ok(distance(found[1], wanted) <= 2e-13, `${method}, recorded: ${distance(found[1], wanted)}`);
+    }
+    quiet();
+  },
+
+  async 'an exception of C++ says what is wrong, and the core goes on'() {
+    const { page, quiet } = await open(flip);
+    const found = await page.evaluate(() => {
+      const { core } = globalThis.twrench;
+      const motion = core.motion([1, 0, 0, 0, 2, 0, 0, 0, 3], [0.1, 2, 0.1]);
+      const run = motion.run('rk4', { step: 0.01, tolerance: 1e-9 });
+      const before = [motion.at(1e9).X, run.at(3).X];
+      const said = [];
+      for (const wrong of [
+        () => core.motion([-1, 0, 0, 0, 2, 0, 0, 0, 3], [1, 0, 0]),
+        () => motion.at(NaN),
+        () => motion.run('rk4', { step: 100, tolerance: 1 }).at(1),
+        () => motion.run('rk4', { step: -1, tolerance: 1 }),
+        () => motion.run('rk45', { step: 1, tolerance: 1 }),
+        () => run.at(-1),
+        () => run.at(1e9),
+      ]) {
+        try {
+          wrong();
+        } catch (error) {
+          said.push(`${error.name} ${error.quantity}`);
+        }
+      }
+      return { before, after: [motion.at(1e9).X, run.at(3).X], said };
+    });
+    assert.deepEqual(found.after, found.before);
+    assert.deepEqual(found.said, [
+      'CoreError inertia', 'CoreError t', 'CoreError method rk4', 'CoreError step',
+      'CoreError method', 'CoreError t', 'CoreError method rk4',
+    ]);
+    quiet();
+  },
+
+  async 'sample(t) is the motion shown, as the program computes it'() {
+    const words = ['stable-y', '--omega', '0.2,1.5,0.3'];
+    const { page, quiet } = await open(writePage('other.html', ...words));
+    for (const expected of simulated(...words, '--method', 'exact', '--times', '0,0.31,12.5,60')) {
+      const found = await page.evaluate((t) => globalThis.twrench.sample(t), expected.t);
+      assert.equal(found.t, expected.t);
+      assert.ok(distance(found.X, expected.X) <= 1e-14);
+      assert.ok(distance(found.omega, expected.omega) <= 1e-14);
+    }
+    quiet();
+  },
+
+  async 'it is one small file that asks nothing of the network'() {
+    const size = statSync(flip).size;
+    assert.ok(size <= 600_000, `${size} bytes`);
+    const text = readFileSync(flip, 'utf8');
+    assert.doesNotMatch(text, /\b(src|href)=["']?(https?:)?\/\//);
+    const { page, quiet } = await open(flip);
+    await page.setOfflineMode(true);
+    await page.evaluate(() => globalThis.twrench.sample(1e9));
+    quiet();
+  },
+
+  async 'it runs in a sandbox, and under a policy that allows only what is inline'() {
+    const policy =
+      "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:";
+    const server = createServer((request, response) => {
+      if (request.url === '/frame') {
+        response.setHeader('content-type', 'text/html');
+        response.end('<!doctype html><link rel="icon" href="data:,"><iframe sandbox="allow-scripts" src="/flip" width="1200" height="700">');
+      } else {
+        response.setHeader('content-type', 'text/html; charset=utf-8');
+        response.setHeader('content-security-policy', policy);
+        response.end(readFileSync(flip));
+      }
+    });
+    await new Promise((done) => server.listen(0, '127.0.0.1', done));
+    try {
+      const page = await browser.newPage();
+      const trouble = watch(page, flip);
+      const address = `http://127.0.0.1:${server.address().port}`;
+      await page.goto(`${address}/frame`);
+      const frame = page.frames()[1];
+      await frame.waitForFunction(() => globalThis.twrench);
+      await frame.evaluate(() => globalThis.twrench.ready);
+      const found = await frame.evaluate(() => globalThis.twrench.sample(50));
+      assert.ok(distance(found.X, simulated('--method', 'exact', '--times', '50')[0].X) <= 2e-14);
+      assert.deepEqual(trouble.filter((line) => !line.startsWith(`request: ${address}/`)), []);
+    } finally {
+      server.close();
+    }
+  },
+
+  async 'hostile titles and names are text'() {
+    const scene = join(folder, 'hostile.toml');
+    const hostile = `</script></title><img src=x onerror='globalThis.broken=1'><!-- twrench:scene -->&amp;<script>globalThis.broken=1</script>`;
+    writeFileSync(scene, `title = ${JSON.stringify(hostile)}
+[[part]]
+name = ${JSON.stringify(hostile)}
+shape = "box"
+size = [1.0, 2.0, 3.0]
+density = 1.0
+[motion]
+omega = [0.1, 2.0, 0.1]
+`);
+    const { page, quiet } = await open(writePage('hostile.html', scene));
+    assert.equal(await page.title(), hostile);
+    assert.equal(await page.evaluate(() => globalThis.broken), undefined);
+    quiet();
+  },
+
+  async 'without scripts it says what it would do, with a picture'() {
+    const page = await browser.newPage();
+    await page.setJavaScriptEnabled(false);
+    const trouble = watch(page, flip);
+    await page.goto(`file://${flip}`);
+    const seen = await page.$eval('body', (body) => body.innerText);
+    assert.match(seen, /WebGL/);
+    const [width, height] = await page.$eval('img', (image) => [image.naturalWidth, image.naturalHeight]);
+    assert.deepEqual([width, height], [960, 540]);
+    assert.deepEqual(trouble, []);
+  },
+};
+
+await run(tests);
