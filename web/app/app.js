@@ -17,7 +17,7 @@ import {setLanguage, word} from "../words/words.js";
 import tour from "../tour/tour.json";
 import {byId} from "./dom.js";
 import {linkTo, readers, readLink} from "./link.js";
-import {listed, MotionModel, trailTimes} from "./motion_model.js";
+import {figuresOf, listed, MotionModel, spunAbout, trailTimes} from "./motion_model.js";
 import {Player} from "./player.js";
 import {Runs} from "./runs.js";
 import {initialState, Store} from "./state.js";
@@ -28,6 +28,7 @@ import {chartColors, setThemeColors} from "./theme.js";
 /** @typedef {{width: number, height: number, t?: number, theme?: import("./state.js").ThemeName, show?: string[]}} PictureOptions */
 
 const pointsOfHerpolhode = 1200, widestTurn = 0.35;
+const threeMoments = [700, 1000, 1500];  // g cm^2, for the tour of a body without three different ones
 const linkDelay = 400;  // ms after the last change: browsers limit how often the address changes
 
 export class App {
@@ -59,7 +60,7 @@ export class App {
     this.viewPanel = new ViewPanel(store, data);
     this.comparePanel = new ComparePanel(store, core, data, invalidate);
     this.table = new DataTable(invalidate);
-    this.tour = new Tour(/** @type {any} */ (tour.steps), store, (step) => this.#enter(step));
+    this.tour = new Tour(/** @type {any} */ (tour.steps), store, (step) => this.#enter(step), () => figuresOf(this.model));
     this.takeAway = new TakeAway({store, data, model: () => this.model, theme: () => this.themeName, link: () => this.link,
       picture: () => this.picture({width: this.bodyView.canvas.width, height: this.bodyView.canvas.height})});
     this.#makeKeys();
@@ -142,11 +143,17 @@ export class App {
     this.bodyView.view = {azimuth, elevation, zoom};
   }
 
-  /** Puts the page into the state of a step of the tour. @param {{state: string, play: boolean}} step */
-  #enter({state, play}) {
+  /** Puts the page into the state of a step of the tour. @param {import("../panels/tour.js").TourStep} step */
+  #enter({spin, push, state, play}) {
     const {initial, state: {lang, theme, tour: number}} = this.store;
     const {values} = readLink(state, this.known);
     const next = {...initial, ...values, lang, theme, tour: number};
+    const own = this.#modelOf(initial), [least, middle, greatest] = own.facts.moments;
+    own.release();
+    if (Math.min(middle - least, greatest - middle) < 0.01 * greatest) next.moments = threeMoments;
+    const body = this.#modelOf(next);
+    next.omega = spunAbout(body, ["least", "middle", "greatest"].indexOf(spin), push);
+    body.release();
     this.store.set(next);
     this.#follow(next);
     this.player.play(play && !matchMedia("(prefers-reduced-motion: reduce)").matches);
@@ -258,6 +265,13 @@ export class App {
     }
     this.table.draw(state, model);
     this.announcer.tell(model, state.t);
+  }
+
+  /** The motion shown, as the command line that the page gives has it computed. @param {number} t */
+  sample(t) {
+    const {compare, methods, step, tolerance} = this.store.state;
+    if (compare === "off") return this.model.motion.at(t);
+    return listed(this.model.motion.integrate(methods[0], {step, tolerance}, [t]))[0];
   }
 
   /**

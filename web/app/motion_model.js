@@ -1,5 +1,6 @@
 // The motion that is shown, with what the views need of it, computed once.
-import {clamp, column, diagonal, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
+import {add, clamp, column, diagonal, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
+import {brief} from "../words/words.js";
 
 /** @typedef {import("../core/core.js").Core} Core */
 /** @typedef {import("../core/core.js").Sample} Sample */
@@ -126,6 +127,33 @@ export class MotionModel {
   release() {
     this.motion.release();
   }
+}
+
+/**
+ * The angular velocity about a principal axis, as fast as the motion is, with a push to the side.
+ * @param {MotionModel} model @param {number} i Index of the axis, least moment first.
+ * @param {number} push As a share of the rate.
+ */
+export function spunAbout({principal, omega}, i, push) {
+  const rate = norm(omega) || 1;
+  const axis = column(principal.axes, i), side = column(principal.axes, i === 0 ? 1 : 0);
+  return add(scale(rate, axis), scale(push * rate, side)).map((x) => Number(x.toPrecision(6)));
+}
+
+/**
+ * What the tour says of a motion in numbers.
+ * @param {MotionModel} model
+ * @returns {Record<string, string>}
+ */
+export function figuresOf({facts, omega}) {
+  const [least, middle, greatest] = facts.moments;
+  const rate = norm(omega) * Math.sqrt(((greatest - middle) * (middle - least)) / (least * greatest));
+  return {
+    interval: brief(facts.flips?.interval ?? Infinity),
+    first: brief(facts.flips?.first ?? Infinity),
+    doubling: brief(Math.LN2 / rate),
+    moments: facts.moments.map((moment) => brief(moment)).join(", "),
+  };
 }
 
 /**

@@ -4,6 +4,7 @@
  * @typedef {object} PageData
  * @property {string} [source] What to write on the command line for the scene.
  * @property {Record<string, any>} scene Its values, with the keys of scene files.
+ * @property {Record<string, any>} [source_scene] Its values before the command line changed them.
  * @property {number[]} inertia Body axes, g cm^2, row by row.
  * @property {any} surface See picture/surface.js.
  * @property {Record<string, any>} themes

@@ -40,7 +40,8 @@ function changes(state, data, theme) {
   if (compared) {
     all.push(["motion", "step", state.step], ["motion", "tolerance", state.tolerance], ["overlay", "compare", state.methods]);
   }
-  return all.filter(([table, key, value]) => differ(value, scene[table]?.[key]));
+  const given = data.source_scene ?? scene;
+  return all.filter(([table, key, value]) => differ(value, given[table]?.[key]));
 }
 
 /** What is shown of the film beside what can be chosen here. @param {State} state @param {PageData} data */
@@ -54,11 +55,12 @@ function shownFeatures({show}, {scene}) {
  * @param {State} state @param {PageData} data @param {string} theme
  */
 export function commandLine(state, data, theme) {
-  const source = data.source ?? data.scene.name;
+  const source = data.source ?? data.scene.name, given = data.source_scene ?? data.scene;
   const parts = [`twrench render ${quoted(source)}`];
-  if (state.moments) parts.push(...optionOf("inertia", state.moments));
+  const moments = state.moments ?? data.scene.body?.moments ?? [];
+  if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf("inertia", moments));
   for (const [, key, value] of changes(state, data, theme)) parts.push(...optionOf(key.replaceAll("_", "-"), value));
-  const show = shownFeatures(state, data), before = data.scene.overlay.show;
+  const show = shownFeatures(state, data), before = given.overlay.show;
   const hidden = before.filter((/** @type {string} */ feature) => !show.includes(feature));
   const added = show.filter((feature) => !before.includes(feature));
   if (hidden.length) parts.push(...optionOf("hide", hidden));

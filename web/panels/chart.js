@@ -5,11 +5,14 @@ export class Chart {
   constructor(box, changed) {
     this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector("canvas"));
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
+    /** What lines and text are measured by: 1 where text is of the usual size. */
+    this.unit = 1;
     new ResizeObserver(() => {
       const ratio = devicePixelRatio;
       this.canvas.width = Math.max(1, Math.round(box.clientWidth * ratio));
       this.canvas.height = Math.max(1, Math.round(box.clientHeight * ratio));
       this.resized = true;
+      this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / 15;
       changed();
     }).observe(box);
   }
@@ -26,7 +29,7 @@ export class Chart {
   }
 
   get fontSize() {
-    return 0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    return 12 * this.unit;
   }
 
   get width() {
@@ -47,8 +50,13 @@ export function tickStep(span, count) {
   return power * ([1, 2, 5].find((factor) => factor * power >= rough) ?? 10);
 }
 
-/** The time at a tick, without needless digits. @param {number} t @param {number} step */
+/** The time at a tick, without needless digits: 20, 0.05, 4·10⁸. @param {number} t @param {number} step */
 export function tickText(t, step) {
-  if (t !== 0 && Math.abs(t) >= 1e7) return t.toPrecision(Math.min(15, Math.max(1, Math.ceil(Math.log10(t / step)) + 1))).replace(/\.?0+$/, "");
-  return t.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  if (step < 1e6) return t.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  if (t === 0) return "0";
+  const power = Math.floor(Math.log10(t) + 1e-12);
+  return `${Number((t / 10 ** power).toPrecision(6))}·10${superscript(power)}`;
 }
+
+/** @param {number} power */
+export const superscript = (power) => [...String(power)].map((digit) => (digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])).join("");

@@ -1,7 +1,7 @@
 // Two methods against the exact motion: which, with what step, and what becomes of them.
 import {byId, element} from "../app/dom.js";
 import {brief, fillSelect, word} from "../words/words.js";
-import {Chart} from "./chart.js";
+import {Chart, superscript} from "./chart.js";
 import {NumberField} from "./number_field.js";
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
@@ -98,15 +98,12 @@ export class ComparePanel {
       error.forEach((value, k) => context.lineTo(marginLeft + ((samples.t[k] - from) / length) * (width - marginLeft), y(value / Math.SQRT2)));
       context.strokeStyle = i === 0 ? colors.text : colors.second;
       context.setLineDash(i === 0 ? [] : [6, 3]);
-      context.lineWidth = 1.8;
+      context.lineWidth = 1.8 * this.chart.unit;
       context.stroke();
       context.setLineDash([]);
     });
   }
 }
-
-/** @param {number} power */
-const superscript = (power) => [...String(power)].map((digit) => (digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])).join("");
 
 /**
  * What there is to say of a method at t.

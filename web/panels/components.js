@@ -72,7 +72,7 @@ export class Components {
     context.drawImage(this.still, 0, 0, chart.width, chart.height);
     const x = margin + ((t - from) / (to - from)) * (chart.width - 2 * margin);
     context.strokeStyle = colors.text;
-    context.lineWidth = 1.5;
+    context.lineWidth = 1.5 * chart.unit;
     context.beginPath();
     context.moveTo(x, 0);
     context.lineTo(x, chart.height);
@@ -80,7 +80,7 @@ export class Components {
     this.#eachRow((row, top, height) => {
       for (let column = 0; column < 3; ++column) {
         context.beginPath();
-        context.arc(x, top + height * (0.5 - 0.46 * X[3 * row + column]), 3.5, 0, 2 * Math.PI);
+        context.arc(x, top + height * (0.5 - 0.46 * X[3 * row + column]), 3.5 * chart.unit, 0, 2 * Math.PI);
         context.fillStyle = colors.curve[3 * row + column];
         context.fill();
         context.strokeStyle = colors.panel;
@@ -116,7 +116,7 @@ export class Components {
         }
         context.strokeStyle = colors.curve[3 * row + column];
         context.setLineDash(dashes[column]);
-        context.lineWidth = 1.8;
+        context.lineWidth = 1.6 * chart.unit;
         context.stroke();
       }
       context.setLineDash([]);

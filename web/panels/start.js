@@ -1,6 +1,6 @@
 // How the motion starts and of which body: angular velocity and moments, by sliders and by typing.
 import {byId, element} from "../app/dom.js";
-import {column, norm, scale, add} from "../math/linear.js";
+import {spunAbout} from "../app/motion_model.js";
 import {word} from "../words/words.js";
 import {NumberField} from "./number_field.js";
 
@@ -25,7 +25,7 @@ export class StartPanel {
       const button = element("button", "", word(key));
       button.type = "button";
       button.dataset.word = key;
-      button.addEventListener("click", () => store.set({omega: aboutAxis(model(), i), t: 0, from: 0}));
+      button.addEventListener("click", () => store.set({omega: spunAbout(model(), i, push), t: 0, from: 0}));
       byId("about").append(button);
       return button;
     });
@@ -35,13 +35,6 @@ export class StartPanel {
   show({omega}) {
     this.fields.forEach((field, i) => field.show(omega[i]));
   }
-}
-
-/** As fast as now about a principal axis, with a slight push. @param {MotionModel} model @param {number} i */
-function aboutAxis({principal, omega}, i) {
-  const rate = norm(omega) || 1;
-  const side = column(principal.axes, (i + 1) % 3);
-  return add(scale(rate, column(principal.axes, i)), scale(push * rate, side)).map((x) => Number(x.toPrecision(6)));
 }
 
 export class BodyPanel {

@@ -4,7 +4,15 @@ import {byId, element} from "../app/dom.js";
 import {word} from "../words/words.js";
 
 /** @typedef {{title: string, text: string[], look: string, try: string}} TourText */
-/** @typedef {{state: string, play: boolean, en: TourText, nb: TourText}} TourStep  `state` as in a link */
+/**
+ * @typedef {object} TourStep
+ * @property {"least" | "middle" | "greatest"} spin The principal axis about which the body is spun.
+ * @property {number} push How far beside the axis, as a share of the angular velocity.
+ * @property {string} state The rest of the page's state, as in a link.
+ * @property {boolean} play
+ * @property {string} formula MathML.
+ * @property {TourText} en @property {TourText} nb
+ */
 
 const tags = new Set(["math", "mi", "mn", "mo", "mrow", "msub", "msup", "msubsup", "mfrac", "mover", "mtext", "mspace", "msqrt", "mtable", "mtr", "mtd", "b", "i", "em", "sub", "sup"]);
 
@@ -29,11 +37,13 @@ export class Tour {
   /**
    * @param {TourStep[]} steps @param {import("../app/state.js").Store} store
    * @param {(step: TourStep) => void} enter Puts the page into the state of a step.
+   * @param {() => Record<string, string>} figures What {first} and the like in the texts stand for.
    */
-  constructor(steps, store, enter) {
+  constructor(steps, store, enter, figures) {
     this.steps = steps;
     this.store = store;
     this.enter = enter;
+    this.figures = figures;
     this.shown = "";
     byId("open-tour").addEventListener("click", () => this.go(store.state.tour || 1));
     byId("tour-close").addEventListener("click", () => this.go(0));
@@ -59,11 +69,13 @@ export class Tour {
     byId("tour").hidden = tour === 0;
     document.body.classList.toggle("with-tour", tour > 0);
     if (tour === 0) return;
-    const step = this.steps[tour - 1][lang];
+    const {formula, [lang]: step} = this.steps[tour - 1];
+    const figures = this.figures();
+    const filled = (/** @type {string} */ text) => text.replace(/\{(\w+)\}/g, (_, name) => figures[name] ?? "?");
     byId("tour-count").textContent = word("tourCount", tour, this.steps.length);
     byId("tour-title").textContent = step.title;
-    const paragraphs = step.text.map((text) => this.#paragraph("", "", text));
-    byId("tour-text").replaceChildren(...paragraphs, this.#paragraph("look", word("look"), step.look), this.#paragraph("try", word("try"), step.try));
+    const paragraphs = [...step.text, ...(formula ? [formula] : [])].map((text) => this.#paragraph("", "", filled(text)));
+    byId("tour-text").replaceChildren(...paragraphs, this.#paragraph("look", word("look"), step.look), this.#paragraph("try", word("try"), filled(step.try)));
     byId("tour").scrollTop = 0;
     /** @type {HTMLButtonElement} */ (byId("tour-back")).disabled = tour === 1;
     byId("tour-next").textContent = word(tour === this.steps.length ? "done" : "next");

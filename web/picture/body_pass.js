@@ -1,5 +1,6 @@
-// Draws the body in stage coordinates, as src/render/body/body_pass.cpp does with several samples a
-// pixel: the camera's axes, with the body's centre at the origin and its bounding radius scaled to 1.
+// Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and its
+// bounding radius scaled to 1. As src/render/body/body_pass.cpp, but for a framebuffer with several
+// samples a pixel, so that edges need no quads of their own.
 import body_frag from "../../shaders/body.frag";
 import body_vert from "../../shaders/body.vert";
 import brush from "../../shaders/brush.glsl";
@@ -18,6 +19,7 @@ import {Program, setAttributes} from "./program.js";
 
 /** @typedef {import("./surface.js").Surface} Surface */
 /** @typedef {import("../math/camera.js").Camera} Camera */
+/** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
 const offsetLocation = 2;
 
@@ -63,46 +65,48 @@ export class BodyPass {
   }
 
   /**
-   * Draws the body in the pose X, space_from_body, to the bound framebuffer.
-   * @param {Camera} camera @param {number[]} X
+   * Draws the body in the pose X, space_from_body, to the bound framebuffer. Parts that touch parts
+   * drawn before are lifted over them by a pixel and fade where they enter them.
+   * @param {Camera} camera @param {number[]} X @param {Size} size
    */
-  draw(camera, X) {
-    this.#begin(camera, X, 0);
+  draw(camera, X, size) {
+    this.#begin(camera, X, 0, size);
     this.gl.frontFace(this.gl.CCW);
-    this.#drawParts(camera, X);
+    this.#drawParts(camera, X, true);
   }
 
   /**
    * Draws the body as a ghost over what is there: its near side only, in front of everything.
-   * @param {Camera} camera @param {number[]} X @param {number} opacity 0 to 1
+   * @param {Camera} camera @param {number[]} X @param {Size} size @param {number} opacity 0 to 1
    */
-  drawGhost(camera, X, opacity) {
+  drawGhost(camera, X, size, opacity) {
     const {gl} = this;
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.colorMask(false, false, false, false);
-    this.draw(camera, X);
+    this.draw(camera, X, size);
     gl.colorMask(true, true, true, true);
     gl.depthFunc(gl.LEQUAL);
-    this.#begin(camera, X, 0);
+    this.#begin(camera, X, 0, size);
     gl.blendColor(0, 0, 0, opacity);
     gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
-    this.#drawParts(camera, X);
+    this.#drawParts(camera, X, true);
     gl.depthFunc(gl.LESS);
   }
 
   /**
    * Draws the body's image in a horizontal mirror.
    * @param {Camera} camera @param {number[]} X @param {number} height of the mirror, y in space, cm
+   * @param {Size} size
    */
-  drawMirrored(camera, X, height) {
-    this.#begin(camera, X, height);
+  drawMirrored(camera, X, height, size) {
+    this.#begin(camera, X, height, size);
     this.gl.frontFace(this.gl.CW);  // a mirror reverses the winding
-    this.#drawParts(camera, X);
+    this.#drawParts(camera, X, false);
     this.gl.frontFace(this.gl.CCW);
   }
 
-  /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror */
-  #begin(camera, X, mirrorHeight) {
+  /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror @param {Size} size */
+  #begin(camera, X, mirrorHeight, {width, height}) {
     const {gl, program} = this;
     const {radius} = this.surface;
     const seen = seenFromStage(camera, mirrorHeight / radius);
@@ -113,16 +117,15 @@ export class BodyPass {
     program.setMatrix("clip_from_stage", clipFromStage(camera, radius, seen));
     program.setMatrix("stage_from_body", scale9(1 / radius, cameraFromBody));
     program.setMatrix("stage_normal_from_body", cofactors(cameraFromBody));
-    program.set("picture", [1, 1, 0]);
-    program.set("part_lift", 0);
+    program.set("picture", [width / 2, height / 2, 0.5]);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  /** @param {Camera} camera @param {number[]} X */
-  #drawParts(camera, X) {
+  /** @param {Camera} camera @param {number[]} X @param {boolean} lifts whether parts are lifted over those that they touch */
+  #drawParts(camera, X, lifts) {
     const {gl, program, surface} = this;
     const stageFromBody = scale9(1 / surface.radius, product(camera.attitude, X));
     gl.bindVertexArray(this.array);
@@ -135,7 +138,8 @@ export class BodyPass {
       begin = end;
     };
     for (const part of surface.parts) {
-      this.#setOccluders(part.occluders, stageFromBody);
+      this.#setOccluders(part.occluders, stageFromBody, lifts);
+      program.set("part_lift", lifts && part.occluders.some(({meets}) => meets) ? 1 : 0);
       program.set("part_radii", part.radii);
       program.set("across_from_body", part.across);
       drawTo(part.side_begin, [0, 0, 0]);
@@ -146,8 +150,8 @@ export class BodyPass {
     gl.bindVertexArray(null);
   }
 
-  /** @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody */
-  #setOccluders(capsules, stageFromBody) {
+  /** @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody @param {boolean} lifts */
+  #setOccluders(capsules, stageFromBody, lifts) {
     const count = Math.max(...this.surface.parts.map((part) => part.occluders.length));
     if (count === 0) return;
     const from = [], to = [];
@@ -155,7 +159,7 @@ export class BodyPass {
       const capsule = capsules[i];
       // Unused ones are too small and far away to be visible.
       from.push(...(capsule ? [...times(stageFromBody, capsule.from), capsule.radius / this.surface.radius] : [0, 0, -1e4, 1e-6]));
-      to.push(...(capsule ? [...times(stageFromBody, capsule.to), 0] : [0, 1, -1e4, 0]));
+      to.push(...(capsule ? [...times(stageFromBody, capsule.to), lifts && capsule.meets ? 1 : 0] : [0, 1, -1e4, 0]));
     }
     this.program.set("occluders_from", from);
     this.program.set("occluders_to", to);

@@ -47,7 +47,7 @@ export class Ground {
     const {gl} = this;
     const width = Math.max(1, Math.round(gridRows * aspect));
     this.sharp.begin(width, gridRows);
-    body.drawMirrored(camera, X, Ground.height(body.surface.radius));
+    body.drawMirrored(camera, X, Ground.height(body.surface.radius), {width, height: gridRows});
     this.soft.begin(width, gridRows);
     this.soften.use();
     this.soften.setTexture("sharp", 0);

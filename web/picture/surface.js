@@ -2,7 +2,7 @@
 // body that is given by its moments.
 import {add, scale} from "../math/linear.js";
 
-/** @typedef {{from: number[], to: number[], radius: number}} Capsule */
+/** `meets` if it is a cylinder drawn before, which the part touches. @typedef {{from: number[], to: number[], radius: number, meets: boolean}} Capsule */
 /** @typedef {{centre: number[], radius: number}} Ball  casts shadow; body axes, cm */
 
 /**

@@ -134,10 +134,10 @@ export class BodyView extends CanvasView {
     translucent.begin(camera, width, height);
     overlay.drawArrows(picture.shown, instant.sample, opaque);
     overlay.drawTranslucent(picture.shown, this.#relative(picture, instant), translucent);
-    body.draw(camera, X);
+    body.draw(camera, X, {width, height});
     pass.drawGhosts(opaque);
     pass.drawOpaque(opaque);
-    if (picture.ghost && picture.instants[1]) body.drawGhost(camera, picture.instants[1].sample.X, ghostOpacity);
+    if (picture.ghost && picture.instants[1]) body.drawGhost(camera, picture.instants[1].sample.X, {width, height}, ghostOpacity);
     pass.drawTranslucent(translucent);
     gl.disable(gl.SCISSOR_TEST);
   }

@@ -9,6 +9,9 @@ import {clipFromSpace, directionOf, transformed} from "../math/camera.js";
 /** @param {number[]} color sRGB, 0 to 255 */
 export const css = (color) => `rgb(${color.map(Math.round).join(" ")})`;
 
+/** Pixels of what is a point on an ordinary screen; more where text is larger. */
+export const pixelsOfUnit = () => (devicePixelRatio * parseFloat(getComputedStyle(document.documentElement).fontSize)) / 15;
+
 const mostElevation = Math.PI / 2 - 0.001;
 
 export class CanvasView {

@@ -4,7 +4,7 @@ import {column, dot, fromColumns, cross, identity, normalized, scale, subtract, 
 import {clipFromSpace, directionOf, fitted, frameSphere, pickSphere, transformed} from "../math/camera.js";
 import {DrawList} from "../picture/draw_list.js";
 import {DrawListPass} from "../picture/draw_list_pass.js";
-import {CanvasView} from "./canvas_view.js";
+import {CanvasView, pixelsOfUnit} from "./canvas_view.js";
 import {shown} from "./glass.js";
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
@@ -150,15 +150,16 @@ export class SphereView extends CanvasView {
     const list = this.translucent, eye = list.eye;
     const place = this.#place(model.up), clear = 0.35 + 0.65 * shown(place, place, eye);
     const normal = normalized(subtract(eye, place));
-    const radius = (7.5 * Math.max(devicePixelRatio, 1)) / Math.max(list.pixels(place), 1);
+    const unit = pixelsOfUnit();
+    const radius = (7.5 * unit) / Math.max(list.pixels(place), 1);
     const right = normalized(cross([0, 1, 0], normal)), above = cross(normal, right);
     const ring = [];
     for (let i = 0; i <= 40; ++i) {
       const angle = (2 * Math.PI * i) / 40;
       ring.push(right.map((x, k) => place[k] + radius * (Math.cos(angle) * x + Math.sin(angle) * above[k])));
     }
-    for (const [width, color] of /** @type {[number, number[]][]} */ ([[4.6, colors.panel], [2.2, colors.text]])) {
-      list.line(ring.map((at) => ({place: at, width: width * Math.max(devicePixelRatio, 1) * 0.9, ink: {color, opacity: clear}})));
+    for (const [width, color] of /** @type {[number, number[]][]} */ ([[4.2, colors.panel], [2, colors.text]])) {
+      list.line(ring.map((at) => ({place: at, width: width * unit, ink: {color, opacity: clear}})));
     }
   }
 

@@ -33,13 +33,13 @@ export function setLanguage(lang) {
 export const decimal = (value, digits) =>
   value.toLocaleString(locale, {minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false});
 
-/** A number with three significant digits, 1.23e-8 where it is small. @param {number} value */
+/** A number with three significant digits, 1.2e−8 where it is small. @param {number} value */
 export function brief(value) {
   if (!Number.isFinite(value)) return "∞";
   if (value === 0) return "0";
   const size = Math.abs(value);
   const text = size >= 1e-3 && size < 1e5 ? value.toPrecision(3) : value.toExponential(1);
-  return text.replace("-", "−").replace("e+", "e");
+  return text.replaceAll("-", "−").replace("e+", "e").replace(".", locale === "nb" ? "," : ".");
 }
 
 /** Fills a select. @param {HTMLSelectElement} select @param {[string, string][]} options value and text @param {string} chosen */
