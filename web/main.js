@@ -19,7 +19,8 @@ const twrench = {
   /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
   picture: async (options) => {
     await twrench.ready;
-    return app.picture(options);
+    const bytes = new Uint8Array(await (await app.picture(options)).arrayBuffer());
+    return `data:image/png;base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""))}`;
   },
 };
 Object.assign(window, {twrench});

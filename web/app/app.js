@@ -12,6 +12,7 @@ import {Timeline} from "../panels/timeline.js";
 import {Tour} from "../panels/tour.js";
 import {Transport} from "../panels/transport.js";
 import {ViewPanel} from "../panels/view_panel.js";
+import {pngOf} from "../picture/png.js";
 import {boxSurface, surfaceOf} from "../picture/surface.js";
 import {setLanguage, word} from "../words/words.js";
 import tour from "../tour/tour.json";
@@ -64,6 +65,7 @@ export class App {
     this.takeAway = new TakeAway({store, data, model: () => this.model, theme: () => this.themeName, link: () => this.link,
       picture: () => this.picture({width: this.bodyView.canvas.width, height: this.bodyView.canvas.height})});
     this.#makeKeys();
+    this.player.listeners.push(() => this.#keepLink());
     this.store.subscribe((state, before) => this.#changed(state, before));
     this.#followLink();
     addEventListener("resetview", () => this.bodyView.resetView());
@@ -133,6 +135,9 @@ export class App {
       ignored.push(error instanceof Error ? error.message : String(error));
     }
     this.#follow(changes);
+    if (values.tour && Object.keys(values).every((key) => ["tour", "lang", "theme"].includes(key))) {
+      this.#enter(/** @type {any} */ (tour.steps[values.tour - 1]));
+    }
     const note = byId("note");
     note.textContent = ignored.length ? word("ignored", ignored.slice(0, 5).join(", ")) : "";
     note.hidden = ignored.length === 0;
@@ -171,10 +176,14 @@ export class App {
       setLanguage(state.lang);
       for (const part of [this.viewPanel, this.comparePanel, this.transport]) part.relabel();
     }
-    if (this.linkTimer === undefined && !this.player.playing) {
-      this.linkTimer = setTimeout(() => this.#writeLink(), linkDelay);
-    }
+    this.#keepLink();
     this.player.invalidate();
+  }
+
+  /** Has the address say soon what the state is; not while playing, when it always changes. */
+  #keepLink() {
+    if (this.linkTimer !== undefined || this.player.playing) return;
+    this.linkTimer = setTimeout(() => this.#writeLink(), linkDelay);
   }
 
   #writeLink() {
@@ -277,7 +286,7 @@ export class App {
   /**
    * The body at a time as a picture of any size.
    * @param {PictureOptions} options
-   * @returns {string} a PNG as a data URL
+   * @returns {Promise<Blob>} a PNG
    */
   picture({width, height, t, theme, show}) {
     const {bodyView, store} = this, {canvas} = bodyView, before = store.state, size = [canvas.width, canvas.height];
@@ -287,7 +296,9 @@ export class App {
       this.runs.advance(store.state.t);
       bodyView.setBody(this.#surface(store.state), this.data.themes[this.themeName]);
       bodyView.draw(this.#bodyPicture());
-      return canvas.toDataURL("image/png");
+      const {gl} = bodyView, pixels = new Uint8Array(4 * width * height);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return pngOf(pixels, width, height);
     } finally {
       store.state = before;
       [canvas.width, canvas.height] = size;

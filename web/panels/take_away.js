@@ -10,7 +10,7 @@ import {word} from "../words/words.js";
  * @property {() => import("../app/motion_model.js").MotionModel} model
  * @property {() => string} theme
  * @property {() => string} link
- * @property {() => string} picture A PNG as a data URL.
+ * @property {() => Promise<Blob>} picture A PNG.
  */
 
 /** @param {string} text */
@@ -28,12 +28,13 @@ async function copy(text) {
   if (!done) getSelection()?.selectAllChildren(box);
 }
 
-/** @param {string} url @param {string} name */
-function save(url, name) {
+/** @param {Blob} blob @param {string} name */
+function save(blob, name) {
   const link = document.createElement("a");
-  link.href = url;
+  link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
 export class TakeAway {
@@ -44,11 +45,7 @@ export class TakeAway {
     on("copy-link", () => copy(link()));
     on("copy-command", () => copy(commandLine(store.state, data, theme())));
     on("copy-scene", () => copy(sceneFile(store.state, data, theme())));
-    on("save-png", () => save(picture(), `${name ?? "twrench"}.png`));
-    on("save-csv", () => {
-      const url = URL.createObjectURL(new Blob([csv(store.state, model(), data.scene.film.fps)], {type: "text/csv"}));
-      save(url, `${name ?? "twrench"}.csv`);
-      setTimeout(() => URL.revokeObjectURL(url), 10000);
-    });
+    on("save-png", async () => save(await picture(), `${name ?? "twrench"}.png`));
+    on("save-csv", () => save(new Blob([csv(store.state, model(), data.scene.film.fps)], {type: "text/csv"}), `${name ?? "twrench"}.csv`));
   }
 }

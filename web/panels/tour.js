@@ -76,7 +76,7 @@ export class Tour {
     byId("tour-title").textContent = step.title;
     const paragraphs = [...step.text, ...(formula ? [formula] : [])].map((text) => this.#paragraph("", "", filled(text)));
     byId("tour-text").replaceChildren(...paragraphs, this.#paragraph("look", word("look"), step.look), this.#paragraph("try", word("try"), filled(step.try)));
-    byId("tour").scrollTop = 0;
+    byId("tour-text").scrollTop = 0;
     /** @type {HTMLButtonElement} */ (byId("tour-back")).disabled = tour === 1;
     byId("tour-next").textContent = word(tour === this.steps.length ? "done" : "next");
   }
