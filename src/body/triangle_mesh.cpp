@@ -19,6 +19,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 using Triangle = std::array<std::uint32_t, 3>;
+/// Triangles that are summed up on one thread.
+constexpr std::size_t grain = 8192;
+
 using ExactVector = std::array<DoubleDouble, 3>;
 
 // The six different components of a symmetric matrix.
@@ -128,7 +131,6 @@ Corners corners_of(const TriangleMesh& mesh, const Triangle& triangle, const Vec
 /// The sums over all triangles, the same on any number of threads.
 template <typename Weight>
 Sums sums_over(const TriangleMesh& mesh, const Vector3d& reference, Weight weight) {
-  constexpr std::size_t grain = 8192;
   std::vector<Sums> parts((mesh.triangles.size() + grain - 1) / grain);
   for_each_part(mesh.triangles.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
     Sums& sums = parts[begin / grain];
@@ -205,10 +207,14 @@ SolidIntegrals shell_integrals(const TriangleMesh& mesh, double thickness) {
 }
 
 double surface_area(const TriangleMesh& mesh) {
+  std::vector<double> parts((mesh.triangles.size() + grain - 1) / grain);
+  for_each_part(mesh.triangles.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      parts[begin / grain] += two_areas(corners_of(mesh, mesh.triangles[i], Vector3d::Zero()));
+    }
+  });
   DoubleDouble sum;
-  for (const Triangle& triangle : mesh.triangles) {
-    sum = sum + DoubleDouble{two_areas(corners_of(mesh, triangle, Vector3d::Zero()))};
-  }
+  for (const double part : parts) sum = sum + DoubleDouble{part};
   return sum.high / 2.0;
 }
 

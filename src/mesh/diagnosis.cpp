@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
+#include "mesh/gaps.h"
 #include "mesh/mesh_file.h"
+#include "mesh/nesting.h"
+#include "mesh/overlaps.h"
+#include "mesh/triangle_tree.h"
 
 namespace twrench::mesh {
 namespace {
@@ -12,27 +17,95 @@ namespace {
 using body::TriangleMesh;
 using Eigen::Vector3d;
 
+/// In the file's own unit, by which its author can find the point.
 std::string text_of(const Vector3d& point) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", point.x(), point.y(), point.z());
 }
 
-/// "12 edges ..., the first from (0, 0, 0) to (0, 0, 1)".
+/// "12 edges, the first from (0, 0, 0) to (0, 0, 1)".
 std::string edges_text(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
   const auto& [from, to] = edges.front();
-  return fmt::format("{} edge{}, the first from {} to {}", edges.size(),
-                     edges.size() == 1 ? "" : "s", text_of(mesh.vertices[from]),
-                     text_of(mesh.vertices[to]));
+  const char* const count = edges.size() == 1 ? "1 edge," : "edges, the first";
+  return fmt::format("{}{} from {} to {}",
+                     edges.size() == 1 ? "" : fmt::format("{} ", edges.size()), count,
+                     text_of(mesh.vertices[from]), text_of(mesh.vertices[to]));
+}
+
+/// "; besides, 5 edges have a triangle on one side only".
+std::string also_open(const Topology& topology) {
+  if (topology.open.empty()) return {};
+  return fmt::format("; besides, it is open at {} edge{}", topology.open.size(),
+                     topology.open.size() == 1 ? "" : "s");
+}
+
+MeshError open_surface(const std::string& name, const TriangleMesh& mesh, const Topology& topology,
+                       double scale) {
+  const double gap = largest_gap(mesh, topology.open);
+  const std::optional<double> weld = closing_tolerance(mesh, gap, scale);
+  std::string why = "the surface is open at " + edges_text(mesh, topology.open);
+  if (std::isfinite(gap)) why += fmt::format("; the largest gap is {:.3g} cm", gap * scale);
+  const std::string wall = "make it a wall: shell = THICKNESS, in cm";
+  return {MeshError::Reason::open, name, why,
+          weld ? fmt::format("weld = {} closes it; or {}", *weld, wall) : "close it; or " + wall,
+          weld};
+}
+
+void require_closed(const std::string& name, const TriangleMesh& mesh, const Topology& topology,
+                    double scale) {
+  if (!topology.branching.empty()) {
+    throw InvalidArgument(name,
+                          fmt::format("it is not manifold: more than two triangles meet at {}{}",
+                                      edges_text(mesh, topology.branching), also_open(topology)),
+                          "take out faces within the body, or make parts that touch one");
+  }
+  if (!topology.opposed.empty()) {
+    throw InvalidArgument(name,
+                          fmt::format("its triangles disagree on which side is outside at {}{}",
+                                      edges_text(mesh, topology.opposed), also_open(topology)),
+                          "turn the faces consistently: modellers call it recalculating normals");
+  }
+  if (!topology.open.empty()) throw open_surface(name, mesh, topology, scale);
+}
+
+void turn_over(TriangleMesh& mesh) {
+  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
 }  // namespace
 
 void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& topology,
-                   double /*scale*/, std::vector<std::string>& /*notes*/) {
-  if (!topology.open.empty()) {
-    throw MeshError(MeshError::Reason::open, name,
-                    "the surface is open at " + edges_text(mesh, topology.open),
-                    "close it, or make it a wall: shell = THICKNESS, in cm");
+                   double scale, std::vector<std::string>& notes) {
+  require_closed(name, mesh, topology, scale);
+  const TriangleTree tree(mesh);
+  const bool is_inside_out = signed_volume(mesh) < 0.0;
+  const Overlap overlap = find_overlap(tree, is_inside_out);
+  if (overlap.is_real) {
+    throw InvalidArgument(
+        name,
+        fmt::format("it intersects itself: {} pairs of triangles cross, the first "
+                    "near {}, and its volume there does not count once",
+                    overlap.crossings, text_of(overlap.point)),
+        "unite the parts that overlap, or make each a mesh of its own");
   }
+  if (overlap.crossings > 0) {
+    notes.push_back(
+        fmt::format("{} pairs of triangles cross or touch, the first near {}, which "
+                    "does not matter to its volume",
+                    overlap.crossings, text_of(overlap.point)));
+  }
+  if (const auto wrong = misplaced_component(tree, topology, is_inside_out)) {
+    throw InvalidArgument(
+        name,
+        fmt::format("its {} components disagree: the one at {} {}", topology.components,
+                    text_of(wrong->point),
+                    wrong->is_within ? "is within another and turned the same way, so that its "
+                                       "volume would count twice"
+                                     : "is turned the other way than the rest"),
+        wrong->is_within ? "turn it over for a cavity, or take it out" : "turn its faces over");
+  }
+  if (!is_inside_out) return;
+  turn_over(mesh);
+  notes.emplace_back("it was inside out, and is turned over");
 }
 
 }  // namespace twrench::mesh

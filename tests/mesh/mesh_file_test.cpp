@@ -10,7 +10,6 @@
 namespace twrench::mesh {
 namespace {
 
-using testing::DoubleNear;
 using testing::HasSubstr;
 
 TEST(MeshFile, OfACubeInObjHasItsIntegrals) {
@@ -24,7 +23,7 @@ TEST(MeshFile, OfACubeInObjHasItsIntegrals) {
 }
 
 TEST(MeshFile, OfACubeInBinaryStlIsTheSame) {
-  const MeshFile file = read_mesh(binary_stl(cube_obj()), "cube.stl", {.scale = 1.0});
+  const MeshFile file = read_mesh(binary_stl(cube({0, 0, 0}, 1)), "cube.stl", {.scale = 1.0});
   EXPECT_EQ(file.shape.integrals.volume, 1);
   EXPECT_EQ(file.shape.surface->vertices.size(), 8U);
 }

@@ -1,0 +1,144 @@
+#include "mesh/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.h"
+
+namespace twrench::mesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t most_examples = 16;  // of each task
+
+/// The corners of a triangle, and its plane.
+struct Plane {
+  std::array<Vector3d, 3> corners;
+  Vector3d normal;  ///< Twice the area long.
+
+  Plane(const TriangleTree& tree, std::uint32_t triangle)
+      : corners{tree.corner(triangle, 0), tree.corner(triangle, 1), tree.corner(triangle, 2)},
+        normal((corners[1] - corners[0]).cross(corners[2] - corners[0])) {}
+
+  /// How far the corners of another triangle are on the side of the normal, times its length.
+  Vector3d heights(const Plane& other) const {
+    return {normal.dot(other.corners[0] - corners[0]), normal.dot(other.corners[1] - corners[0]),
+            normal.dot(other.corners[2] - corners[0])};
+  }
+
+  /// Whether the heights tell of corners on both sides, farther away than a touch.
+  bool is_between(const Vector3d& heights, double touch) const {
+    const double least = heights.minCoeff(), greatest = heights.maxCoeff();
+    if (least >= 0.0 || greatest <= 0.0) return false;
+    return std::min(-least, greatest) > touch * normal.norm();
+  }
+
+  /// Whether a point of the plane is within the triangle or on its border.
+  bool holds(const Vector3d& point) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d edge = corners[(k + 1) % 3] - corners[k], to_point = point - corners[k];
+      const double round_off = 1e-12 * edge.norm() * (edge.norm() + to_point.norm());
+      if (normal.dot(edge.cross(to_point)) < -round_off * normal.norm()) return false;
+    }
+    return true;
+  }
+
+  /// The point where an edge of another triangle passes through this one, from beyond a touch on
+  /// one side to beyond it on the other; nothing where none does.
+  std::optional<Vector3d> point_of_passage(const Plane& other, const Vector3d& heights,
+                                           double touch) const {
+    const double limit = touch * normal.norm();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      const double from = heights[static_cast<Eigen::Index>(k)],
+                   to = heights[static_cast<Eigen::Index>(next)];
+      if (std::min(from, to) >= -limit || std::max(from, to) <= limit) continue;
+      const Vector3d edge = other.corners[next] - other.corners[k];
+      const Vector3d point = other.corners[k] + from / (from - to) * edge;
+      if (holds(point)) return point;
+    }
+    return {};
+  }
+};
+
+/// A point that both triangles share, where they pass through each other farther than a touch.
+std::optional<Vector3d> crossing_of(const Plane& a, const Plane& b, double touch) {
+  const Vector3d from_a = a.heights(b);
+  if (!a.is_between(from_a, touch)) return {};
+  const Vector3d from_b = b.heights(a);
+  if (!b.is_between(from_b, touch)) return {};
+  if (const auto point = a.point_of_passage(b, from_a, touch)) return point;
+  return b.point_of_passage(a, from_b, touch);
+}
+
+/// Finds the crossings between nodes of the tree.
+class Search {
+ public:
+  Search(const TriangleTree& tree, double touch) : tree_(&tree), touch_(touch) {}
+
+  /// Between the triangles of two nodes on the same level, or within one.
+  void run(std::size_t a, std::size_t b) {
+    if (!tree_->box(a).intersects(tree_->box(b))) return;
+    if (tree_->is_leaf(a)) return compare_leaves(a, b);
+    run(2 * a, 2 * b);
+    run(2 * a, 2 * b + 1);
+    if (a != b) run(2 * a + 1, 2 * b);
+    run(2 * a + 1, 2 * b + 1);
+  }
+
+  Crossings found;
+
+ private:
+  void compare_leaves(std::size_t a, std::size_t b) {
+    for (const auto& [box, one] : tree_->items(a)) {
+      if (!box.intersects(tree_->box(b))) continue;
+      for (const auto& [other_box, other] : tree_->items(b)) {
+        if (box.intersects(other_box) && (a != b || one < other)) compare(one, other);
+      }
+    }
+  }
+
+  void compare(std::uint32_t one, std::uint32_t other) {
+    const auto& corners = tree_->mesh().triangles[one];
+    const auto shared = std::ranges::count_if(tree_->mesh().triangles[other], [&](auto corner) {
+      return std::ranges::find(corners, corner) != corners.end();
+    });
+    if (shared > 1) return;
+    const auto point = crossing_of(Plane(*tree_, one), Plane(*tree_, other), touch_);
+    if (!point) return;
+    ++found.count;
+    if (found.examples.size() < most_examples) found.examples.push_back({{one, other}, *point});
+  }
+
+  const TriangleTree* tree_;
+  double touch_;
+};
+
+}  // namespace
+
+Crossings find_crossings(const TriangleTree& tree) {
+  const double touch = 1e-9 * tree.whole().diagonal().norm();
+  const std::size_t first = std::min<std::size_t>(tree.first_leaf(), 64);
+  std::vector<std::pair<std::size_t, std::size_t>> tasks;
+  for (std::size_t a = first; a < 2 * first; ++a) {
+    for (std::size_t b = a; b < 2 * first; ++b) {
+      if (tree.box(a).intersects(tree.box(b))) tasks.emplace_back(a, b);
+    }
+  }
+  std::vector<Search> searches(tasks.size(), Search(tree, touch));
+  for_each_part(tasks.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) searches[i].run(tasks[i].first, tasks[i].second);
+  });
+  Crossings all;
+  for (const Search& search : searches) {
+    all.count += search.found.count;
+    all.examples.insert(all.examples.end(), search.found.examples.begin(),
+                        search.found.examples.end());
+  }
+  return all;
+}
+
+}  // namespace twrench::mesh

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_tree.h"
+
+namespace twrench::mesh {
+
+/// Two triangles that pass through each other.
+struct Crossing {
+  std::array<std::uint32_t, 2> triangles;
+  Eigen::Vector3d point;  ///< One of the points that they share.
+};
+
+/// Pairs of triangles that pass through each other.
+struct Crossings {
+  std::size_t count = 0;
+  std::vector<Crossing> examples;  ///< Some of them; none only where there are none.
+};
+
+/// Returns the pairs of triangles that pass through each other, farther than a touch. Those that
+/// have an edge in common cannot.
+Crossings find_crossings(const TriangleTree& tree);
+
+}  // namespace twrench::mesh

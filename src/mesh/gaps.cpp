@@ -1,0 +1,111 @@
+#include "mesh/gaps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "mesh/welding.h"
+
+namespace twrench::mesh {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The ends of an edge as a point of six dimensions, and which edge that is.
+struct Ends {
+  std::array<Vector3d, 2> ends;
+  std::size_t edge;
+
+  double coordinate(std::size_t axis) const {
+    return ends[axis / 3][static_cast<Eigen::Index>(axis % 3)];
+  }
+};
+
+/// Edges as a k-d tree: the middle one of each part halves it at its own coordinate.
+class EdgeTree {
+ public:
+  explicit EdgeTree(std::vector<Ends> edges) : edges_(std::move(edges)) { sort(edges_, 0); }
+
+  /// The distance of the ends to those of the nearest other edge.
+  double nearest(const Ends& of) const {
+    double best = std::numeric_limits<double>::infinity();
+    search(edges_, 0, of, best);
+    return best;
+  }
+
+ private:
+  static void sort(std::span<Ends> part, std::size_t axis) {
+    if (part.size() < 2) return;
+    const std::size_t middle = part.size() / 2;
+    std::ranges::nth_element(part, part.begin() + static_cast<std::ptrdiff_t>(middle), {},
+                             [axis](const Ends& e) { return e.coordinate(axis); });
+    sort(part.first(middle), (axis + 1) % 6);
+    sort(part.subspan(middle + 1), (axis + 1) % 6);
+  }
+
+  static void search(std::span<const Ends> part, std::size_t axis, const Ends& of, double& best) {
+    if (part.empty()) return;
+    const std::size_t middle = part.size() / 2;
+    const Ends& here = part[middle];
+    if (here.edge != of.edge) {
+      best = std::min(
+          best, std::max((here.ends[0] - of.ends[0]).norm(), (here.ends[1] - of.ends[1]).norm()));
+    }
+    const double beyond = of.coordinate(axis) - here.coordinate(axis);
+    const auto before = part.first(middle), after = part.subspan(middle + 1);
+    search(beyond < 0.0 ? before : after, (axis + 1) % 6, of, best);
+    if (std::abs(beyond) < best) search(beyond < 0.0 ? after : before, (axis + 1) % 6, of, best);
+  }
+
+  std::vector<Ends> edges_;
+};
+
+/// The least of 1, 2 and 5 times a power of ten that is not less.
+double rounded_up(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * power >= value) return digit * power;
+  }
+  return 10.0 * power;
+}
+
+bool closes(body::TriangleMesh mesh, double tolerance) {
+  const std::size_t before = mesh.triangles.size();
+  const Welded welded = weld(mesh, tolerance);
+  if (100 * welded.removed_triangles > before || mesh.triangles.empty()) return false;
+  const Topology edges = topology(mesh);
+  return edges.open.empty() && edges.branching.empty() && edges.opposed.empty();
+}
+
+}  // namespace
+
+double largest_gap(const body::TriangleMesh& mesh, const std::vector<DirectedEdge>& open) {
+  std::vector<Ends> edges;
+  for (const auto& [from, to] : open) {
+    edges.push_back({{mesh.vertices[from], mesh.vertices[to]}, edges.size()});
+  }
+  const EdgeTree tree(edges);
+  double gap = 0.0;
+  for (const Ends& edge : edges) {
+    gap = std::max(gap, tree.nearest({{edge.ends[1], edge.ends[0]}, edge.edge}));
+  }
+  return gap;
+}
+
+std::optional<double> closing_tolerance(const body::TriangleMesh& mesh, double gap, double scale) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  // The ends that are to be one may be a few gaps apart.
+  for (double tolerance = gap; tolerance > 0.0 && tolerance < 0.01 * box.diagonal().norm();
+       tolerance *= 4.0) {
+    const double round = rounded_up(tolerance * scale);
+    if (closes(mesh, round / scale)) return round;
+    if (tolerance > 10.0 * gap) break;
+  }
+  return {};
+}
+
+}  // namespace twrench::mesh

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/triangle_tree.h"
+
+namespace twrench::mesh {
+
+/// Where a surface passes through itself.
+struct Overlap {
+  std::size_t crossings = 0;                        ///< Pairs of triangles that cross.
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< Where one of them does.
+  /// Whether there is a volume that the surface winds around twice or more, or the wrong way, which
+  /// is more than a millionth of all.
+  bool is_real = false;
+};
+
+/// Finds where a closed surface passes through itself, and estimates by samples what volume that
+/// concerns.
+Overlap find_overlap(const TriangleTree& tree, bool is_inside_out);
+
+}  // namespace twrench::mesh

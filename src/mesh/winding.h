@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "mesh/triangle_tree.h"
+
+namespace twrench::mesh {
+
+/// Returns how often the triangles that `counts` accepts wind around a point: 1 inside a closed
+/// surface, 0 outside; of several surfaces, the sum. Nothing where the point is on the surface.
+std::optional<int> winding_number(const TriangleTree& tree, const Eigen::Vector3d& point,
+                                  const std::function<bool(std::uint32_t triangle)>& counts);
+
+}  // namespace twrench::mesh

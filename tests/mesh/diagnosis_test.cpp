@@ -1,0 +1,164 @@
+// What is said of meshes that bound no solid.
+#include "mesh/diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mesh/mesh_file.h"
+#include "mesh/samples.h"
+
+namespace twrench::mesh {
+namespace {
+
+using body::TriangleMesh;
+using Eigen::Vector3d;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+MeshFile read(const TriangleMesh& mesh, const ReadOptions& options = {.scale = 1.0}) {
+  return read_mesh(obj_of(mesh), "a.obj", options);
+}
+
+/// The error, and the remedy behind a bar.
+std::string refused(const TriangleMesh& mesh, const ReadOptions& options = {.scale = 1.0}) {
+  try {
+    read(mesh, options);
+  } catch (const InvalidArgument& error) {
+    return std::string(error.what()) + " | " + error.remedy();
+  }
+  return "nothing";
+}
+
+TEST(Diagnosis, OfAnOpenSurfaceNamesItsEdgesAndItsGap) {
+  TriangleMesh mesh = cube({0, 0, 0}, 1);
+  mesh.triangles.pop_back();
+  EXPECT_THAT(refused(mesh, {.scale = 0.1}),
+              AllOf(StartsWith("a.obj: the surface is open at 3 edges, the first from (0, 0, 1) to "
+                               "(0, 1, 0); the largest gap is 0.1 cm"),
+                    HasSubstr("| close it; or make it a wall: shell = THICKNESS, in cm")));
+}
+
+// As the shape models of asteroids have them: each triangle at a pole has a pole of its own.
+TEST(Diagnosis, OffersTheToleranceThatClosesAGap) {
+  const TriangleMesh mesh = ball_with_open_poles(72, 36, 3e-7);
+  try {
+    read(mesh);
+    FAIL();
+  } catch (const MeshError& error) {
+    EXPECT_EQ(error.reason(), MeshError::Reason::open);
+    EXPECT_THAT(error.what(), HasSubstr("open at 288 edges"));
+    ASSERT_TRUE(error.weld());
+    EXPECT_LE(*error.weld(), 2e-6);
+    EXPECT_THAT(error.remedy(), StartsWith("weld = 5e-07 closes it"));
+    const MeshFile closed = read(mesh, {.scale = 1.0, .weld = *error.weld()});
+    EXPECT_EQ(closed.open_edges, 0U);
+    EXPECT_EQ(closed.shape.surface->triangles.size(), mesh.triangles.size());
+    EXPECT_THAT(closed.notes, ElementsAre(HasSubstr("142 vertices were joined")));
+    EXPECT_NEAR(closed.shape.integrals.volume, 4.18, 0.02);
+  }
+}
+
+TEST(Diagnosis, OffersNoWeldingThatWouldFoldTheMesh) {
+  TriangleMesh mesh = ball_with_open_poles(72, 36, 0);
+  mesh.triangles.erase(mesh.triangles.begin() + 300);  // a hole as large as its triangles
+  EXPECT_THAT(refused(mesh), AllOf(HasSubstr("open at 3 edges"), HasSubstr("| close it; or")));
+}
+
+TEST(Diagnosis, AnOpenSurfaceMayBeAWall) {
+  TriangleMesh mesh = cube({0, 0, 0}, 1);
+  mesh.triangles.resize(10);
+  const MeshFile file = read(mesh, {.scale = 10.0, .shell = 0.1});
+  EXPECT_EQ(file.open_edges, 4U);
+  EXPECT_DOUBLE_EQ(file.area, 500);
+  EXPECT_DOUBLE_EQ(file.shape.integrals.volume, 50);
+  EXPECT_EQ(file.shape.shell, 0.1);
+}
+
+TEST(Diagnosis, OfEdgesOfMoreThanTwoTriangles) {
+  TriangleMesh mesh = cube({0, 0, 0}, 1);
+  mesh.vertices.emplace_back(0.5, 0.5, 2);
+  mesh.triangles.push_back({4, 5, 8});
+  EXPECT_THAT(refused(mesh), HasSubstr("not manifold: more than two triangles meet at 1 edge, from "
+                                       "(0, 0, 1) to (1, 0, 1); besides, it is open at 2 edges"));
+  EXPECT_THAT(refused(joined(cube({0, 0, 0}, 1), cube({1, 1, 0}, 1))),
+              HasSubstr("meet at 1 edge, from (1, 1, 0) to (1, 1, 1) |"));
+}
+
+TEST(Diagnosis, OfTrianglesThatDisagree) {
+  TriangleMesh mesh = cube({0, 0, 0}, 1);
+  std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+  EXPECT_THAT(refused(mesh), AllOf(HasSubstr("disagree on which side is outside at 3 edges"),
+                                   HasSubstr("recalculating normals")));
+}
+
+TEST(Diagnosis, TurnsOverWhatIsInsideOut) {
+  const MeshFile file = read(turned(cube({0, 0, 0}, 1)));
+  EXPECT_THAT(file.notes, ElementsAre("it was inside out, and is turned over"));
+  EXPECT_EQ(file.shape.integrals.volume, 1);
+  const TriangleMesh hollow = joined(cube({0, 0, 0}, 3), turned(cube({1, 1, 1}, 1)));
+  EXPECT_THAT(read(hollow).notes, IsEmpty()) << "a cavity";
+  EXPECT_EQ(read(hollow).shape.integrals.volume, 26);
+  EXPECT_EQ(read(hollow).components, 2U);
+  EXPECT_EQ(read(turned(hollow)).shape.integrals.volume, 26);
+  const TriangleMesh nested =
+      joined(joined(cube({0, 0, 0}, 5), turned(cube({1, 1, 1}, 3))), cube({2, 2, 2}, 1));
+  EXPECT_EQ(read(nested).shape.integrals.volume, 99) << "a body in the cavity";
+}
+
+TEST(Diagnosis, OfComponentsThatDisagree) {
+  EXPECT_THAT(refused(joined(cube({0, 0, 0}, 2), turned(cube({5, 0, 0}, 1)))),
+              HasSubstr("its 2 components disagree: the one at (5, 1, 0) is turned the other way "
+                        "than the rest"));
+  EXPECT_THAT(refused(joined(cube({0, 0, 0}, 3), cube({1, 1, 1}, 1))),
+              HasSubstr("the one at (1, 1, 1) is within another and turned the same way"));
+  EXPECT_EQ(read(joined(cube({0, 0, 0}, 1), cube({5, 0, 0}, 1))).shape.integrals.volume, 2);
+}
+
+TEST(Diagnosis, OfASurfaceThatPassesThroughItself) {
+  for (const Vector3d& shift : {Vector3d(0.5, 0.5, 0.5), Vector3d(0.3, 0.4, 0.7),
+                                Vector3d(0.5, 0.25, 0), Vector3d(0.95, 0.95, 0.95)}) {
+    EXPECT_THAT(refused(joined(cube({0, 0, 0}, 1), cube(shift, 1))),
+                AllOf(StartsWith("a.obj: it intersects itself: "), HasSubstr("unite the parts")))
+        << shift.transpose();
+  }
+  EXPECT_THAT(refused(joined(ball_with_open_poles(64, 32, 0),
+                             moved(ball_with_open_poles(64, 32, 0), {1.9, 0.1, 0.2}))),
+              HasSubstr("it intersects itself"));
+  TriangleMesh folded = cube({0, 0, 0}, 1);
+  folded.vertices[6] = {0.5, 0.5, -2};  // a corner pulled through the opposite face
+  EXPECT_THAT(refused(folded), HasSubstr("it intersects itself"));
+}
+
+TEST(Diagnosis, LetsPartsTouch) {
+  EXPECT_EQ(read(joined(cube({0, 0, 0}, 1), cube({1, 0.25, 0.25}, 1))).shape.integrals.volume, 2);
+  EXPECT_EQ(read(joined(cube({0, 0, 0}, 1), cube({1, 1, 1}, 1))).shape.integrals.volume, 2);
+  TriangleMesh edge = cube({0, 0, 0}, 1);  // turned about x and y, it stands on an edge
+  for (Vector3d& v : edge.vertices) v = {v.x(), v.y() - v.z(), 1 + v.y() + v.z()};
+  EXPECT_NEAR(read(joined(cube({0, 0, 0}, 1), moved(edge, {0.25, 0.5, 0}))).shape.integrals.volume,
+              3, 1e-15);
+}
+
+TEST(Diagnosis, IsTheSameFarAway) {
+  const Vector3d far(8192, -16384, 4096);
+  const TriangleMesh mesh = ball_with_open_poles(64, 32, 0);
+  EXPECT_THAT(read(moved(mesh, far)).notes, IsEmpty());
+  EXPECT_THAT(read(turned(moved(mesh, far))).notes, ElementsAre(HasSubstr("inside out")));
+  EXPECT_THAT(refused(moved(joined(cube({0, 0, 0}, 1), cube({0.5, 0.5, 0.5}, 1)), far)),
+              HasSubstr("intersects itself"));
+}
+
+TEST(Diagnosis, LeavesTrianglesWithoutAreaOut) {
+  TriangleMesh mesh = cube({0, 0, 0}, 1);
+  mesh.triangles.push_back({0, 0, 1});
+  const MeshFile file = read(mesh);
+  EXPECT_THAT(file.notes, ElementsAre(HasSubstr("1 triangles have no area")));
+  EXPECT_EQ(file.shape.surface->triangles.size(), 12U);
+}
+
+}  // namespace
+}  // namespace twrench::mesh
