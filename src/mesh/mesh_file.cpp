@@ -78,10 +78,25 @@ void check(const ReadOptions& options) {
 }
 
 /// The integrals in cm and grams where those in the file's unit are known.
-body::SolidIntegrals scaled(const body::SolidIntegrals& integrals, double scale) {
+body::SolidIntegrals scaled(const std::string& name, const body::SolidIntegrals& integrals,
+                            double scale) {
   const double cube = scale * scale * scale;
-  return {integrals.volume * cube, integrals.centroid * scale,
-          integrals.inertia * (cube * scale * scale)};
+  const body::SolidIntegrals result{integrals.volume * cube, integrals.centroid * scale,
+                                    integrals.inertia * (cube * scale * scale)};
+  const bool is_finite =
+      std::isfinite(result.volume) && result.centroid.allFinite() && result.inertia.allFinite();
+  if (is_finite && result.inertia.trace() > 0.0) return result;
+  throw InvalidArgument(name, "its inertia in g cm^2 is beyond what double precision holds",
+                        "check its unit");
+}
+
+/// Those of the solid, or of a wall, with messages about the file.
+body::SolidIntegrals integrals_of(const std::string& name, const body::TriangleMesh& mesh,
+                                  double shell) try {
+  return shell == 0.0 ? body::solid_integrals(mesh) : body::shell_integrals(mesh, shell);
+} catch (const InvalidArgument& error) {
+  const std::string_view why = error.what();
+  throw InvalidArgument(name, std::string(why.substr(error.quantity().size() + 2)), error.remedy());
 }
 
 void add_notes_of(const Welded& welded, double tolerance, std::vector<std::string>& notes) {
@@ -109,13 +124,11 @@ MeshFile finish(const std::string& name, Content content, const ReadOptions& opt
   file.open_edges = edges.unbalanced;
   file.components = edges.components;
   if (options.shell == 0.0) require_solid(name, mesh, edges, scale, file.notes);
-  const body::SolidIntegrals integrals = options.shell == 0.0
-                                             ? body::solid_integrals(mesh)
-                                             : body::shell_integrals(mesh, options.shell / scale);
+  const body::SolidIntegrals integrals = integrals_of(name, mesh, options.shell / scale);
   file.area = body::surface_area(mesh) * scale * scale;
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= scale;
   file.shape = {std::make_shared<const body::TriangleMesh>(std::move(mesh)), options.shell,
-                scaled(integrals, scale)};
+                scaled(name, integrals, scale)};
   return file;
 }
 

@@ -30,7 +30,7 @@ std::optional<std::vector<std::uint8_t>> bytes_of_base64(std::string_view text) 
     rest.remove_prefix(part.size());
     // OpenSSL passes over blanks at the ends, and takes padding within for zeros.
     const std::string_view digits = part.substr(0, part.size() - (rest.empty() ? padding : 0));
-    if (digits.find_first_of(" \t\r\n=") != std::string_view::npos) return {};
+    if (std::ranges::any_of(digits, [](char c) { return c == '=' || c <= ' '; })) return {};
     const std::size_t before = bytes.size();
     bytes.resize(before + part.size() / 4 * 3);
     if (EVP_DecodeBlock(bytes.data() + before, reinterpret_cast<const unsigned char*>(part.data()),

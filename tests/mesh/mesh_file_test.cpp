@@ -3,38 +3,101 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
+#include "mesh/refusal.h"
 #include "mesh/samples.h"
+#include "scratch_folder.h"
+#include "system/file.h"
 
 namespace twrench::mesh {
 namespace {
 
+using Eigen::Vector3d;
 using testing::HasSubstr;
+using testing::StartsWith;
 
-TEST(MeshFile, OfACubeInObjHasItsIntegrals) {
+TEST(MeshFile, HasItsIntegralsInCentimetres) {
   const MeshFile file = read_mesh(cube_obj(), "cube.obj", {.scale = 0.1});
   EXPECT_NEAR(file.shape.integrals.volume, 1e-3, 1e-18);
   EXPECT_NEAR(file.area, 0.06, 1e-16);
-  EXPECT_LE((file.shape.integrals.centroid - Eigen::Vector3d(0.05, 0.05, 0.05)).norm(), 1e-17);
+  EXPECT_LE((file.shape.integrals.centroid - Vector3d(0.05, 0.05, 0.05)).norm(), 1e-17);
+  EXPECT_NEAR(file.shape.integrals.inertia(0, 0), 1e-5 / 6, 1e-20);
   EXPECT_EQ(file.open_edges, 0U);
   EXPECT_EQ(file.components, 1U);
   EXPECT_EQ(file.shape.surface->triangles.size(), 12U);
 }
 
-TEST(MeshFile, OfACubeInBinaryStlIsTheSame) {
-  const MeshFile file = read_mesh(binary_stl(cube({0, 0, 0}, 1)), "cube.stl", {.scale = 1.0});
-  EXPECT_EQ(file.shape.integrals.volume, 1);
-  EXPECT_EQ(file.shape.surface->vertices.size(), 8U);
+// The scale rounds each coordinate; far away that would be a millionth of a millionth of the body.
+TEST(MeshFile, IsAsExactInAnyUnitAndFarAway) {
+  const body::TriangleMesh far = moved(ball_with_open_poles(24, 12, 0), {12345.678, -9e3, 3e4});
+  const MeshFile in_cm = read_mesh(obj_of(far), "a.obj", {.scale = 1.0}),
+                 in_mm = read_mesh(obj_of(far), "a.obj", {.scale = 0.1});
+  EXPECT_NEAR(in_mm.shape.integrals.volume * 1e3 / in_cm.shape.integrals.volume, 1, 1e-15);
+  EXPECT_LE((in_mm.shape.integrals.inertia * 1e5 - in_cm.shape.integrals.inertia).norm(),
+            2e-15 * in_cm.shape.integrals.inertia.norm());
 }
 
-TEST(MeshFile, WithoutAUnitIsRefused) {
-  try {
-    read_mesh(cube_obj(), "cube.obj", {});
-    FAIL();
-  } catch (const MeshError& error) {
-    EXPECT_EQ(error.reason(), MeshError::Reason::no_scale);
+TEST(MeshFile, IsKnownByItsNameInAnyCase) {
+  for (const char* name : {"a.obj", "b/c.STL", "d.Ply", "e.gltf", "f.GLB"}) {
+    EXPECT_TRUE(is_mesh_name(name)) << name;
   }
+  for (const char* name : {"a.toml", "obj", "a.obj.txt", "dzhanibekov", ""}) {
+    EXPECT_FALSE(is_mesh_name(name)) << name;
+  }
+}
+
+TEST(MeshFile, OfAnotherKindIsRefused) {
+  EXPECT_THAT(refusal(cube_obj(), "a.3ds"), StartsWith("2 a.3ds: its name does not end as"));
+  EXPECT_EQ(refusal("", "a.stl"), "5 cannot read a.stl: it is empty");
+}
+
+TEST(MeshFile, NeedsAUnit) {
+  for (const std::string& name : {std::string("cube.obj"), std::string("cube.stl")}) {
+    try {
+      read_mesh(name == "cube.obj" ? cube_obj() : binary_stl(cube({0, 0, 0}, 1)), name, {});
+      FAIL();
+    } catch (const MeshError& error) {
+      EXPECT_EQ(error.reason(), MeshError::Reason::no_scale);
+      EXPECT_THAT(error.remedy(), HasSubstr("unit = \"mm\""));
+    }
+  }
+}
+
+TEST(MeshFile, RefusesOptionsThatCannotBe) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {-1.0, std::nan(""), infinity}) {
+    EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = bad}), StartsWith("2 scale: "));
+    EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1.0, .weld = bad}), StartsWith("2 weld: "));
+    EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1.0, .shell = bad}),
+                StartsWith("2 shell: "));
+  }
+  EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1e100}),
+              HasSubstr("its inertia in g cm^2 is beyond"));
+  EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1e-100}),
+              HasSubstr("its inertia in g cm^2 is beyond"));
+  EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1.0, .weld = 3.0}), HasSubstr("no triangles"));
+}
+
+TEST(MeshFile, KnowsItsUnits) {
+  EXPECT_EQ(unit_length("unit", "inch"), 2.54);
+  EXPECT_EQ(unit_length("unit", "km"), 1e5);
+  EXPECT_THROW(unit_length("unit", "ft"), InvalidArgument);
+}
+
+TEST(MeshFile, HasTheDigestOfItsBytes) {
+  // As sha256sum prints it.
+  EXPECT_EQ(read_mesh(cube_obj(), "a.obj", {.scale = 1.0}).sha256,
+            "62265168ef01ce0386a52a30991246273950f8ab88263bf74d28d00441f58c84");
+}
+
+TEST(MeshFile, IsReadFromAFile) {
+  const ScratchFolder folder;
+  system::write_file_atomically(folder / "a.obj", cube_obj());
+  EXPECT_EQ(read_mesh(folder / "a.obj", {.scale = 1.0}).shape.integrals.volume, 1);
+  EXPECT_THROW(read_mesh(folder / "b.obj", {.scale = 1.0}), system::FileError);
+  EXPECT_THROW(read_mesh(std::filesystem::path("/dev/zero"), {.scale = 1.0}), system::FileError);
 }
 
 }  // namespace

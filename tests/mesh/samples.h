@@ -119,4 +119,17 @@ inline std::string binary_stl(const body::TriangleMesh& mesh, std::string header
   return header;
 }
 
+inline std::string text_stl(const body::TriangleMesh& mesh) {
+  std::string text = "solid cube\n";
+  for (const auto& triangle : mesh.triangles) {
+    text += " facet normal 0 0 0\n  outer loop\n";
+    for (const std::uint32_t corner : triangle) {
+      const Eigen::Vector3d& v = mesh.vertices[corner];
+      text += fmt::format("   vertex {} {} {}\n", v.x(), v.y(), v.z());
+    }
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid cube\n";
+}
+
 }  // namespace twrench::mesh

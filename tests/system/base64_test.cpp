@@ -25,5 +25,24 @@ TEST(Base64, HasNoPaddingBetweenThePieces) {
   EXPECT_EQ(text, std::string(4U << 20U, 'A') + "AA==");
 }
 
+std::string decoded(const std::string& text) {
+  const auto bytes = bytes_of_base64(text);
+  return bytes ? std::string(bytes->begin(), bytes->end()) : "no base64";
+}
+
+TEST(Base64, IsReadBack) {
+  for (const char* text : {"", "f", "fo", "foo", "foobar"}) EXPECT_EQ(decoded(encoded(text)), text);
+  std::string large((3U << 20U) + 4, 'x');
+  large[3U << 20U] = '\0';
+  for (int i = 0; i < 3; ++i, large += '\xff') EXPECT_TRUE(decoded(encoded(large)) == large) << i;
+}
+
+TEST(Base64, ThatIsNoneIsNothing) {
+  for (const char* text : {"Zg=", "Zg", "Z===", "Zg==Zg==", "Zm9v\n", "Zm 9v", " Zm9v===", "Zm9-",
+                           "=m9v", "Zm9v Zm9v  ="}) {
+    EXPECT_EQ(decoded(text), "no base64") << text;
+  }
+}
+
 }  // namespace
 }  // namespace twrench::system
