@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/letters.h"
 #include "check/column_sets.h"
 #include "check/columns.h"
 #include "check/names.h"
@@ -48,7 +49,7 @@ std::optional<ColumnSet> said_set(const table::Header& header, const Convention&
       set.columns.push_back(find_column(header, ours, theirs->second));
     } else if (const auto column = column_of_our_name(header, ours)) {
       set.columns.push_back(*column);
-    } else {
+    } else if (missing.empty()) {
       missing = ours;
     }
   }

@@ -255,7 +255,7 @@ TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
       {"e.csv --inertia 1,-2,3", "--inertia"},
       {"e.csv --inertia nan,2,3", "--inertia"},
       {"e.csv --inertia 2,3,4 --columns t=time", "time"},
-      {"e.csv --inertia 2,3,4 --columns t=t,qw=x11", "named for qw, but none for"},
+      {"e.csv --inertia 2,3,4 --columns t=t,qw=x11", "named for qw, but none for qx"},
       {"e.csv --inertia 2,3,4 --units rpm", "--units"},
       {"e.csv --inertia 2,3,4 --sequence xyw", "--sequence"},
       {"e.csv --inertia 2,3,4 --frame last", "--frame"},
