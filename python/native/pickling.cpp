@@ -208,7 +208,8 @@ Scene Reader::scene(const py::tuple& state) {
   made.length = state[4].cast<std::optional<double>>();
   for (const py::handle& handle : state[5]) {
     const auto told = handle.cast<py::tuple>();
-    scene::Shot shot{.scene = scene(told[0])};
+    scene::Shot shot;
+    shot.scene = scene(told[0]);
     shot.fade = told[1].cast<double>();
     shot.move = told[2].cast<double>();
     shot.start = told[3].cast<double>();

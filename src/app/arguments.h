@@ -34,4 +34,11 @@ Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 /// not. The names are its description, "{csv,json}", by which read_command() knows them.
 CLI::Validator one_of(const std::string& what, std::vector<std::string> names);
 
+/// Adds the option --format for one of the `formats`, of which `format` is the default.
+void add_format_option(CLI::App& command, std::string& format,
+                       const std::vector<std::string>& formats);
+
+/// Adds the option -o for a file, with `output` as its default, or - for standard output.
+void add_output_option(CLI::App& command, std::string& output);
+
 }  // namespace twrench::app

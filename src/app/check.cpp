@@ -207,13 +207,8 @@ void add_result_options(CLI::App& command, CheckOptions& options) {
       .add_option("--max-energy-drift", options.max_energy_drift,
                   "exit 1 if the energy drifts by more, relative")
       ->type_name("E");
-  command.add_option("--format", options.format, "output format: text, json or junit")
-      ->check(one_of("--format", {"text", "json", "junit"}))
-      ->type_name("FORMAT")
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "output file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
+  add_format_option(command, options.format, {"text", "json", "junit"});
+  add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot errors and resolution limits against time: .svg, .pdf or .png")

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/arguments.h"
+#include "scene/materials.h"
 #include "scene/names.h"
 #include "scene/scene.h"
 
@@ -30,6 +31,8 @@ std::map<std::string, Candidates> named_values() {
       {"--methods", list(method_names())},
       {"--compare", list(method_names())},
       {"--theme", words(scene::theme_names())},
+      {"--material", words(scene::material_names())},
+      {"--shape", words(scene::equimomental_names())},
       {"--view", words(scene::view_names())},
       {"--show", list(scene::feature_names())},
       {"--hide", list(scene::feature_names())},

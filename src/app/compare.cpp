@@ -241,10 +241,7 @@ void add_outputs(CLI::App& command, CompareOptions& options) {
       .add_option("--report", options.report,
                   "write a page that shows what differs, the worst first, with its pictures")
       ->type_name("R.html");
-  command.add_option("--format", options.format, "output format: text, json or junit")
-      ->check(one_of("--format", {"text", "json", "junit"}))
-      ->type_name("FORMAT")
-      ->capture_default_str();
+  add_format_option(command, options.format, {"text", "json", "junit"});
   command.add_flag("--update", options.update,
                    "copy the actual frames that differ, or are extra, over the expected ones");
 }

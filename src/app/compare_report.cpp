@@ -68,7 +68,7 @@ std::string_view verdict(const Comparison& comparison) {
   return is_unknown ? "unreadable" : "different";
 }
 
-/// "2 of 960 frames differ, 1 missing"
+/// "2 of 959 frames differ, 900 are identical files; not compared: 1 missing"
 std::string summary_line(const Comparison& comparison) {
   const std::size_t compared = comparison.frames.size() - comparison.count(Outcome::missing) -
                                comparison.count(Outcome::extra) -
@@ -78,9 +78,12 @@ std::string summary_line(const Comparison& comparison) {
   std::string line =
       fmt::format("{}: {} of {} frames differ, {} are identical files", verdict(comparison), differ,
                   compared, comparison.count(Outcome::identical));
+  std::string_view before = "; not compared: ";
   for (const Outcome outcome : {Outcome::missing, Outcome::extra, Outcome::unreadable}) {
     const std::size_t count = comparison.count(outcome);
-    if (count > 0) line += fmt::format(", {} {}", count, name_of(outcome));
+    if (count == 0) continue;
+    line += fmt::format("{}{} {}", before, count, name_of(outcome));
+    before = ", ";
   }
   return line + "\n";
 }

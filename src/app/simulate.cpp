@@ -46,13 +46,8 @@ void add_simulate(CLI::App& app) {
   command->add_option("--times", options->times, "sample at exactly these times, s")
       ->type_name("T1,T2,...")
       ->default_str("every 1/fps");
-  command->add_option("--format", options->format, "output format: csv or json")
-      ->check(one_of("--format", {"csv", "json"}))
-      ->type_name("FORMAT")
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "output file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
+  add_format_option(*command, options->format, {"csv", "json"});
+  add_output_option(*command, options->output);
   command->callback([options] { simulate(*options); });
 }
 

@@ -167,13 +167,8 @@ void add_options(CLI::App& command, StudyOptions& options) {
       .add_option("--max-flip-error", options.max_flip_error,
                   "exit 1 if any run misses a flip, or its time by more than this, s")
       ->type_name("S");
-  command.add_option("--format", options.format, "output format: text, csv or json")
-      ->check(one_of("--format", {"text", "csv", "json"}))
-      ->type_name("FORMAT")
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "output file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
+  add_format_option(command, options.format, {"text", "csv", "json"});
+  add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot order, work-precision and energy drift: .svg, .pdf or .png")

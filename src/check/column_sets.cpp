@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/letters.h"
 #include "check/column_words.h"
 #include "check/convention.h"
 

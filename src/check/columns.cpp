@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/letters.h"
 #include "check/column_sets.h"
 #include "check/convention.h"
 #include "check/names.h"

@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "base/letters.h"
 #include "check/convention.h"
 
 namespace twrench::check {
@@ -72,14 +73,6 @@ const char* description_of(Kind kind) {
   constexpr std::array descriptions{"the time", "the rates", "the matrix", "the quaternion",
                                     "the Euler angles"};
   return descriptions.at(static_cast<std::size_t>(kind));
-}
-
-std::string in_small_letters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return small;
 }
 
 std::map<std::string, std::string> parse_columns(std::string_view text,

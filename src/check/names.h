@@ -23,7 +23,4 @@ std::vector<std::string> all_names();
 /// "the rates", "the matrix" ...
 const char* description_of(Kind kind);
 
-/// In small letters; other characters than those of English stay.
-std::string in_small_letters(std::string_view text);
-
 }  // namespace twrench::check

@@ -1,9 +1,9 @@
 #include "comparison/frames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
+#include "base/letters.h"
 #include "system/file.h"
 
 namespace twrench::comparison {
@@ -12,9 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_frame_name(const std::string& name) {
-  std::string ending = fs::path(name).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = in_small_letters(fs::path(name).extension().string());
   return ending == ".png" && !name.starts_with('.');
 }
 

@@ -3,11 +3,10 @@
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
+#include "base/letters.h"
 #include "embedded/scenes.h"
 #include "scene/fields.h"
 #include "scene/mesh_files.h"
@@ -22,8 +21,8 @@ namespace {
 /// Whether this is a path: because of its extension (in upper or lower case), because it has a
 /// folder, or because the file exists. No name of a built-in scene looks like one.
 bool is_path(const std::string& name_or_path) {
-  std::string ending = std::filesystem::path(name_or_path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending =
+      in_small_letters(std::filesystem::path(name_or_path).extension().string());
   std::error_code none;
   const bool is_builtin = embedded::scenes().contains(name_or_path + ".toml");
   return ending == ".toml" || name_or_path.find('/') != std::string::npos ||

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
+
+#include "base/letters.h"
 
 namespace twrench::video {
 namespace {
@@ -65,9 +66,7 @@ constexpr const char* gif = "-c:v gif -loop 0";
 }  // namespace
 
 Container container_named(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = in_small_letters(name);
   for (const auto& [known, container] : containers) {
     if (lower == known) return container;
   }

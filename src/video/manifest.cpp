@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace twrench::video {
@@ -42,12 +43,18 @@ std::string format_frame(const FrameRecord& record) {
       .dump();
 }
 
-/// Erases the digests of files wherever they stand in the scene.
-void erase_digests(nlohmann::ordered_json& json) {
-  if (json.is_object()) json.erase("sha256");
-  for (nlohmann::ordered_json& value : json) {
-    if (value.is_structured()) erase_digests(value);
+/// Whether two values of a scene are equal, but for a mesh's digest and, where that is another, the
+/// density that a given mass makes.
+bool equal_but_for_meshes(const nlohmann::ordered_json& a, const nlohmann::ordered_json& b) {
+  if (!a.is_structured() || a.type() != b.type() || a.size() != b.size()) return a == b;
+  if (a.is_array()) return std::ranges::equal(a, b, equal_but_for_meshes);
+  const bool changed = a.contains("sha256") && b.contains("sha256") && a["sha256"] != b["sha256"];
+  for (const auto& [key, value] : a.items()) {
+    if (!b.contains(key)) return false;
+    const bool follows = changed && (key == "sha256" || key == "density");
+    if (!follows && !equal_but_for_meshes(value, b[key])) return false;
   }
+  return true;
 }
 
 }  // namespace
@@ -83,10 +90,10 @@ bool same_film(const Manifest& a, const Manifest& b) {
 }
 
 bool same_but_for_meshes(const Manifest& a, const Manifest& b) {
-  Manifest x = a, y = b;
-  erase_digests(x.scene);
-  erase_digests(y.scene);
-  return same_film(x, y);
+  if (!equal_but_for_meshes(a.scene, b.scene)) return false;
+  Manifest other = b;
+  other.scene = a.scene;
+  return same_film(a, other);
 }
 
 }  // namespace twrench::video

@@ -69,7 +69,8 @@ TEST_F(CompareFolders, HaveALineForEachFrameThatDiffersInTheOrderOfTheNames) {
             "frame_000003.png: missing: there is no actual frame\n"
             "frame_000004.png: extra: there is no expected frame\n"
             "frame_000005.png: different: 16x16 with 3 channels, and 20x16 with 3\n"
-            "different: 2 of 3 frames differ, 1 are identical files, 1 missing, 1 extra\n");
+            "different: 2 of 3 frames differ, 1 are identical files; not compared: 1 missing, "
+            "1 extra\n");
 }
 
 TEST_F(CompareFolders, AsJson) {
@@ -122,7 +123,8 @@ TEST_F(CompareFolders, NameTheFrameThatIsDamagedAndJudgeTheOthers) {
   EXPECT_EQ(run.err,
             "twrench: error: cannot read actual/b.png: the checksum of a chunk is wrong\n");
   write_picture(folder_ / "actual/a.png", 100);
-  EXPECT_THAT(compare().out, HasSubstr("\nunreadable: 0 of 1 frames differ"));
+  EXPECT_THAT(compare().out, HasSubstr("\nunreadable: 0 of 1 frames differ, 1 are identical "
+                                       "files; not compared: 1 unreadable\n"));
 }
 
 TEST_F(CompareFolders, RefuseWhatCannotBeCompared) {
@@ -188,8 +190,8 @@ TEST_F(CompareFolders, UpdateLeavesWhatIsMissing) {
   add("b.png", 100, 130);
   EXPECT_EQ(compare("--update").code, 1);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "golden/a.png"));
-  EXPECT_THAT(compare().out, HasSubstr("different: 0 of 1 frames differ, 1 are identical files, 1 "
-                                       "missing"));
+  EXPECT_THAT(compare().out, HasSubstr("different: 0 of 1 frames differ, 1 are identical files; not "
+                                       "compared: 1 missing\n"));
 }
 
 TEST_F(CompareFolders, UpdateMakesTheFirstGoldenFrames) {

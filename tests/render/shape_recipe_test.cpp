@@ -78,7 +78,7 @@ TYPED_TEST(ShapeRecipe, IsDescribedInTheDocument) {
   std::ostringstream text;
   text << file.rdbuf();
   const std::string name = json_of(this->part)["shape"];
-  EXPECT_NE(text.str().find(name + ": "), std::string::npos) << name;
+  EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
 }
 
 /// What the picture's mesh holds, by the divergence theorem: its volume, and from it the moments.

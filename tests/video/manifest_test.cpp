@@ -200,6 +200,37 @@ TEST(Manifest, TellsOfItsShard) {
               HasSubstr("shard must be i/n"));
 }
 
+TEST(Manifest, TellsAChangedMeshFromAnotherScene) {
+  using nlohmann::ordered_json;
+  const auto with = [](const char* scene) {
+    Manifest manifest = sample();
+    manifest.scene = ordered_json::parse(scene);
+    return manifest;
+  };
+  const Manifest film = with(R"({"fps": 5, "part": [{"sha256": "a", "density": 1, "weld": 0}]})");
+  EXPECT_TRUE(same_but_for_meshes(film, film));
+  for (const char* same : {
+           R"({"fps": 5, "part": [{"sha256": "b", "density": 1, "weld": 0}]})",
+           R"({"fps": 5, "part": [{"sha256": "b", "density": 2, "weld": 0}]})",
+       }) {
+    EXPECT_TRUE(same_but_for_meshes(film, with(same))) << same;
+    EXPECT_FALSE(same_film(film, with(same))) << same;
+  }
+  for (const char* other : {
+           R"({"fps": 6, "part": [{"sha256": "b", "density": 1, "weld": 0}]})",
+           R"({"fps": 5, "part": [{"sha256": "a", "density": 2, "weld": 0}]})",
+           R"({"fps": 5, "part": [{"sha256": "b", "density": 1, "weld": 1}]})",
+           R"({"fps": 5, "part": [{"density": 1, "weld": 0, "wild": 0}]})",
+           R"({"fps": 5, "part": [{"sha256": "b", "density": 1, "weld": 0}, {}]})",
+           R"({"fps": 5, "part": {"sha256": "b"}})",
+       }) {
+    EXPECT_FALSE(same_but_for_meshes(film, with(other))) << other;
+  }
+  Manifest resized = with(R"({"fps": 5, "part": [{"sha256": "b", "density": 1, "weld": 0}]})");
+  resized.width = 7;
+  EXPECT_FALSE(same_but_for_meshes(film, resized));
+}
+
 TEST(Manifest, HeadIsReadWithoutTheFrames) {
   const ScratchFolder scratch;
   const std::string text = format_manifest(sample());

@@ -1,0 +1,15 @@
+#include "base/letters.h"
+
+#include <gtest/gtest.h>
+
+namespace twrench {
+namespace {
+
+TEST(InSmallLetters, ChangesTheLettersOfEnglishAlone) {
+  EXPECT_EQ(in_small_letters("A.PNG z[@`{ 09"), "a.png z[@`{ 09");
+  EXPECT_EQ(in_small_letters("\xc3\x84\xd6\xff"), "\xc3\x84\xd6\xff");
+  EXPECT_EQ(in_small_letters(""), "");
+}
+
+}  // namespace
+}  // namespace twrench
