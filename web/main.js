@@ -1,9 +1,10 @@
 // Puts the page together: the state, what shows it, and what changes it.
-import {byId} from "./app/dom.js";
-import {App} from "./app/app.js";
-import {readCore, readPageData} from "./app/page_data.js";
-import {Core} from "./core/core.js";
-import {word} from "./words/words.js";
+import { byId } from './app/dom.js';
+import { App } from './app/app.js';
+import { languageOf } from './app/state.js';
+import { readCore, readPageData } from './app/page_data.js';
+import { Core } from './core/core.js';
+import { setLanguage, word } from './words/words.js';
 
 /** What a test, or a user's own script, can ask. */
 const twrench = {
@@ -20,16 +21,17 @@ const twrench = {
   picture: async (options) => {
     await twrench.ready;
     const bytes = new Uint8Array(await (await app.picture(options)).arrayBuffer());
-    return `data:image/png;base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""))}`;
+    return `data:image/png;base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
   },
 };
-Object.assign(window, {twrench});
+Object.assign(window, { twrench });
 
 /** @type {App} */
 let app;
 
 async function start() {
-  if (!document.createElement("canvas").getContext("webgl2")) return;
+  setLanguage(languageOf(navigator.languages));
+  if (!document.createElement('canvas').getContext('webgl2')) return;
   const data = readPageData();
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
   app = new App(data, twrench.core);
@@ -37,8 +39,8 @@ async function start() {
 
 twrench.ready = start();
 twrench.ready.catch((error) => {
-  byId("note").textContent = word("cannot", error.message);
-  byId("note").hidden = false;
-  byId("live").hidden = true;
-  byId("poster").hidden = false;
+  byId('note').textContent = word('cannot', error.message);
+  byId('note').hidden = false;
+  byId('live').hidden = true;
+  byId('poster').hidden = false;
 });

@@ -14,7 +14,7 @@ export function byId(id) {
  * @param {K} tag @param {string} [className] @param {string} [text]
  * @returns {HTMLElementTagNameMap[K]}
  */
-export function element(tag, className = "", text = "") {
+export function element(tag, className = '', text = '') {
   const made = document.createElement(tag);
   if (className) made.className = className;
   if (text) made.textContent = text;

@@ -1,6 +1,6 @@
 // The state in the address, after the #: what differs from the page as it opens, as key=value pairs
 // a person can read. Whatever does not make sense is left out and reported.
-import {features, speeds} from "./state.js";
+import { features, speeds } from './state.js';
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./page_data.js").PageData} PageData */
@@ -18,8 +18,10 @@ const number = (low, high) => (text) => {
 
 /** @param {number[][]} ranges @returns {Reader} */
 const numbers = (ranges) => (text) => {
-  const values = text.split(",").map(numberIn);
-  const fits = values.length === ranges.length && values.every((value, i) => value >= ranges[i][0] && value <= ranges[i][1]);
+  const values = text.split(',').map(numberIn);
+  const fits =
+    values.length === ranges.length &&
+    values.every((value, i) => value >= ranges[i][0] && value <= ranges[i][1]);
   return fits ? values : undefined;
 };
 
@@ -28,8 +30,11 @@ const oneOf = (words) => (text) => (words.includes(text) ? text : undefined);
 
 /** @param {readonly string[]} words @param {number} [count] @returns {Reader} */
 const someOf = (words, count) => (text) => {
-  const found = text === "" ? [] : text.split(",");
-  const fits = found.every((word, i) => words.includes(word) && found.indexOf(word) === i || count !== undefined && words.includes(word));
+  const found = text === '' ? [] : text.split(',');
+  const fits = found.every(
+    (word, i) =>
+      (words.includes(word) && found.indexOf(word) === i) || (count !== undefined && words.includes(word)),
+  );
   return fits && (count === undefined || found.length === count) ? found : undefined;
 };
 
@@ -38,7 +43,7 @@ const someOf = (words, count) => (text) => {
  * @param {PageData} data @param {readonly string[]} methods @param {number} tourSteps
  * @returns {Record<string, Reader>}
  */
-export function readers({limits}, methods, tourSteps) {
+export function readers({ limits }, methods, tourSteps) {
   const moments = numbers([limits.moment, limits.moment, limits.moment]);
   return {
     t: number(0, limits.time[1]),
@@ -48,17 +53,21 @@ export function readers({limits}, methods, tourSteps) {
       const values = moments(text);
       return values && Math.max(...values) <= limits.moment_ratio * Math.min(...values) ? values : undefined;
     },
-    theme: oneOf(["auto", "studio", "paper", "space"]),
-    frame: oneOf(["space", "body", "rotating"]),
+    theme: oneOf(['auto', 'studio', 'paper', 'space']),
+    frame: oneOf(['space', 'body', 'rotating']),
     show: someOf(features),
-    view: numbers([[-100, 100], [-Math.PI, Math.PI], [0.25, 8]]),
+    view: numbers([
+      [-100, 100],
+      [-Math.PI, Math.PI],
+      [0.25, 8],
+    ]),
     from: number(0, limits.time[1]),
     length: number(1e-3, limits.time[1]),
-    compare: oneOf(["off", "beside", "ghost"]),
+    compare: oneOf(['off', 'beside', 'ghost']),
     methods: someOf(methods, 2),
     step: number(limits.step[0], limits.step[1]),
     tolerance: number(limits.tolerance[0], limits.tolerance[1]),
-    lang: oneOf(["en", "nb"]),
+    lang: oneOf(['en', 'nb']),
     tour: (text) => (/^\d+$/.test(text) ? number(0, tourSteps)(text) : undefined),
   };
 }
@@ -73,19 +82,19 @@ export function readLink(hash, known) {
   /** @type {Record<string, any>} */
   const values = {};
   const ignored = [];
-  for (const pair of hash.replace(/^#/, "").split("&").filter(Boolean)) {
+  for (const pair of hash.replace(/^#/, '').split('&').filter(Boolean)) {
     const [key, text] = decoded(pair);
     const value = Object.hasOwn(known, key) ? known[key](text) : undefined;
     if (value === undefined) ignored.push(`${key}=${text}`.slice(0, 60));
     else values[key] = value;
   }
-  return {values, ignored};
+  return { values, ignored };
 }
 
 /** @param {string} pair */
 function decoded(pair) {
-  const at = pair.indexOf("=");
-  const [key, text] = at < 0 ? [pair, ""] : [pair.slice(0, at), pair.slice(at + 1)];
+  const at = pair.indexOf('=');
+  const [key, text] = at < 0 ? [pair, ''] : [pair.slice(0, at), pair.slice(at + 1)];
   try {
     return [decodeURIComponent(key), decodeURIComponent(text)];
   } catch {
@@ -103,8 +112,8 @@ export function linkTo(state, initial) {
     const text = textOf(value);
     if (text !== textOf(/** @type {any} */ (initial)[key])) pairs.push(`${key}=${text}`);
   }
-  return pairs.join("&");
+  return pairs.join('&');
 }
 
 /** @param {any} value */
-const textOf = (value) => (Array.isArray(value) ? value.join(",") : String(value));
+const textOf = (value) => (Array.isArray(value) ? value.join(',') : String(value));

@@ -1,12 +1,27 @@
 // The motion that is shown, with what the views need of it, computed once.
-import {add, clamp, column, diagonal, dot, identity, norm, normalized, product, rotation, scale, times, transposed} from "../math/linear.js";
-import {brief} from "../words/words.js";
+import {
+  add,
+  clamp,
+  column,
+  diagonal,
+  dot,
+  identity,
+  norm,
+  normalized,
+  product,
+  rotation,
+  scale,
+  times,
+  transposed,
+} from '../math/linear.js';
+import { brief } from '../words/words.js';
 
 /** @typedef {import("../core/core.js").Core} Core */
 /** @typedef {import("../core/core.js").Sample} Sample */
 
-const pointsOfCurve = 240, familySize = 4;
-const radiansOfTrail = 12;  // how far the body rotates in the time that a trail covers
+const pointsOfCurve = 240,
+  familySize = 4;
+const radiansOfTrail = 12; // how far the body rotates in the time that a trail covers
 const along = 1 - 1e-9;
 
 /**
@@ -22,13 +37,15 @@ const along = 1 - 1e-9;
 /** @param {number[]} axes @param {number[]} moments @returns {PrincipalFrame} */
 function principalFrame(axes, moments) {
   const columns = [0, 1, 2].map((i) => column(axes, i));
-  const largest = columns.map((axis) => axis.reduce((best, x, i) => (Math.abs(x) > Math.abs(axis[best]) ? i : best), 0));
+  const largest = columns.map((axis) =>
+    axis.reduce((best, x, i) => (Math.abs(x) > Math.abs(axis[best]) ? i : best), 0),
+  );
   const own = columns.every((axis, i) => Math.abs(axis[largest[i]]) > along);
   const positive = columns.map((axis, i) => (axis[largest[i]] < 0 ? scale(-1, axis) : axis));
   return {
     axes: transposed(positive.flat()),
     colors: own ? largest : [0, 1, 2],
-    names: own ? largest.map((i) => "xyz"[i]) : ["I₁", "I₂", "I₃"],
+    names: own ? largest.map((i) => 'xyz'[i]) : ['I₁', 'I₂', 'I₃'],
     moments,
   };
 }
@@ -49,7 +66,7 @@ export class MotionModel {
     this.motion = core.motion(inertia, omega);
     this.inertia = inertia;
     this.omega = omega;
-    const {facts} = this.motion;
+    const { facts } = this.motion;
     this.facts = facts;
     this.momentum = norm(facts.momentum);
     this.up = normalized(facts.momentum);
@@ -58,7 +75,10 @@ export class MotionModel {
     this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
     const rate = norm(omega);
     this.trailLength = trailLength ?? (rate > 0 ? radiansOfTrail / rate : 1);
-    this.inverseInertia = product(product(facts.axes, diagonal(facts.moments.map((moment) => 1 / moment))), transposed(facts.axes));
+    this.inverseInertia = product(
+      product(facts.axes, diagonal(facts.moments.map((moment) => 1 / moment))),
+      transposed(facts.axes),
+    );
     /** @type {number} omega along L, rad/s: the distance of the invariable plane. */
     this.height = this.atRest ? 1 : dot(omega, this.up);
     const own = this.atRest ? null : this.motion.energyCurve(pointsOfCurve);
@@ -72,17 +92,17 @@ export class MotionModel {
 
   /** How far omega's tip is from L on the invariable plane, in units of the plane's distance. */
   #herpolhodeAnnulus() {
-    if (!this.level) return {inner: 0, outer: 0};
+    if (!this.level) return { inner: 0, outer: 0 };
     const radii = this.level.map((mu) => {
       const omega = this.omegaOf(mu);
       return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
     });
-    return {inner: Math.min(...radii), outer: Math.max(...radii)};
+    return { inner: Math.min(...radii), outer: Math.max(...radii) };
   }
 
   /** The rotation about L that the body would have if it rotated about the axis nearest to L, rad/s. */
   #steadyRotation() {
-    const {axes, moments} = this.facts;
+    const { axes, moments } = this.facts;
     const m = times(transposed(axes), times(this.inertia, this.omega)).map(Math.abs);
     return this.atRest ? [0, 0, 0] : scale(this.momentum / moments[m.indexOf(Math.max(...m))], this.up);
   }
@@ -92,8 +112,8 @@ export class MotionModel {
    * @param {import("./state.js").FrameName} name @param {Sample} sample
    */
   frameAt(name, sample) {
-    if (name === "body") return sample.X;
-    if (name === "rotating") return rotation(scale(sample.t, this.steady));
+    if (name === 'body') return sample.X;
+    if (name === 'rotating') return rotation(scale(sample.t, this.steady));
     return identity;
   }
 
@@ -134,9 +154,10 @@ export class MotionModel {
  * @param {MotionModel} model @param {number} i Index of the axis, least moment first.
  * @param {number} push As a share of the rate.
  */
-export function spunAbout({principal, omega}, i, push) {
+export function spunAbout({ principal, omega }, i, push) {
   const rate = norm(omega) || 1;
-  const axis = column(principal.axes, i), side = column(principal.axes, i === 0 ? 1 : 0);
+  const axis = column(principal.axes, i),
+    side = column(principal.axes, i === 0 ? 1 : 0);
   return add(scale(rate, axis), scale(push * rate, side)).map((x) => Number(x.toPrecision(6)));
 }
 
@@ -145,14 +166,14 @@ export function spunAbout({principal, omega}, i, push) {
  * @param {MotionModel} model
  * @returns {Record<string, string>}
  */
-export function figuresOf({facts, omega}) {
+export function figuresOf({ facts, omega }) {
   const [least, middle, greatest] = facts.moments;
   const rate = norm(omega) * Math.sqrt(((greatest - middle) * (middle - least)) / (least * greatest));
   return {
     interval: brief(facts.flips?.interval ?? Infinity),
     first: brief(facts.flips?.first ?? Infinity),
     doubling: brief(Math.LN2 / rate),
-    moments: facts.moments.map((moment) => brief(moment)).join(", "),
+    moments: facts.moments.map((moment) => brief(moment)).join(', '),
   };
 }
 
@@ -178,8 +199,11 @@ export function listed(samples) {
   const list = [];
   for (let i = 0; i < samples.t.length; ++i) {
     const o = samples.omega;
-    list.push({t: samples.t[i], X: Array.from(samples.X.subarray(9 * i, 9 * i + 9)),
-      omega: /** @type {[number, number, number]} */ ([o[3 * i], o[3 * i + 1], o[3 * i + 2]])});
+    list.push({
+      t: samples.t[i],
+      X: Array.from(samples.X.subarray(9 * i, 9 * i + 9)),
+      omega: /** @type {[number, number, number]} */ ([o[3 * i], o[3 * i + 1], o[3 * i + 2]]),
+    });
   }
   return list;
 }

@@ -13,7 +13,7 @@
 
 /** @returns {PageData} */
 export function readPageData() {
-  return JSON.parse(document.getElementById("scene")?.textContent ?? "{}");
+  return JSON.parse(document.getElementById('scene')?.textContent ?? '{}');
 }
 
 /**
@@ -21,10 +21,10 @@ export function readPageData() {
  * @returns {Promise<Uint8Array>}
  */
 export async function readCore() {
-  const element = document.getElementById("core");
-  const text = atob((element?.textContent ?? "").trim());
+  const element = document.getElementById('core');
+  const text = atob((element?.textContent ?? '').trim());
   const bytes = Uint8Array.from(text, (character) => character.charCodeAt(0));
-  const format = /** @type {CompressionFormat} */ (element?.dataset.compression ?? "gzip");
+  const format = /** @type {CompressionFormat} */ (element?.dataset.compression ?? 'gzip');
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

@@ -1,6 +1,6 @@
 // Lets the time of the motion go on, and the page be drawn only when something has changed.
 
-const longestFrame = 0.1;  // s: a tab that was hidden does not jump
+const longestFrame = 0.1; // s: a tab that was hidden does not jump
 
 export class Player {
   /**
@@ -54,8 +54,10 @@ export class Player {
  * @param {import("./state.js").Store} store @param {number} t
  */
 export function seek(store, t) {
-  const {from, length} = store.state;
+  const { from, length } = store.state;
   const now = Math.min(Math.max(t, 0), 1e9);
   const outside = now < from || now > from + length;
-  store.set(outside ? {t: now, from: Math.max(0, from + Math.floor((now - from) / length) * length)} : {t: now});
+  store.set(
+    outside ? { t: now, from: Math.max(0, from + Math.floor((now - from) / length) * length) } : { t: now },
+  );
 }

@@ -5,7 +5,7 @@
 /** @typedef {import("./motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("./state.js").State} State */
 
-const millisecondsOfFrame = 6;  // that both methods together may take
+const millisecondsOfFrame = 6; // that both methods together may take
 const stepsAtOnce = 400;
 
 /** A method under way. */
@@ -14,9 +14,9 @@ class Runner {
   constructor(model, method, control) {
     this.model = model;
     this.method = method;
-    this.exact = method === "exact";
+    this.exact = method === 'exact';
     /** What stopped it. */
-    this.failure = "";
+    this.failure = '';
     /** @type {Run | null} */
     this.run = this.exact ? null : model.motion.run(method, control);
     this.reached = 0;
@@ -68,7 +68,7 @@ export class Runs {
   constructor() {
     /** @type {Runner[]} */
     this.runners = [];
-    this.key = "";
+    this.key = '';
   }
 
   /**
@@ -76,13 +76,13 @@ export class Runs {
    * for a step that a method refuses.
    * @param {State} state @param {MotionModel} model
    */
-  prepare({compare, methods, step, tolerance}, model) {
-    const key = compare === "off" ? "" : [methods, step, tolerance].join();
+  prepare({ compare, methods, step, tolerance }, model) {
+    const key = compare === 'off' ? '' : [methods, step, tolerance].join();
     if (key === this.key && model === this.model) return;
     for (const runner of this.runners) runner.release();
     this.key = key;
     this.model = model;
-    this.runners = key === "" ? [] : methods.map((method) => new Runner(model, method, {step, tolerance}));
+    this.runners = key === '' ? [] : methods.map((method) => new Runner(model, method, { step, tolerance }));
   }
 
   /**
@@ -92,7 +92,9 @@ export class Runs {
    */
   advance(t) {
     const start = performance.now();
-    this.runners.forEach((runner, i) => runner.advance(t, start + (millisecondsOfFrame * (i + 1)) / this.runners.length));
+    this.runners.forEach((runner, i) =>
+      runner.advance(t, start + (millisecondsOfFrame * (i + 1)) / this.runners.length),
+    );
     return this.runners.some((runner) => !runner.failure && !runner.knows(t));
   }
 }

@@ -25,8 +25,18 @@
  * @property {number} tour The step that is open, from 1; 0 for none.
  */
 
-export const features = ["floor", "axes", "momentum", "omega", "trail", "plane", "labels"];
+export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
 export const speeds = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((power) => 2 ** power);
+
+/**
+ * The language of the page that a reader understands best.
+ * @param {readonly string[]} languages As in navigator.languages.
+ * @returns {State["lang"]}
+ */
+export function languageOf(languages) {
+  const first = languages.find((language) => /^(en|nb|nn|no)\b/.test(language)) ?? 'en';
+  return first.startsWith('en') ? 'en' : 'nb';
+}
 
 /**
  * The state in which the page of a scene opens.
@@ -34,26 +44,25 @@ export const speeds = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((power) => 2 ** power)
  * @param {readonly string[]} languages The reader's, as in navigator.languages.
  * @returns {State}
  */
-export function initialState({scene}, languages) {
+export function initialState({ scene }, languages) {
   const power = Math.min(Math.max(Math.floor(Math.log2(scene.film.speed)), -4), 4);
   const compared = scene.overlay.compare ?? [];
-  const first = languages.find((language) => /^(en|nb|nn|no)\b/.test(language)) ?? "en";
   return {
     t: 0,
     speed: 2 ** power,
     omega: scene.motion.omega,
     moments: null,
-    theme: "auto",
-    frame: scene.camera.frame ?? "space",
+    theme: 'auto',
+    frame: scene.camera.frame ?? 'space',
     show: features.filter((feature) => scene.overlay.show.includes(feature)),
     view: [0, 0, 1],
     from: 0,
     length: scene.motion.duration,
-    compare: compared.length > 1 ? "beside" : "off",
-    methods: compared.length > 1 ? compared.slice(0, 2) : ["exact", "rk4"],
+    compare: compared.length > 1 ? 'beside' : 'off',
+    methods: compared.length > 1 ? compared.slice(0, 2) : ['exact', 'rk4'],
     step: Math.max(scene.motion.step, 0.01),
     tolerance: Math.max(scene.motion.tolerance, 1e-6),
-    lang: first.startsWith("en") ? "en" : "nb",
+    lang: languageOf(languages),
     tour: 0,
   };
 }
@@ -77,7 +86,7 @@ export class Store {
   /** @param {Partial<State>} changes */
   set(changes) {
     const before = this.state;
-    this.state = {...before, ...changes};
+    this.state = { ...before, ...changes };
     for (const listener of this.listeners) listener(this.state, before);
   }
 }

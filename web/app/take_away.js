@@ -11,7 +11,9 @@ const mostRows = 20001;
 const quoted = (text) => (/^[\w./:@%+=,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
 /** @param {string} option @param {number | string | number[]} value An empty list where the value is not wanted. */
-const optionOf = (option, value) => [`--${option}${String(value).startsWith("-") ? "=" : " "}${quoted(String(value))}`];
+const optionOf = (option, value) => [
+  `--${option}${String(value).startsWith('-') ? '=' : ' '}${quoted(String(value))}`,
+];
 
 /** @param {any} a @param {any} b */
 const differ = (a, b) => String(a) !== String(b);
@@ -22,32 +24,40 @@ const differ = (a, b) => String(a) !== String(b);
  * @returns {[string, string, any][]}
  */
 function changes(state, data, theme) {
-  const {scene} = data, {camera} = scene;
+  const { scene } = data,
+    { camera } = scene;
   const [azimuth, elevation, zoom] = state.view;
-  const compared = state.compare !== "off";
+  const compared = state.compare !== 'off';
   /** @type {[string, string, any][]} */
   const all = [
-    ["motion", "omega", state.omega],
-    ["motion", "method", compared ? state.methods[0] : "exact"],
-    ["motion", "duration", Math.max(state.from + state.length, state.t)],
-    ["film", "speed", state.speed],
-    ["look", "theme", theme],
-    ["camera", "azimuth", camera.azimuth + azimuth],
-    ["camera", "elevation", Math.min(Math.max(camera.elevation + elevation, -Math.PI / 2), Math.PI / 2)],
-    ["camera", "distance", Math.min(Math.max(camera.distance / zoom, 0.2), 20)],
-    ["camera", "frame", state.frame],
+    ['motion', 'omega', state.omega],
+    ['motion', 'method', compared ? state.methods[0] : 'exact'],
+    ['motion', 'duration', Math.max(state.from + state.length, state.t)],
+    ['film', 'speed', state.speed],
+    ['look', 'theme', theme],
+    ['camera', 'azimuth', camera.azimuth + azimuth],
+    ['camera', 'elevation', Math.min(Math.max(camera.elevation + elevation, -Math.PI / 2), Math.PI / 2)],
+    ['camera', 'distance', Math.min(Math.max(camera.distance / zoom, 0.2), 20)],
+    ['camera', 'frame', state.frame],
   ];
   if (compared) {
-    all.push(["motion", "step", state.step], ["motion", "tolerance", state.tolerance], ["overlay", "compare", state.methods]);
+    all.push(
+      ['motion', 'step', state.step],
+      ['motion', 'tolerance', state.tolerance],
+      ['overlay', 'compare', state.methods],
+    );
   }
   const given = data.source_scene ?? scene;
   return all.filter(([table, key, value]) => differ(value, given[table]?.[key]));
 }
 
 /** What is shown of the film beside what can be chosen here. @param {State} state @param {PageData} data */
-function shownFeatures({show}, {scene}) {
-  const choosable = ["floor", "axes", "momentum", "omega", "trail", "plane", "labels"];
-  return [...scene.overlay.show.filter((/** @type {string} */ feature) => !choosable.includes(feature)), ...show];
+function shownFeatures({ show }, { scene }) {
+  const choosable = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
+  return [
+    ...scene.overlay.show.filter((/** @type {string} */ feature) => !choosable.includes(feature)),
+    ...show,
+  ];
 }
 
 /**
@@ -55,61 +65,84 @@ function shownFeatures({show}, {scene}) {
  * @param {State} state @param {PageData} data @param {string} theme
  */
 export function commandLine(state, data, theme) {
-  const source = data.source ?? data.scene.name, given = data.source_scene ?? data.scene;
+  const source = data.source ?? data.scene.name,
+    given = data.source_scene ?? data.scene;
   const parts = [`twrench render ${quoted(source)}`];
   const moments = state.moments ?? data.scene.body?.moments ?? [];
-  if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf("inertia", moments));
-  for (const [, key, value] of changes(state, data, theme)) parts.push(...optionOf(key.replaceAll("_", "-"), value));
-  const show = shownFeatures(state, data), before = given.overlay.show;
+  if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf('inertia', moments));
+  for (const [, key, value] of changes(state, data, theme))
+    parts.push(...optionOf(key.replaceAll('_', '-'), value));
+  const show = shownFeatures(state, data),
+    before = given.overlay.show;
   const hidden = before.filter((/** @type {string} */ feature) => !show.includes(feature));
   const added = show.filter((feature) => !before.includes(feature));
-  if (hidden.length) parts.push(...optionOf("hide", hidden));
-  if (added.length) parts.push(...optionOf("show", added));
-  return `${parts.join(" ")} -o flip.mp4`;
+  if (hidden.length) parts.push(...optionOf('hide', hidden));
+  if (added.length) parts.push(...optionOf('show', added));
+  return `${parts.join(' ')} -o flip.mp4`;
 }
 
 /** A value in TOML. @param {any} value @returns {string} */
 function toml(value) {
-  if (Array.isArray(value)) return `[${value.map(toml).join(", ")}]`;
-  if (typeof value !== "string") return String(value);
-  const escaped = JSON.stringify(value).replace(/[\u007f-\u009f\u2028\u2029]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, "0")}`);
+  if (Array.isArray(value)) return `[${value.map(toml).join(', ')}]`;
+  if (typeof value !== 'string') return String(value);
+  const escaped = JSON.stringify(value).replace(
+    /[\u007f-\u009f\u2028\u2029]/g,
+    (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`,
+  );
   return escaped;
 }
 
 /** @param {string} head @param {Record<string, any>} table */
-const tomlTable = (head, table) => `${head}\n${Object.entries(table).map(([key, value]) => `${key} = ${toml(value)}\n`).join("")}`;
+const tomlTable = (head, table) =>
+  `${head}\n${Object.entries(table)
+    .map(([key, value]) => `${key} = ${toml(value)}\n`)
+    .join('')}`;
 
 /**
  * The scene file of this motion.
  * @param {State} state @param {PageData} data @param {string} theme
  */
 export function sceneFile(state, data, theme) {
-  const {part, body, shot, name, title, ...tables} = structuredClone(data.scene);
+  const { part, body, shot, name, title, ...tables } = structuredClone(data.scene);
   for (const [table, key, value] of changes(state, data, theme)) (tables[table] ??= {})[key] = value;
   tables.overlay.show = shownFeatures(state, data);
-  const texts = [`# Lengths in centimetres, masses in grams, times in seconds, angles in radians.\ntitle = ${toml(title ?? "")}\n`];
-  if (state.moments) texts.push(tomlTable("[body]", {moments: state.moments}));
-  else if (body) texts.push(tomlTable("[body]", body));
-  else for (const each of part ?? []) texts.push(tomlTable("[[part]]", each));
+  const texts = [
+    `# Lengths in centimetres, masses in grams, times in seconds, angles in radians.\ntitle = ${toml(title ?? '')}\n`,
+  ];
+  if (state.moments) texts.push(tomlTable('[body]', { moments: state.moments }));
+  else if (body) texts.push(tomlTable('[body]', body));
+  else for (const each of part ?? []) texts.push(tomlTable('[[part]]', each));
   for (const [key, table] of Object.entries(tables)) {
-    if (table && typeof table === "object" && !Array.isArray(table)) texts.push(tomlTable(`[${key}]`, table));
+    if (table && typeof table === 'object' && !Array.isArray(table)) texts.push(tomlTable(`[${key}]`, table));
   }
-  return texts.join("\n");
+  return texts.join('\n');
 }
 
 /**
  * The motion over the timeline, with the columns of twrench simulate.
  * @param {State} state @param {MotionModel} model @param {number} fps
  */
-export function csv({from, length}, model, fps) {
+export function csv({ from, length }, model, fps) {
   const count = Math.min(Math.max(2, Math.round(length * fps) + 1), mostRows);
-  const times = Float64Array.from({length: count}, (_, i) => from + (length * i) / (count - 1));
-  const samples = model.motion.samples(times), found = model.motion.diagnose(samples);
-  const lines = ["t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,momentum_error"];
+  const times = Float64Array.from({ length: count }, (_, i) => from + (length * i) / (count - 1));
+  const samples = model.motion.samples(times),
+    found = model.motion.diagnose(samples);
+  const lines = [
+    't,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,momentum_error',
+  ];
   for (let i = 0; i < count; ++i) {
     const drift = found.energyDrift[i];
-    lines.push([times[i], ...samples.X.subarray(9 * i, 9 * i + 9), ...samples.omega.subarray(3 * i, 3 * i + 3),
-      model.facts.energy * (1 + drift), drift, found.orthogonalityError[i], found.momentumError[i]].join(","));
+    lines.push(
+      [
+        times[i],
+        ...samples.X.subarray(9 * i, 9 * i + 9),
+        ...samples.omega.subarray(3 * i, 3 * i + 3),
+        model.facts.energy * (1 + drift),
+        drift,
+        found.orthogonalityError[i],
+        found.momentumError[i],
+      ].join(','),
+    );
   }
-  return lines.join("\n") + "\n";
+  return lines.join('\n') + '\n';
 }

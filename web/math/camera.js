@@ -1,6 +1,6 @@
 // The film's perspective camera, which looks at the origin of space. Matrices of 16 numbers are row
 // by row, for column vectors in OpenGL's conventions: clip = projection * view * point.
-import {add, clamp, cross, dot, normalized, scale, times, transposed} from "./linear.js";
+import { add, clamp, cross, dot, normalized, scale, times, transposed } from './linear.js';
 
 /** @typedef {import("./linear.js").Vec3} Vec3 */
 /** @typedef {import("./linear.js").Mat3} Mat3 */
@@ -22,7 +22,7 @@ import {add, clamp, cross, dot, normalized, scale, times, transposed} from "./li
  * @property {number[]} centre Of the picture, in units of half the shorter side, y up.
  */
 
-const framingMargin = 1.08;  // around the sphere: 4 % of the picture on each side
+const framingMargin = 1.08; // around the sphere: 4 % of the picture on each side
 
 /**
  * The unit vector from the origin to the eye; angles in rad.
@@ -47,10 +47,22 @@ function attitudeTowards(direction) {
  * @param {number} tanX @param {number} tanY @param {number} near @param {number} far
  */
 const perspective = (tanX, tanY, near, far) => [
-  1 / tanX, 0, 0, 0,
-  0, 1 / tanY, 0, 0,
-  0, 0, -(far + near) / (far - near), (-2 * far * near) / (far - near),
-  0, 0, -1, 0,
+  1 / tanX,
+  0,
+  0,
+  0,
+  0,
+  1 / tanY,
+  0,
+  0,
+  0,
+  0,
+  -(far + near) / (far - near),
+  (-2 * far * near) / (far - near),
+  0,
+  0,
+  -1,
+  0,
 ];
 
 /** Half the picture's sides in units of half the shorter one. @param {number} aspect */
@@ -70,7 +82,7 @@ export function frameSphere(framing, direction) {
   const projection = perspective(tangent * sides[0], tangent * sides[1], 0.05 * distance, 20 * distance);
   projection[2] = framing.centre[0] / sides[0];
   projection[6] = framing.centre[1] / sides[1];
-  return {attitude: attitudeTowards(direction), distance, projection};
+  return { attitude: attitudeTowards(direction), distance, projection };
 }
 
 /**
@@ -87,7 +99,7 @@ function extentOf(framing, directions, points) {
     extent[3] = Math.max(extent[3], y);
   };
   for (const direction of directions) {
-    const camera = frameSphere({...framing, centre: [0, 0]}, direction);
+    const camera = frameSphere({ ...framing, centre: [0, 0] }, direction);
     const sine = framing.radius / camera.distance;
     const silhouette = (framingMargin * sine) / Math.sqrt(1 - sine * sine) / tanHalf;
     extend(silhouette, silhouette);
@@ -110,10 +122,13 @@ function extentOf(framing, directions, points) {
  */
 export function fitted(framing, directions, points) {
   const sides = halfSides(framing.aspect);
-  const result = {...framing, distance: 1};
+  const result = { ...framing, distance: 1 };
   let extent = extentOf(result, directions, points);
   for (let attempt = 0; attempt < 60; ++attempt) {
-    const excess = Math.max((extent[1] - extent[0]) / (2 * sides[0]), (extent[3] - extent[2]) / (2 * sides[1]));
+    const excess = Math.max(
+      (extent[1] - extent[0]) / (2 * sides[0]),
+      (extent[3] - extent[2]) / (2 * sides[1]),
+    );
     if (excess <= 1 + 1e-9) break;
     result.distance *= excess;
     extent = extentOf(result, directions, points);
@@ -127,7 +142,7 @@ export function fitted(framing, directions, points) {
  */
 export function carried(camera, spaceFromFrame) {
   const rows = [0, 3, 6].map((i) => times(spaceFromFrame, camera.attitude.slice(i, i + 3)));
-  return {...camera, attitude: rows.flat()};
+  return { ...camera, attitude: rows.flat() };
 }
 
 /** The position of the eye in space, cm. @param {Camera} camera */
@@ -137,7 +152,7 @@ export const eyeOf = (camera) => scale(camera.distance, camera.attitude.slice(6)
  * clip_from_space, 16 numbers row by row.
  * @param {Camera} camera
  */
-export function clipFromSpace({attitude, distance, projection: p}) {
+export function clipFromSpace({ attitude, distance, projection: p }) {
   const result = [];
   for (let row = 0; row < 16; row += 4) {
     for (let i = 0; i < 3; ++i) {

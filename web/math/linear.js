@@ -115,10 +115,16 @@ export function rotation(v) {
   const angle = norm(v);
   const [x, y, z] = normalized(v);
   const s = Math.sin(angle);
-  const h = 2 * Math.sin(angle / 2) ** 2;  // 1 - cos, without cancellation
+  const h = 2 * Math.sin(angle / 2) ** 2; // 1 - cos, without cancellation
   return [
-    1 - h * (y * y + z * z), h * x * y - s * z, h * x * z + s * y,
-    h * x * y + s * z, 1 - h * (x * x + z * z), h * y * z - s * x,
-    h * x * z - s * y, h * y * z + s * x, 1 - h * (x * x + y * y),
+    1 - h * (y * y + z * z),
+    h * x * y - s * z,
+    h * x * z + s * y,
+    h * x * y + s * z,
+    1 - h * (x * x + z * z),
+    h * y * z - s * x,
+    h * x * z - s * y,
+    h * y * z + s * x,
+    1 - h * (x * x + y * y),
   ];
 }

@@ -1,8 +1,8 @@
 // Tells those who do not see the picture when the body has turned over.
-import {byId} from "../app/dom.js";
-import {decimal, word} from "../words/words.js";
+import { byId } from '../app/dom.js';
+import { decimal, word } from '../words/words.js';
 
-const leastPause = 2000;  // ms between two announcements: speech takes time
+const leastPause = 2000; // ms between two announcements: speech takes time
 
 export class Announcer {
   constructor() {
@@ -22,6 +22,6 @@ export class Announcer {
     if (count <= this.count || performance.now() - this.last < leastPause) return;
     this.count = count;
     this.last = performance.now();
-    byId("announce").textContent = word("flipped", count, decimal(model.previousFlip(t) ?? t, 1));
+    byId('announce').textContent = word('flipped', count, decimal(model.previousFlip(t) ?? t, 1));
   }
 }

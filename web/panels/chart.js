@@ -3,8 +3,8 @@
 export class Chart {
   /** @param {HTMLElement} box Holds a canvas. @param {() => void} changed */
   constructor(box, changed) {
-    this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector("canvas"));
-    this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
+    this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector('canvas'));
+    this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
     /** What lines and text are measured by: 1 where text is of the usual size. */
     this.unit = 1;
     new ResizeObserver(() => {
@@ -19,11 +19,11 @@ export class Chart {
 
   /** Clears it; what is drawn then is in CSS pixels. */
   begin() {
-    const {context, canvas} = this;
+    const { context, canvas } = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, canvas.width, canvas.height);
     context.scale(devicePixelRatio, devicePixelRatio);
-    context.lineJoin = "round";
+    context.lineJoin = 'round';
     context.font = `${this.fontSize}px system-ui, "DejaVu Sans", sans-serif`;
     return context;
   }
@@ -46,17 +46,19 @@ export class Chart {
  * @param {number} span @param {number} count
  */
 export function tickStep(span, count) {
-  const rough = span / Math.max(count, 1), power = 10 ** Math.floor(Math.log10(rough));
+  const rough = span / Math.max(count, 1),
+    power = 10 ** Math.floor(Math.log10(rough));
   return power * ([1, 2, 5].find((factor) => factor * power >= rough) ?? 10);
 }
 
 /** The time at a tick, without needless digits: 20, 0.05, 4·10⁸. @param {number} t @param {number} step */
 export function tickText(t, step) {
   if (step < 1e6) return t.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
-  if (t === 0) return "0";
+  if (t === 0) return '0';
   const power = Math.floor(Math.log10(t) + 1e-12);
   return `${Number((t / 10 ** power).toPrecision(6))}·10${superscript(power)}`;
 }
 
 /** @param {number} power */
-export const superscript = (power) => [...String(power)].map((digit) => (digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])).join("");
+export const superscript = (power) =>
+  [...String(power)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');

@@ -1,46 +1,78 @@
 // Two methods against the exact motion: which, with what step, and what becomes of them.
-import {byId, element} from "../app/dom.js";
-import {brief, fillSelect, word} from "../words/words.js";
-import {Chart, superscript} from "./chart.js";
-import {NumberField} from "./number_field.js";
+import { byId, element } from '../app/dom.js';
+import { brief, fillSelect, word } from '../words/words.js';
+import { Chart, superscript } from './chart.js';
+import { NumberField } from './number_field.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../app/runs.js").Runs} Runs */
 /** @typedef {import("../app/state.js").State} State */
 
-const pointsOfChart = 240, marginLeft = 40, marginBottom = 4;
-const least = 1e-16, greatest = 10;  // of the chart of errors
+const pointsOfChart = 240,
+  marginLeft = 40,
+  marginBottom = 4;
+const least = 1e-16,
+  greatest = 10; // of the chart of errors
 
 export class ComparePanel {
   /**
    * @param {import("../app/state.js").Store} store @param {import("../core/core.js").Core} core
    * @param {import("../app/page_data.js").PageData} data @param {() => void} changed
    */
-  constructor(store, core, {limits}, changed) {
+  constructor(store, core, { limits }, changed) {
     this.core = core;
-    this.selects = [byId("method-a"), byId("method-b")].map((select) => /** @type {HTMLSelectElement} */ (select));
+    this.selects = [byId('method-a'), byId('method-b')].map(
+      (select) => /** @type {HTMLSelectElement} */ (select),
+    );
     this.selects.forEach((select, i) => {
-      fillSelect(select, core.methods.map(({name}) => [name, name]), store.state.methods[i]);
-      select.addEventListener("change", () => store.set({methods: store.state.methods.map((method, k) => (k === i ? select.value : method))}));
+      fillSelect(
+        select,
+        core.methods.map(({ name }) => [name, name]),
+        store.state.methods[i],
+      );
+      select.addEventListener('change', () =>
+        store.set({ methods: store.state.methods.map((method, k) => (k === i ? select.value : method)) }),
+      );
     });
-    this.modes = /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[name=compare]"));
-    for (const mode of this.modes) mode.addEventListener("change", () => store.set({compare: /** @type {any} */ (mode.value)}));
-    this.step = new NumberField(byId("step-field"), {label: () => word("step"), range: [1e-4, 2], logarithmic: true, limits: limits.step,
-      set: (step) => store.set({step})});
-    this.tolerance = new NumberField(byId("tolerance-field"), {label: () => word("tolerance"), range: [1e-12, 1e-1], logarithmic: true, limits: limits.tolerance,
-      set: (tolerance) => store.set({tolerance})});
-    this.chart = new Chart(byId("error-chart"), changed);
-    this.rows = ["attitudeError", "energyDrift", "momentumError", "orthogonality", "flipsSeen", "stepsTaken"].map((key) => this.#row(key));
+    this.modes = /** @type {NodeListOf<HTMLInputElement>} */ (
+      document.querySelectorAll('input[name=compare]')
+    );
+    for (const mode of this.modes)
+      mode.addEventListener('change', () => store.set({ compare: /** @type {any} */ (mode.value) }));
+    this.step = new NumberField(byId('step-field'), {
+      label: () => word('step'),
+      range: [1e-4, 2],
+      logarithmic: true,
+      limits: limits.step,
+      set: (step) => store.set({ step }),
+    });
+    this.tolerance = new NumberField(byId('tolerance-field'), {
+      label: () => word('tolerance'),
+      range: [1e-12, 1e-1],
+      logarithmic: true,
+      limits: limits.tolerance,
+      set: (tolerance) => store.set({ tolerance }),
+    });
+    this.chart = new Chart(byId('error-chart'), changed);
+    this.rows = [
+      'attitudeError',
+      'energyDrift',
+      'momentumError',
+      'orthogonality',
+      'flipsSeen',
+      'stepsTaken',
+    ].map((key) => this.#row(key));
   }
 
   /** @param {string} key */
   #row(key) {
-    const row = element("tr"), head = element("th", "", word(key));
-    head.scope = "row";
-    const cells = [element("td"), element("td")];
+    const row = element('tr'),
+      head = element('th', '', word(key));
+    head.scope = 'row';
+    const cells = [element('td'), element('td')];
     row.append(head, ...cells);
-    byId("errors").querySelector("tbody")?.append(row);
-    return {key, head, cells};
+    byId('errors').querySelector('tbody')?.append(row);
+    return { key, head, cells };
   }
 
   /** @param {State} state */
@@ -52,8 +84,8 @@ export class ComparePanel {
     const used = state.methods.map((name) => this.core.method(name));
     this.step.field.hidden = used.every((method) => method.exact);
     this.tolerance.field.hidden = !used.some((method) => method.adaptive);
-    const off = state.compare === "off";
-    for (const id of ["errors", "error-chart", "compare-note"]) byId(id).hidden = off;
+    const off = state.compare === 'off';
+    for (const id of ['errors', 'error-chart', 'compare-note']) byId(id).hidden = off;
   }
 
   relabel() {
@@ -63,24 +95,30 @@ export class ComparePanel {
 
   /** @param {State} state @param {MotionModel} model @param {Runs} runs @param {any} colors */
   draw(state, model, runs, colors) {
-    if (state.compare === "off") return;
-    const reports = runs.runners.map((runner) => report(runner, model, Math.min(state.t, runner.exact ? state.t : runner.reached)));
-    for (const {key, head, cells} of this.rows) {
+    if (state.compare === 'off') return;
+    const reports = runs.runners.map((runner) =>
+      report(runner, model, Math.min(state.t, runner.exact ? state.t : runner.reached)),
+    );
+    for (const { key, head, cells } of this.rows) {
       head.textContent = word(key, model.flipsUntil(state.t));
-      cells.forEach((cell, i) => (cell.textContent = reports[i]?.[key] ?? ""));
+      cells.forEach((cell, i) => (cell.textContent = reports[i]?.[key] ?? ''));
     }
-    const notes = runs.runners.filter((runner) => runner.failure || !runner.knows(state.t))
-      .map((runner) => runner.failure || word("reached", runner.method, brief(runner.reached)));
-    const note = byId("compare-note"), text = notes.join(" · ");
+    const notes = runs.runners
+      .filter((runner) => runner.failure || !runner.knows(state.t))
+      .map((runner) => runner.failure || word('reached', runner.method, brief(runner.reached)));
+    const note = byId('compare-note'),
+      text = notes.join(' · ');
     if (note.textContent !== text) note.textContent = text;
     this.#drawErrors(state, model, runs, colors);
   }
 
   /** @param {State} state @param {MotionModel} model @param {Runs} runs @param {any} colors */
-  #drawErrors({t, from, length}, model, runs, colors) {
-    const context = this.chart.begin(), {width, height, fontSize} = this.chart;
+  #drawErrors({ t, from, length }, model, runs, colors) {
+    const context = this.chart.begin(),
+      { width, height, fontSize } = this.chart;
     const y = (/** @type {number} */ error) => {
-      const share = Math.log10(Math.min(Math.max(error, least), greatest) / least) / Math.log10(greatest / least);
+      const share =
+        Math.log10(Math.min(Math.max(error, least), greatest) / least) / Math.log10(greatest / least);
       return (height - marginBottom) * (1 - share);
     };
     context.fillStyle = colors.dim;
@@ -90,12 +128,21 @@ export class ComparePanel {
       context.strokeRect(marginLeft, Math.round(y(10 ** power)) + 0.5, width - marginLeft, 0);
     }
     const end = Math.min(t, from + length);
-    const times = Array.from({length: pointsOfChart + 1}, (_, i) => from + ((end - from) * i) / pointsOfChart);
+    const times = Array.from(
+      { length: pointsOfChart + 1 },
+      (_, i) => from + ((end - from) * i) / pointsOfChart,
+    );
     runs.runners.forEach((runner, i) => {
       if (runner.exact) return;
-      const samples = runner.samples(times), {error} = model.motion.diagnose(samples);
+      const samples = runner.samples(times),
+        { error } = model.motion.diagnose(samples);
       context.beginPath();
-      error.forEach((value, k) => context.lineTo(marginLeft + ((samples.t[k] - from) / length) * (width - marginLeft), y(value / Math.SQRT2)));
+      error.forEach((value, k) =>
+        context.lineTo(
+          marginLeft + ((samples.t[k] - from) / length) * (width - marginLeft),
+          y(value / Math.SQRT2),
+        ),
+      );
       context.strokeStyle = i === 0 ? colors.text : colors.second;
       context.setLineDash(i === 0 ? [] : [6, 3]);
       context.lineWidth = 1.8 * this.chart.unit;
@@ -111,13 +158,14 @@ export class ComparePanel {
  * @returns {Record<string, string>}
  */
 function report(runner, model, t) {
-  const samples = runner.samples([t]), found = model.motion.diagnose(samples);
+  const samples = runner.samples([t]),
+    found = model.motion.diagnose(samples);
   return {
     attitudeError: brief(found.error[0] / Math.SQRT2),
     energyDrift: brief(found.energyDrift[0]),
     momentumError: brief(found.momentumError[0]),
     orthogonality: brief(found.orthogonalityError[0]),
-    flipsSeen: model.flips ? String(runner.flipsUntil(t)) : "–",
-    stepsTaken: runner.exact ? "–" : String(runner.steps),
+    flipsSeen: model.flips ? String(runner.flipsUntil(t)) : '–',
+    stepsTaken: runner.exact ? '–' : String(runner.steps),
   };
 }

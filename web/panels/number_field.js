@@ -1,7 +1,7 @@
 // A number that is set by a slider and by typing. The slider covers what is usual, the text field all
 // that is allowed.
-import {element} from "../app/dom.js";
-import {word} from "../words/words.js";
+import { element } from '../app/dom.js';
+import { word } from '../words/words.js';
 
 /**
  * @typedef {object} NumberFieldOptions
@@ -19,21 +19,21 @@ export class NumberField {
   /** @param {HTMLElement} box @param {NumberFieldOptions} options */
   constructor(box, options) {
     this.options = options;
-    this.field = element("div", options.name ? "field" : "field long");
-    this.name = element("label", "name");
-    this.slider = element("input");
-    this.slider.type = "range";
-    this.slider.step = "any";
-    this.text = element("input");
-    this.text.inputMode = "decimal";
+    this.field = element('div', options.name ? 'field' : 'field long');
+    this.name = element('label', 'name');
+    this.slider = element('input');
+    this.slider.type = 'range';
+    this.slider.step = 'any';
+    this.text = element('input');
+    this.text.inputMode = 'decimal';
     this.text.id = `number-${++nextId}`;
     this.name.htmlFor = this.text.id;
     this.field.append(this.name, this.slider, this.text);
     box.append(this.field);
-    this.slider.addEventListener("input", () => options.set(this.#fromSlider(Number(this.slider.value))));
-    this.slider.addEventListener("keydown", (event) => this.#nudge(event));
-    this.text.addEventListener("input", () => this.#read(false));
-    this.text.addEventListener("change", () => this.#read(true));
+    this.slider.addEventListener('input', () => options.set(this.#fromSlider(Number(this.slider.value))));
+    this.slider.addEventListener('keydown', (event) => this.#nudge(event));
+    this.text.addEventListener('input', () => this.#read(false));
+    this.text.addEventListener('change', () => this.#read(true));
     this.relabel();
     this.setRange(options.range);
   }
@@ -41,8 +41,8 @@ export class NumberField {
   relabel() {
     const label = this.options.label();
     this.name.textContent = this.options.name ?? label;
-    this.slider.setAttribute("aria-label", label);
-    if (this.options.name) this.text.setAttribute("aria-label", label);
+    this.slider.setAttribute('aria-label', label);
+    if (this.options.name) this.text.setAttribute('aria-label', label);
   }
 
   /** @param {number[]} range */
@@ -54,29 +54,32 @@ export class NumberField {
 
   /** @param {number} value */
   #fromSlider(value) {
-    const {logarithmic} = this.options;
+    const { logarithmic } = this.options;
     return Number((logarithmic ? 10 ** value : value).toPrecision(logarithmic ? 3 : 6));
   }
 
   /** A step of 1 % of the slider by an arrow key, 0.1 % with Shift. @param {KeyboardEvent} event */
   #nudge(event) {
-    const direction = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+    const direction = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     if (!direction) return;
     event.preventDefault();
     const step = (direction * (this.span ?? 1)) / (event.shiftKey ? 1000 : 100);
-    const value = Math.min(Math.max(Number(this.slider.value) + step, Number(this.slider.min)), Number(this.slider.max));
+    const value = Math.min(
+      Math.max(Number(this.slider.value) + step, Number(this.slider.min)),
+      Number(this.slider.max),
+    );
     this.slider.value = String(value);
     this.options.set(this.#fromSlider(value));
   }
 
   /** @param {boolean} done Whether the reader has finished typing. */
   #read(done) {
-    const text = this.text.value.trim().replace(",", ".").replace("−", "-");
-    const value = text === "" ? NaN : Number(text);
+    const text = this.text.value.trim().replace(',', '.').replace('−', '-');
+    const value = text === '' ? NaN : Number(text);
     const [low, high] = this.options.limits;
     const fits = value >= low && value <= high;
     this.text.ariaInvalid = String(!fits);
-    this.text.setCustomValidity(fits ? "" : word("badNumber", low, high));
+    this.text.setCustomValidity(fits ? '' : word('badNumber', low, high));
     if (done && !fits) this.text.reportValidity();
     if (fits) this.options.set(value);
   }
@@ -86,7 +89,7 @@ export class NumberField {
     this.slider.value = String(this.options.logarithmic ? Math.log10(value) : value);
     if (document.activeElement === this.text) return;
     this.text.value = String(Number(value.toPrecision(8)));
-    this.text.ariaInvalid = "false";
-    this.text.setCustomValidity("");
+    this.text.ariaInvalid = 'false';
+    this.text.setCustomValidity('');
   }
 }

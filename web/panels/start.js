@@ -1,14 +1,14 @@
 // How the motion starts and of which body: angular velocity and moments, by sliders and by typing.
-import {byId, element} from "../app/dom.js";
-import {spunAbout} from "../app/motion_model.js";
-import {word} from "../words/words.js";
-import {NumberField} from "./number_field.js";
+import { byId, element } from '../app/dom.js';
+import { spunAbout } from '../app/motion_model.js';
+import { word } from '../words/words.js';
+import { NumberField } from './number_field.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../app/state.js").State} State */
 /** @typedef {import("../app/state.js").Store} Store */
 
-const push = 0.05;  // of the rotation rate, beside the axis: so that an unstable one shows
+const push = 0.05; // of the rotation rate, beside the axis: so that an unstable one shows
 
 /** @param {number[]} list @param {number} at @param {number} value */
 const replaced = (list, at, value) => list.map((old, i) => (i === at ? value : old));
@@ -17,22 +17,30 @@ export class StartPanel {
   /** @param {Store} store @param {import("../app/page_data.js").PageData} data @param {() => MotionModel} model */
   constructor(store, data, model) {
     const largest = Math.max(...store.initial.omega.map(Math.abs), 1e-9);
-    this.fields = [0, 1, 2].map((i) => new NumberField(byId("omega"), {
-      name: `ω${"xyz"[i]}`, label: () => `ω${"xyz"[i]}, rad/s`, range: [-2 * largest, 2 * largest], limits: data.limits.omega,
-      set: (value) => store.set({omega: replaced(store.state.omega, i, value)}),
-    }));
-    this.buttons = ["aboutLeast", "aboutMiddle", "aboutGreatest"].map((key, i) => {
-      const button = element("button", "", word(key));
-      button.type = "button";
+    this.fields = [0, 1, 2].map(
+      (i) =>
+        new NumberField(byId('omega'), {
+          name: `ω${'xyz'[i]}`,
+          label: () => `ω${'xyz'[i]}, rad/s`,
+          range: [-2 * largest, 2 * largest],
+          limits: data.limits.omega,
+          set: (value) => store.set({ omega: replaced(store.state.omega, i, value) }),
+        }),
+    );
+    this.buttons = ['aboutLeast', 'aboutMiddle', 'aboutGreatest'].map((key, i) => {
+      const button = element('button', '', word(key));
+      button.type = 'button';
       button.dataset.word = key;
-      button.addEventListener("click", () => store.set({omega: spunAbout(model(), i, push), t: 0, from: 0}));
-      byId("about").append(button);
+      button.addEventListener('click', () =>
+        store.set({ omega: spunAbout(model(), i, push), t: 0, from: 0 }),
+      );
+      byId('about').append(button);
       return button;
     });
   }
 
   /** @param {State} state */
-  show({omega}) {
+  show({ omega }) {
     this.fields.forEach((field, i) => field.show(omega[i]));
   }
 }
@@ -43,22 +51,34 @@ export class BodyPanel {
     const own = [0, 4, 8].map((i) => data.inertia[i]);
     this.given = own.map((moment) => Number(moment.toPrecision(6)));
     this.range = rangeAbout(own);
-    this.choices = /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[name=body]"));
+    this.choices = /** @type {NodeListOf<HTMLInputElement>} */ (
+      document.querySelectorAll('input[name=body]')
+    );
     for (const choice of this.choices) {
-      choice.addEventListener("change", () => store.set({moments: choice.value === "scene" ? null : this.given}));
+      choice.addEventListener('change', () =>
+        store.set({ moments: choice.value === 'scene' ? null : this.given }),
+      );
     }
-    this.fields = [0, 1, 2].map((i) => new NumberField(byId("moments"), {
-      name: `I${"xyz"[i]}`, label: () => `I${"xyz"[i]}, g cm²`, range: rangeAbout(own), logarithmic: true, limits: data.limits.moment,
-      set: (value) => store.set({moments: replaced(store.state.moments ?? this.given, i, value)}),
-    }));
+    this.fields = [0, 1, 2].map(
+      (i) =>
+        new NumberField(byId('moments'), {
+          name: `I${'xyz'[i]}`,
+          label: () => `I${'xyz'[i]}, g cm²`,
+          range: rangeAbout(own),
+          logarithmic: true,
+          limits: data.limits.moment,
+          set: (value) => store.set({ moments: replaced(store.state.moments ?? this.given, i, value) }),
+        }),
+    );
   }
 
   /** @param {State} state @param {MotionModel} model */
-  show({moments}, model) {
-    for (const choice of this.choices) choice.checked = choice.value === (moments ? "moments" : "scene");
-    byId("moments").hidden = !moments;
+  show({ moments }, model) {
+    for (const choice of this.choices) choice.checked = choice.value === (moments ? 'moments' : 'scene');
+    byId('moments').hidden = !moments;
     if (moments) this.#showMoments(moments);
-    const note = byId("moments-note"), text = model.facts.isReal ? "" : word("unreal");
+    const note = byId('moments-note'),
+      text = model.facts.isReal ? '' : word('unreal');
     if (note.textContent !== text) note.textContent = text;
   }
 

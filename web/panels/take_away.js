@@ -1,7 +1,7 @@
 // The buttons by which the reader takes something along.
-import {byId} from "../app/dom.js";
-import {commandLine, csv, sceneFile} from "../app/take_away.js";
-import {word} from "../words/words.js";
+import { byId } from '../app/dom.js';
+import { commandLine, csv, sceneFile } from '../app/take_away.js';
+import { word } from '../words/words.js';
 
 /**
  * @typedef {object} Shown
@@ -15,22 +15,22 @@ import {word} from "../words/words.js";
 
 /** @param {string} text */
 async function copy(text) {
-  const box = byId("copied");
+  const box = byId('copied');
   box.hidden = false;
   let done = true;
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    done = false;  // not allowed in a frame, or on a page from a file in some browsers
+    done = false; // not allowed in a frame, or on a page from a file in some browsers
   }
   box.textContent = text;
-  byId("announce").textContent = word(done ? "copied" : "notCopied");
+  byId('announce').textContent = word(done ? 'copied' : 'notCopied');
   if (!done) getSelection()?.selectAllChildren(box);
 }
 
 /** @param {Blob} blob @param {string} name */
 function save(blob, name) {
-  const link = document.createElement("a");
+  const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
@@ -39,13 +39,19 @@ function save(blob, name) {
 
 export class TakeAway {
   /** @param {Shown} shown */
-  constructor({store, data, model, theme, link, picture}) {
-    const on = (/** @type {string} */ id, /** @type {() => void} */ act) => byId(id).addEventListener("click", act);
-    const {name} = data.scene;
-    on("copy-link", () => copy(link()));
-    on("copy-command", () => copy(commandLine(store.state, data, theme())));
-    on("copy-scene", () => copy(sceneFile(store.state, data, theme())));
-    on("save-png", async () => save(await picture(), `${name ?? "twrench"}.png`));
-    on("save-csv", () => save(new Blob([csv(store.state, model(), data.scene.film.fps)], {type: "text/csv"}), `${name ?? "twrench"}.csv`));
+  constructor({ store, data, model, theme, link, picture }) {
+    const on = (/** @type {string} */ id, /** @type {() => void} */ act) =>
+      byId(id).addEventListener('click', act);
+    const { name } = data.scene;
+    on('copy-link', () => copy(link()));
+    on('copy-command', () => copy(commandLine(store.state, data, theme())));
+    on('copy-scene', () => copy(sceneFile(store.state, data, theme())));
+    on('save-png', async () => save(await picture(), `${name ?? 'twrench'}.png`));
+    on('save-csv', () =>
+      save(
+        new Blob([csv(store.state, model(), data.scene.film.fps)], { type: 'text/csv' }),
+        `${name ?? 'twrench'}.csv`,
+      ),
+    );
   }
 }

@@ -1,12 +1,13 @@
 // The timeline: where the motion is, and its flips. A slider for the pointer and the keyboard.
-import {clamp} from "../math/linear.js";
-import {seek} from "../app/player.js";
-import {Chart, tickStep, tickText} from "./chart.js";
+import { clamp } from '../math/linear.js';
+import { seek } from '../app/player.js';
+import { Chart, tickStep, tickText } from './chart.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../app/state.js").State} State */
 
-const mostFlips = 400, margin = 10;
+const mostFlips = 400,
+  margin = 10;
 
 export class Timeline {
   /**
@@ -19,26 +20,27 @@ export class Timeline {
     this.chart = new Chart(box, actions.invalidate);
     /** @type {{model: MotionModel, key: string, dense: boolean, times: number[]} | null} */
     this.flipsFor = null;
-    box.addEventListener("pointerdown", (event) => {
+    box.addEventListener('pointerdown', (event) => {
       box.setPointerCapture(event.pointerId);
       this.#seekTo(event);
     });
-    box.addEventListener("pointermove", (event) => {
+    box.addEventListener('pointermove', (event) => {
       if (box.hasPointerCapture(event.pointerId)) this.#seekTo(event);
     });
-    box.addEventListener("keydown", (event) => this.#key(event, actions));
+    box.addEventListener('keydown', (event) => this.#key(event, actions));
   }
 
   /** @param {PointerEvent} event */
   #seekTo(event) {
-    const box = this.box.getBoundingClientRect(), {from, length} = this.store.state;
+    const box = this.box.getBoundingClientRect(),
+      { from, length } = this.store.state;
     const share = clamp((event.clientX - box.left - margin) / (box.width - 2 * margin), 0, 1);
-    this.store.set({t: clamp(from + share * length, 0, 1e9)});
+    this.store.set({ t: clamp(from + share * length, 0, 1e9) });
   }
 
   /** @param {KeyboardEvent} event @param {{flip: (direction: number) => void, step: (direction: number) => void, toggle: () => void}} actions */
-  #key(event, {flip, step, toggle}) {
-    const {t, from, length} = this.store.state;
+  #key(event, { flip, step, toggle }) {
+    const { t, from, length } = this.store.state;
     /** @type {Record<string, () => void>} */
     const keys = {
       ArrowLeft: () => (event.shiftKey ? seek(this.store, t - length / 100) : step(-1)),
@@ -47,9 +49,9 @@ export class Timeline {
       ArrowUp: () => seek(this.store, t + length / 100),
       PageDown: () => flip(-1),
       PageUp: () => flip(1),
-      Home: () => this.store.set({t: from}),
-      End: () => this.store.set({t: from + length}),
-      " ": toggle,
+      Home: () => this.store.set({ t: from }),
+      End: () => this.store.set({ t: from + length }),
+      ' ': toggle,
     };
     if (!keys[event.key]) return;
     event.preventDefault();
@@ -58,19 +60,26 @@ export class Timeline {
 
   /** @param {MotionModel} model */
   #flipsOf(model) {
-    const {from, length} = this.store.state;
+    const { from, length } = this.store.state;
     const key = `${from} ${length}`;
     if (this.flipsFor?.model !== model || this.flipsFor.key !== key) {
       const interval = model.flips?.interval ?? Infinity;
       const dense = length / interval > mostFlips;
-      this.flipsFor = {model, key, dense, times: model.flips && !dense ? model.motion.flipTimes(from, from + length, mostFlips) : []};
+      this.flipsFor = {
+        model,
+        key,
+        dense,
+        times: model.flips && !dense ? model.motion.flipTimes(from, from + length, mostFlips) : [],
+      };
     }
     return this.flipsFor;
   }
 
   /** @param {State} state @param {MotionModel} model @param {any} colors of the theme @param {{from: number, to: number} | null} detail */
-  draw({t, from, length}, model, colors, detail) {
-    const {chart} = this, context = chart.begin(), {width, height} = chart;
+  draw({ t, from, length }, model, colors, detail) {
+    const { chart } = this,
+      context = chart.begin(),
+      { width, height } = chart;
     const x = (/** @type {number} */ time) => margin + ((time - from) / length) * (width - 2 * margin);
     const middle = height - 14 - 0.35 * chart.fontSize;
     context.fillStyle = colors.line;
@@ -81,7 +90,12 @@ export class Timeline {
     this.#drawTicks(from, length, colors, x);
     if (detail && detail.to - detail.from < 0.98 * length) {
       context.strokeStyle = colors.text;
-      context.strokeRect(clamp(x(detail.from), margin, width - margin - 3), middle - 9, Math.max(x(detail.to) - x(detail.from), 3), 18);
+      context.strokeRect(
+        clamp(x(detail.from), margin, width - margin - 3),
+        middle - 9,
+        Math.max(x(detail.to) - x(detail.from), 3),
+        18,
+      );
     }
     context.beginPath();
     context.arc(clamp(x(t), margin, width - margin), middle, 8, 0, 2 * Math.PI);
@@ -94,7 +108,8 @@ export class Timeline {
 
   /** @param {MotionModel} model @param {any} colors @param {(t: number) => number} x @param {number} middle */
   #drawFlips(model, colors, x, middle) {
-    const {context, width} = this.chart, {dense, times} = this.#flipsOf(model);
+    const { context, width } = this.chart,
+      { dense, times } = this.#flipsOf(model);
     context.fillStyle = colors.flip;
     if (dense) {
       context.globalAlpha = 0.5;
@@ -105,7 +120,7 @@ export class Timeline {
     for (const time of times) {
       context.fillRect(x(time) - half, middle - 9, 2 * half, 18);
       if (times.length > 60) continue;
-      context.beginPath();  // a diamond, so that flips are told by shape as well
+      context.beginPath(); // a diamond, so that flips are told by shape as well
       context.moveTo(x(time), middle - 14);
       context.lineTo(x(time) + 4, middle - 10);
       context.lineTo(x(time), middle - 6);
@@ -116,15 +131,16 @@ export class Timeline {
 
   /** @param {number} from @param {number} length @param {any} colors @param {(t: number) => number} x */
   #drawTicks(from, length, colors, x) {
-    const {context, width, fontSize} = this.chart;
+    const { context, width, fontSize } = this.chart;
     const step = tickStep(length, width / (from + length > 1e6 ? 160 : 80));
     context.fillStyle = colors.dim;
-    context.textBaseline = "top";
+    context.textBaseline = 'top';
     for (let n = Math.ceil(from / step - 1e-9); n * step <= from + length * (1 + 1e-12); ++n) {
-      const text = tickText(n * step, step), wide = context.measureText(text).width;
+      const text = tickText(n * step, step),
+        wide = context.measureText(text).width;
       context.fillText(text, clamp(x(n * step) - wide / 2, 0, width - wide - 12), 0, width);
     }
-    context.textBaseline = "alphabetic";
-    context.fillText("s", width - 8, 0.8 * fontSize);
+    context.textBaseline = 'alphabetic';
+    context.fillText('s', width - 8, 0.8 * fontSize);
   }
 }

@@ -1,14 +1,15 @@
 // Play, pause, step, flips, speed, and the length of the timeline.
-import {byId} from "../app/dom.js";
-import {seek} from "../app/player.js";
-import {speeds} from "../app/state.js";
-import {brief, decimal, fillSelect, word} from "../words/words.js";
+import { byId } from '../app/dom.js';
+import { seek } from '../app/player.js';
+import { speeds } from '../app/state.js';
+import { brief, decimal, fillSelect, word } from '../words/words.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../app/state.js").State} State */
 
 const framesPerSecond = 60;
-const playIcon = "M4 2 L15 9 L4 16 Z", pauseIcon = "M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z";
+const playIcon = 'M4 2 L15 9 L4 16 Z',
+  pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';
 
 /** A speed as 4 or 1/4. @param {number} speed */
 const speedText = (speed) => `${speed >= 1 ? speed : `1/${1 / speed}`} ×`;
@@ -22,49 +23,51 @@ export class Transport {
     this.store = store;
     this.player = player;
     this.model = model;
-    this.playButton = byId("play");
-    this.time = /** @type {HTMLInputElement} */ (byId("t"));
-    this.length = /** @type {HTMLInputElement} */ (byId("length"));
-    this.speed = /** @type {HTMLSelectElement} */ (byId("speed"));
+    this.playButton = byId('play');
+    this.time = /** @type {HTMLInputElement} */ (byId('t'));
+    this.length = /** @type {HTMLInputElement} */ (byId('length'));
+    this.speed = /** @type {HTMLSelectElement} */ (byId('speed'));
     this.#makeIcon();
-    const on = (/** @type {string} */ id, /** @type {() => void} */ act) => byId(id).addEventListener("click", act);
-    on("play", () => player.play(!player.playing));
-    on("step-back", () => this.step(-1));
-    on("step-on", () => this.step(1));
-    on("flip-back", () => this.toFlip(-1));
-    on("flip-on", () => this.toFlip(1));
-    on("shorter", () => this.#stretch(0.5));
-    on("longer", () => this.#stretch(2));
-    this.speed.addEventListener("change", () => store.set({speed: Number(this.speed.value)}));
+    const on = (/** @type {string} */ id, /** @type {() => void} */ act) =>
+      byId(id).addEventListener('click', act);
+    on('play', () => player.play(!player.playing));
+    on('step-back', () => this.step(-1));
+    on('step-on', () => this.step(1));
+    on('flip-back', () => this.toFlip(-1));
+    on('flip-on', () => this.toFlip(1));
+    on('shorter', () => this.#stretch(0.5));
+    on('longer', () => this.#stretch(2));
+    this.speed.addEventListener('change', () => store.set({ speed: Number(this.speed.value) }));
     this.#readNumber(this.time, 0, (t) => seek(store, t));
     this.#readNumber(this.length, 1e-3, (length) => this.#stretch(length / store.state.length));
     player.listeners.push(() => this.relabel());
   }
 
   #makeIcon() {
-    const space = "http://www.w3.org/2000/svg";
-    const svg = document.createElementNS(space, "svg");
-    svg.setAttribute("viewBox", "0 0 18 18");
-    svg.setAttribute("width", "1em");
-    svg.setAttribute("aria-hidden", "true");
-    this.icon = document.createElementNS(space, "path");
-    this.icon.setAttribute("fill", "currentColor");
+    const space = 'http://www.w3.org/2000/svg';
+    const svg = document.createElementNS(space, 'svg');
+    svg.setAttribute('viewBox', '0 0 18 18');
+    svg.setAttribute('width', '1em');
+    svg.setAttribute('aria-hidden', 'true');
+    this.icon = document.createElementNS(space, 'path');
+    this.icon.setAttribute('fill', 'currentColor');
     svg.append(this.icon);
     this.playButton.replaceChildren(svg);
   }
 
   /** @param {HTMLInputElement} input @param {number} low @param {(value: number) => void} set */
   #readNumber(input, low, set) {
-    input.addEventListener("change", () => {
-      const text = input.value.trim().replace(",", "."), value = text === "" ? NaN : Number(text);
+    input.addEventListener('change', () => {
+      const text = input.value.trim().replace(',', '.'),
+        value = text === '' ? NaN : Number(text);
       const fits = value >= low && value <= 1e9;
       input.ariaInvalid = String(!fits);
-      input.setCustomValidity(fits ? "" : word("badNumber", low, 1e9));
+      input.setCustomValidity(fits ? '' : word('badNumber', low, 1e9));
       if (fits) set(value);
       else input.reportValidity();
     });
-    input.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") input.blur();
+    input.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') input.blur();
     });
   }
 
@@ -76,7 +79,8 @@ export class Transport {
 
   /** @param {number} direction 1 for the next, -1 for the last */
   toFlip(direction) {
-    const {t} = this.store.state, model = this.model();
+    const { t } = this.store.state,
+      model = this.model();
     // Where it already is at a flip, the next one but that.
     const apart = 1e-9 * Math.max(Math.abs(t), 1);
     const flip = direction > 0 ? model.nextFlip(t + apart) : model.previousFlip(t - apart);
@@ -85,39 +89,46 @@ export class Transport {
 
   /** Makes the timeline longer, around t. @param {number} factor */
   #stretch(factor) {
-    const {from, length, t} = this.store.state;
+    const { from, length, t } = this.store.state;
     const longer = Math.min(Math.max(length * factor, 1e-3), 1e9);
     const start = Math.max(0, t - ((t - from) / length) * longer);
-    this.store.set({from: t <= longer ? 0 : start, length: longer});
+    this.store.set({ from: t <= longer ? 0 : start, length: longer });
   }
 
   relabel() {
-    const {playing} = this.player;
-    this.icon?.setAttribute("d", playing ? pauseIcon : playIcon);
-    this.playButton.setAttribute("aria-label", word(playing ? "pause" : "play"));
-    fillSelect(this.speed, speeds.map((speed) => [String(speed), speedText(speed)]), String(this.store.state.speed));
+    const { playing } = this.player;
+    this.icon?.setAttribute('d', playing ? pauseIcon : playIcon);
+    this.playButton.setAttribute('aria-label', word(playing ? 'pause' : 'play'));
+    fillSelect(
+      this.speed,
+      speeds.map((speed) => [String(speed), speedText(speed)]),
+      String(this.store.state.speed),
+    );
   }
 
   /** @param {State} state @param {MotionModel} model */
-  show({t, from, length, speed, compare, methods}, model) {
+  show({ t, from, length, speed, compare, methods }, model) {
     const digits = Math.max(0, Math.min(3, 3 - Math.floor(Math.log10(length / 100))));
     if (document.activeElement !== this.time) this.time.value = t.toFixed(digits);
     if (document.activeElement !== this.length) this.length.value = String(Number(length.toPrecision(6)));
     this.speed.value = String(speed);
-    const flips = model.flipsUntil(t), next = model.nextFlip(t);
-    const slider = byId("timeline");
-    slider.setAttribute("aria-valuemin", String(from));
-    slider.setAttribute("aria-valuemax", String(from + length));
-    slider.setAttribute("aria-valuenow", String(Number(t.toPrecision(6))));
-    slider.setAttribute("aria-valuetext", word("timeText", decimal(t, 1), flips));
-    const says = model.flips ? `${word("flips", flips)} · ${next === null ? word("steady") : word("nextFlip", brief(next - t))}` : word("noFlips");
-    byId("readout").textContent = `t = ${decimal(t, digits > 1 ? 2 : digits)} s · ${says}`;
-    byId("flip-back").toggleAttribute("disabled", !model.flips);
-    byId("flip-on").toggleAttribute("disabled", !model.flips);
-    byId("stage").classList.toggle("beside", compare === "beside");
-    ["name-a", "name-b"].forEach((id, i) => {
-      byId(id).hidden = compare === "off";
-      byId(id).textContent = `${"AB"[i]}: ${methods[i]}`;
+    const flips = model.flipsUntil(t),
+      next = model.nextFlip(t);
+    const slider = byId('timeline');
+    slider.setAttribute('aria-valuemin', String(from));
+    slider.setAttribute('aria-valuemax', String(from + length));
+    slider.setAttribute('aria-valuenow', String(Number(t.toPrecision(6))));
+    slider.setAttribute('aria-valuetext', word('timeText', decimal(t, 1), flips));
+    const says = model.flips
+      ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', brief(next - t))}`
+      : word('noFlips');
+    byId('readout').textContent = `t = ${decimal(t, digits > 1 ? 2 : digits)} s · ${says}`;
+    byId('flip-back').toggleAttribute('disabled', !model.flips);
+    byId('flip-on').toggleAttribute('disabled', !model.flips);
+    byId('stage').classList.toggle('beside', compare === 'beside');
+    ['name-a', 'name-b'].forEach((id, i) => {
+      byId(id).hidden = compare === 'off';
+      byId(id).textContent = `${'AB'[i]}: ${methods[i]}`;
     });
   }
 }

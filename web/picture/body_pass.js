@@ -1,21 +1,21 @@
 // Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and its
 // bounding radius scaled to 1. As src/render/body/body_pass.cpp, but for a framebuffer with several
 // samples a pixel, so that edges need no quads of their own.
-import body_frag from "../../shaders/body.frag";
-import body_vert from "../../shaders/body.vert";
-import brush from "../../shaders/brush.glsl";
-import marked from "../../shaders/marked.glsl";
-import matte from "../../shaders/matte.glsl";
-import metal from "../../shaders/metal.glsl";
-import occluders_frag from "../../shaders/occluders.glsl";
-import occluders_vert from "../../shaders/occluders.vert";
-import studio from "../../shaders/studio.glsl";
-import tone from "../../shaders/tone.glsl";
-import unmarked from "../../shaders/unmarked.glsl";
-import unoccluded_frag from "../../shaders/unoccluded.glsl";
-import unoccluded_vert from "../../shaders/unoccluded.vert";
-import {cofactors, product, scale, times} from "../math/linear.js";
-import {Program, setAttributes} from "./program.js";
+import body_frag from '../../shaders/body.frag';
+import body_vert from '../../shaders/body.vert';
+import brush from '../../shaders/brush.glsl';
+import marked from '../../shaders/marked.glsl';
+import matte from '../../shaders/matte.glsl';
+import metal from '../../shaders/metal.glsl';
+import occluders_frag from '../../shaders/occluders.glsl';
+import occluders_vert from '../../shaders/occluders.vert';
+import studio from '../../shaders/studio.glsl';
+import tone from '../../shaders/tone.glsl';
+import unmarked from '../../shaders/unmarked.glsl';
+import unoccluded_frag from '../../shaders/unoccluded.glsl';
+import unoccluded_vert from '../../shaders/unoccluded.vert';
+import { cofactors, product, scale, times } from '../math/linear.js';
+import { Program, setAttributes } from './program.js';
 
 /** @typedef {import("./surface.js").Surface} Surface */
 /** @typedef {import("../math/camera.js").Camera} Camera */
@@ -35,8 +35,14 @@ function programOf(gl, surface, material) {
     gl,
     [constants, alone ? unoccluded_vert : occluders_vert, body_vert],
     [
-      constants, studio, alone ? unoccluded_frag : occluders_frag, tone, brush,
-      surface.marked ? marked : unmarked, material.metal ? metal : matte, body_frag,
+      constants,
+      studio,
+      alone ? unoccluded_frag : occluders_frag,
+      tone,
+      brush,
+      surface.marked ? marked : unmarked,
+      material.metal ? metal : matte,
+      body_frag,
     ],
   );
 }
@@ -80,7 +86,7 @@ export class BodyPass {
    * @param {Camera} camera @param {number[]} X @param {Size} size @param {number} opacity 0 to 1
    */
   drawGhost(camera, X, size, opacity) {
-    const {gl} = this;
+    const { gl } = this;
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.colorMask(false, false, false, false);
     this.draw(camera, X, size);
@@ -100,24 +106,24 @@ export class BodyPass {
    */
   drawMirrored(camera, X, height, size) {
     this.#begin(camera, X, height, size);
-    this.gl.frontFace(this.gl.CW);  // a mirror reverses the winding
+    this.gl.frontFace(this.gl.CW); // a mirror reverses the winding
     this.#drawParts(camera, X, false);
     this.gl.frontFace(this.gl.CCW);
   }
 
   /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror @param {Size} size */
-  #begin(camera, X, mirrorHeight, {width, height}) {
-    const {gl, program} = this;
-    const {radius} = this.surface;
+  #begin(camera, X, mirrorHeight, { width, height }) {
+    const { gl, program } = this;
+    const { radius } = this.surface;
     const seen = seenFromStage(camera, mirrorHeight / radius);
     const cameraFromBody = product(camera.attitude, X);
     program.use();
     const eye = times(seen.turn, [0, 0, camera.distance / radius]);
-    program.set("eye", [eye[0] + seen.shift[0], eye[1] + seen.shift[1], eye[2] + seen.shift[2]]);
-    program.setMatrix("clip_from_stage", clipFromStage(camera, radius, seen));
-    program.setMatrix("stage_from_body", scale9(1 / radius, cameraFromBody));
-    program.setMatrix("stage_normal_from_body", cofactors(cameraFromBody));
-    program.set("picture", [width / 2, height / 2, 0.5]);
+    program.set('eye', [eye[0] + seen.shift[0], eye[1] + seen.shift[1], eye[2] + seen.shift[2]]);
+    program.setMatrix('clip_from_stage', clipFromStage(camera, radius, seen));
+    program.setMatrix('stage_from_body', scale9(1 / radius, cameraFromBody));
+    program.setMatrix('stage_normal_from_body', cofactors(cameraFromBody));
+    program.set('picture', [width / 2, height / 2, 0.5]);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
@@ -126,22 +132,22 @@ export class BodyPass {
 
   /** @param {Camera} camera @param {number[]} X @param {boolean} lifts whether parts are lifted over those that they touch */
   #drawParts(camera, X, lifts) {
-    const {gl, program, surface} = this;
+    const { gl, program, surface } = this;
     const stageFromBody = scale9(1 / surface.radius, product(camera.attitude, X));
     gl.bindVertexArray(this.array);
     let begin = 0;
     const drawTo = (/** @type {number} */ end, /** @type {number[]} */ axis) => {
       if (end > begin) {
-        program.set("side_axis", scale(surface.radius, times(stageFromBody, axis)));
+        program.set('side_axis', scale(surface.radius, times(stageFromBody, axis)));
         gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
       }
       begin = end;
     };
     for (const part of surface.parts) {
       this.#setOccluders(part.occluders, stageFromBody, lifts);
-      program.set("part_lift", lifts && part.occluders.some(({meets}) => meets) ? 1 : 0);
-      program.set("part_radii", part.radii);
-      program.set("across_from_body", part.across);
+      program.set('part_lift', lifts && part.occluders.some(({ meets }) => meets) ? 1 : 0);
+      program.set('part_radii', part.radii);
+      program.set('across_from_body', part.across);
       drawTo(part.side_begin, [0, 0, 0]);
       drawTo(part.end, part.axis);
     }
@@ -154,19 +160,28 @@ export class BodyPass {
   #setOccluders(capsules, stageFromBody, lifts) {
     const count = Math.max(...this.surface.parts.map((part) => part.occluders.length));
     if (count === 0) return;
-    const from = [], to = [];
+    const from = [],
+      to = [];
     for (let i = 0; i < count; ++i) {
       const capsule = capsules[i];
       // Unused ones are too small and far away to be visible.
-      from.push(...(capsule ? [...times(stageFromBody, capsule.from), capsule.radius / this.surface.radius] : [0, 0, -1e4, 1e-6]));
-      to.push(...(capsule ? [...times(stageFromBody, capsule.to), lifts && capsule.meets ? 1 : 0] : [0, 1, -1e4, 0]));
+      from.push(
+        ...(capsule
+          ? [...times(stageFromBody, capsule.from), capsule.radius / this.surface.radius]
+          : [0, 0, -1e4, 1e-6]),
+      );
+      to.push(
+        ...(capsule
+          ? [...times(stageFromBody, capsule.to), lifts && capsule.meets ? 1 : 0]
+          : [0, 1, -1e4, 0]),
+      );
     }
-    this.program.set("occluders_from", from);
-    this.program.set("occluders_to", to);
+    this.program.set('occluders_from', from);
+    this.program.set('occluders_to', to);
   }
 
   free() {
-    const {gl} = this;
+    const { gl } = this;
     gl.deleteVertexArray(this.array);
     gl.deleteBuffer(this.vertices);
     gl.deleteBuffer(this.indices);
@@ -182,23 +197,25 @@ const scale9 = (s, m) => m.map((x) => s * x);
  * @param {Camera} camera @param {number} height
  */
 function seenFromStage(camera, height) {
-  if (height === 0) return {turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], shift: [0, 0, 0]};
+  if (height === 0) return { turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], shift: [0, 0, 0] };
   const up = [camera.attitude[1], camera.attitude[4], camera.attitude[7]];
   const turn = [];
   for (let i = 0; i < 3; ++i) {
     for (let k = 0; k < 3; ++k) turn.push((i === k ? 1 : 0) - 2 * up[i] * up[k]);
   }
-  return {turn, shift: scale(2 * height, up)};
+  return { turn, shift: scale(2 * height, up) };
 }
 
 /** @param {Camera} camera @param {number} radius @param {{turn: number[], shift: number[]}} seen */
-function clipFromStage(camera, radius, {turn, shift}) {
+function clipFromStage(camera, radius, { turn, shift }) {
   const p = camera.projection;
   const result = [];
   for (let row = 0; row < 16; row += 4) {
     const r = [radius * p[row], radius * p[row + 1], radius * p[row + 2]];
     for (let i = 0; i < 3; ++i) result.push(r[0] * turn[i] + r[1] * turn[3 + i] + r[2] * turn[6 + i]);
-    result.push(r[0] * shift[0] + r[1] * shift[1] + r[2] * shift[2] + p[row + 3] - camera.distance * p[row + 2]);
+    result.push(
+      r[0] * shift[0] + r[1] * shift[1] + r[2] * shift[2] + p[row + 3] - camera.distance * p[row + 2],
+    );
   }
   return result;
 }

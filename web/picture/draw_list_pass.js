@@ -1,8 +1,8 @@
 // Renders draw lists as premultiplied colour: src/render/overlay/draw_list_pass.cpp.
-import draw_list_frag from "../../shaders/draw_list.frag";
-import draw_list_vert from "../../shaders/draw_list.vert";
-import {floatsOfVertex} from "./draw_list.js";
-import {Program, setAttributes} from "./program.js";
+import draw_list_frag from '../../shaders/draw_list.frag';
+import draw_list_vert from '../../shaders/draw_list.vert';
+import { floatsOfVertex } from './draw_list.js';
+import { Program, setAttributes } from './program.js';
 
 /** @typedef {import("./draw_list.js").DrawList} DrawList */
 /**
@@ -11,7 +11,9 @@ import {Program, setAttributes} from "./program.js";
  * @typedef {{faces?: "all" | "near" | "far", writesDepth?: boolean, hidden?: boolean, opacity?: number, clipZ?: number}} Mode
  */
 
-const faintest = 0.25, steps = 5, deepest = 0.01;  // of what the body hides; the last, of the pane's height
+const faintest = 0.25,
+  steps = 5,
+  deepest = 0.01; // of what the body hides; the last, of the pane's height
 
 export class DrawListPass {
   /** @param {WebGL2RenderingContext} gl */
@@ -31,19 +33,22 @@ export class DrawListPass {
   /** Draws faintly what the body, the only thing drawn so far, hides. @param {DrawList} list */
   drawGhosts(list) {
     /** @type {Mode[]} */
-    const modes = [{faces: "near", hidden: true, opacity: faintest}];
+    const modes = [{ faces: 'near', hidden: true, opacity: faintest }];
     const shown = (/** @type {number} */ step) => faintest + ((1 - faintest) * step) / (steps + 1);
     for (let step = 1; step <= steps; ++step) {
-      modes.push({faces: "near", opacity: (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
-        clipZ: list.clipZNearer * deepest * ((steps + 1 - step) / steps)});
+      modes.push({
+        faces: 'near',
+        opacity: (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
+        clipZ: list.clipZNearer * deepest * ((steps + 1 - step) / steps),
+      });
     }
     this.#draw(list, list.ghosts, modes);
   }
 
   /** @param {DrawList} list */
   drawOpaque(list) {
-    this.#draw(list, list.faces, [{writesDepth: true}]);
-    this.#draw(list, list.outlines, [{faces: "far"}]);
+    this.#draw(list, list.faces, [{ writesDepth: true }]);
+    this.#draw(list, list.outlines, [{ faces: 'far' }]);
   }
 
   /** @param {DrawList} list */
@@ -54,7 +59,7 @@ export class DrawListPass {
   /** @param {DrawList} list @param {number[]} indices @param {Mode[]} modes */
   #draw(list, indices, modes) {
     if (indices.length === 0) return;
-    const {gl, program} = this;
+    const { gl, program } = this;
     program.use();
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
@@ -63,14 +68,14 @@ export class DrawListPass {
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    for (const {faces = "all", writesDepth = false, hidden = false, opacity = 1, clipZ = 0} of modes) {
-      program.set("opacity", opacity);
-      program.set("clip_z", clipZ);
+    for (const { faces = 'all', writesDepth = false, hidden = false, opacity = 1, clipZ = 0 } of modes) {
+      program.set('opacity', opacity);
+      program.set('clip_z', clipZ);
       gl.depthFunc(hidden ? gl.GREATER : gl.LESS);
       gl.depthMask(writesDepth);
-      if (faces === "all") gl.disable(gl.CULL_FACE);
+      if (faces === 'all') gl.disable(gl.CULL_FACE);
       else gl.enable(gl.CULL_FACE);
-      gl.frontFace(faces === "far" ? gl.CW : gl.CCW);
+      gl.frontFace(faces === 'far' ? gl.CW : gl.CCW);
       gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
     }
     gl.depthFunc(gl.LESS);

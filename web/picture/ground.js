@@ -1,12 +1,12 @@
 // Draws what is behind the body: the theme's gradient and the floor with light, shadow and
 // reflection.
-import fullscreen_vert from "./fullscreen.vert";
-import ground_frag from "./ground.frag";
-import soften_frag from "./soften.frag";
-import {clamp, inverse, scale, subtract, times} from "../math/linear.js";
-import {clipFromSpace} from "../math/camera.js";
-import {Program} from "./program.js";
-import {SoftTarget} from "./soft_target.js";
+import fullscreen_vert from './fullscreen.vert';
+import ground_frag from './ground.frag';
+import soften_frag from './soften.frag';
+import { clamp, inverse, scale, subtract, times } from '../math/linear.js';
+import { clipFromSpace } from '../math/camera.js';
+import { Program } from './program.js';
+import { SoftTarget } from './soft_target.js';
 
 /** @typedef {import("../math/camera.js").Camera} Camera */
 /**
@@ -16,8 +16,9 @@ import {SoftTarget} from "./soft_target.js";
  * @property {{light: number[], shadow: number, reflection: number, clouds: number} | null} floor
  */
 
-const floorGap = 0.06;  // between the floor and the space that the body sweeps, in radii
-const mostBalls = 64, gridRows = 180;
+const floorGap = 0.06; // between the floor and the space that the body sweeps, in radii
+const mostBalls = 64,
+  gridRows = 180;
 
 export class Ground {
   /** @param {WebGL2RenderingContext} gl */
@@ -44,13 +45,13 @@ export class Ground {
    * @param {number} aspect
    */
   reflect(body, camera, X, aspect) {
-    const {gl} = this;
+    const { gl } = this;
     const width = Math.max(1, Math.round(gridRows * aspect));
     this.sharp.begin(width, gridRows);
-    body.drawMirrored(camera, X, Ground.height(body.surface.radius), {width, height: gridRows});
+    body.drawMirrored(camera, X, Ground.height(body.surface.radius), { width, height: gridRows });
     this.soft.begin(width, gridRows);
     this.soften.use();
-    this.soften.setTexture("sharp", 0);
+    this.soften.setTexture('sharp', 0);
     gl.bindTexture(gl.TEXTURE_2D, this.sharp.texture);
     this.#drawTriangle();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -61,19 +62,23 @@ export class Ground {
    * @param {import("./surface.js").Surface} surface
    * @param {{width: number, height: number, inner: number[], floor: boolean, turned: boolean}} pane
    */
-  draw(style, camera, X, surface, {width, height, inner, floor, turned}) {
-    const {gl, program} = this;
+  draw(style, camera, X, surface, { width, height, inner, floor, turned }) {
+    const { gl, program } = this;
     program.use();
-    program.set("above", style.backdrop.above);
-    program.set("below", style.backdrop.below);
-    program.set("vignette", style.backdrop.vignette);
-    program.set("picture", [width, height]);
-    program.set("inner", inner);
+    program.set('above', style.backdrop.above);
+    program.set('below', style.backdrop.below);
+    program.set('vignette', style.backdrop.vignette);
+    program.set('picture', [width, height]);
+    program.set('inner', inner);
     const share = floor && style.floor ? clamp(camera.attitude[7] / 0.03, 0, 1) : 0;
-    program.set("floor_share", share);
+    program.set('floor_share', share);
     if (share > 0 && style.floor) {
-      program.set("floor_light", style.floor.light);
-      program.set("floor_style", [style.floor.shadow, style.floor.reflection, turned ? style.floor.clouds : 0]);
+      program.set('floor_light', style.floor.light);
+      program.set('floor_style', [
+        style.floor.shadow,
+        style.floor.reflection,
+        turned ? style.floor.clouds : 0,
+      ]);
       this.#setFloor(camera, X, surface);
     }
     gl.bindTexture(gl.TEXTURE_2D, this.soft.texture);
@@ -81,25 +86,26 @@ export class Ground {
   }
 
   /** @param {Camera} camera @param {number[]} X @param {import("./surface.js").Surface} surface */
-  #setFloor(camera, X, {radius, balls}) {
-    const {gl, program} = this;
-    const m = clipFromSpace(camera), height = Ground.height(radius);
+  #setFloor(camera, X, { radius, balls }) {
+    const { gl, program } = this;
+    const m = clipFromSpace(camera),
+      height = Ground.height(radius);
     const row = (/** @type {number} */ i) => [radius * m[i], radius * m[i + 2], height * m[i + 1] + m[i + 3]];
-    program.setMatrix("floor_from_place", inverse([...row(0), ...row(4), ...row(12)]));
-    const {attitude} = camera;
+    program.setMatrix('floor_from_place', inverse([...row(0), ...row(4), ...row(12)]));
+    const { attitude } = camera;
     const across = Math.hypot(attitude[0], attitude[2]);
-    program.set("right_and_height", [attitude[0] / across, attitude[2] / across, height / radius, 0]);
+    program.set('right_and_height', [attitude[0] / across, attitude[2] / across, height / radius, 0]);
     const shown = balls.slice(0, mostBalls).flatMap((ball) => {
       const centre = scale(1 / radius, subtract(times(X, ball.centre), [0, height, 0]));
       return [...centre, ball.radius / radius];
     });
-    program.set("balls", shown.length > 4 ? shown : [...shown, 0, -1, 0, 0, 0, -1, 0, 0].slice(0, 8));
-    gl.uniform1i(gl.getUniformLocation(program.program, "ball_count"), shown.length / 4);
-    program.setTexture("reflection", 0);
+    program.set('balls', shown.length > 4 ? shown : [...shown, 0, -1, 0, 0, 0, -1, 0, 0].slice(0, 8));
+    gl.uniform1i(gl.getUniformLocation(program.program, 'ball_count'), shown.length / 4);
+    program.setTexture('reflection', 0);
   }
 
   #drawTriangle() {
-    const {gl} = this;
+    const { gl } = this;
     gl.bindVertexArray(this.array);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);

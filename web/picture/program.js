@@ -11,7 +11,7 @@ precision highp int;
  */
 function compiled(gl, stage, files) {
   const shader = /** @type {WebGLShader} */ (gl.createShader(stage));
-  gl.shaderSource(shader, dialect + files.join("\n"));
+  gl.shaderSource(shader, dialect + files.join('\n'));
   gl.compileShader(shader);
   if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
     throw new Error(`A shader does not compile: ${gl.getShaderInfoLog(shader)}`);
@@ -28,7 +28,10 @@ export class Program {
   constructor(gl, vertex, fragment) {
     this.gl = gl;
     this.program = /** @type {WebGLProgram} */ (gl.createProgram());
-    for (const shader of [compiled(gl, gl.VERTEX_SHADER, vertex), compiled(gl, gl.FRAGMENT_SHADER, fragment)]) {
+    for (const shader of [
+      compiled(gl, gl.VERTEX_SHADER, vertex),
+      compiled(gl, gl.FRAGMENT_SHADER, fragment),
+    ]) {
       gl.attachShader(this.program, shader);
       gl.deleteShader(shader);
     }
@@ -59,8 +62,8 @@ export class Program {
    * @param {string} name @param {number | ArrayLike<number>} value
    */
   set(name, value) {
-    const {gl} = this;
-    if (typeof value === "number") {
+    const { gl } = this;
+    if (typeof value === 'number') {
       gl.uniform1f(this.#at(name), value);
       return;
     }
@@ -77,7 +80,7 @@ export class Program {
 
   /** Sets a matrix of 9 or 16 numbers, row by row. @param {string} name @param {ArrayLike<number>} m */
   setMatrix(name, m) {
-    const {gl} = this;
+    const { gl } = this;
     if (m.length === 9) gl.uniformMatrix3fv(this.#at(name), true, Float32Array.from(m));
     else gl.uniformMatrix4fv(this.#at(name), true, Float32Array.from(m));
   }

@@ -1,6 +1,6 @@
 // The surface of a body as the picture needs it: the program's own for the scene, and a box for a
 // body that is given by its moments.
-import {add, scale} from "../math/linear.js";
+import { add, scale } from '../math/linear.js';
 
 /** `meets` if it is a cylinder drawn before, which the part touches. @typedef {{from: number[], to: number[], radius: number, meets: boolean}} Capsule */
 /** @typedef {{centre: number[], radius: number}} Ball  casts shadow; body axes, cm */
@@ -48,10 +48,10 @@ export function surfaceOf(json) {
   }
   const buffer = bytesOf(json.indices).buffer;
   const indices = json.wide_indices ? new Uint32Array(buffer) : Uint32Array.from(new Uint16Array(buffer));
-  return {...json, vertices, indices};
+  return { ...json, vertices, indices };
 }
 
-const edgeShare = 0.08;  // of the smallest half size: the radius of the rounded edges
+const edgeShare = 0.08; // of the smallest half size: the radius of the rounded edges
 const chordsOfEdge = 4;
 
 /**
@@ -74,15 +74,28 @@ export function boxSurface(moments) {
   const size = equimomentalBox(moments);
   const half = scale(0.5, size);
   const radius = Math.hypot(...half);
-  const {vertices, indices} = roundedBox(half);
+  const { vertices, indices } = roundedBox(half);
   const longest = half.indexOf(Math.max(...half));
   const capsuleRadius = (half[0] + half[1] + half[2] - half[longest]) / 2;
-  const part = {side_begin: indices.length, end: indices.length, axis: [0, 0, 0], occluders: [],
-    radii: [capsuleRadius / radius, 0, 0], across: [0, 0, 0, 0, 0, 0, 0, 0]};
+  const part = {
+    side_begin: indices.length,
+    end: indices.length,
+    axis: [0, 0, 0],
+    occluders: [],
+    radii: [capsuleRadius / radius, 0, 0],
+    across: [0, 0, 0, 0, 0, 0, 0, 0],
+  };
   const trail = [0, 0, 0];
   trail[longest] = 1.06 * half[longest];
-  return {vertices, indices, parts: [part], marked: false, radius, trail_point: trail,
-    balls: ballsAlong(half, longest, capsuleRadius)};
+  return {
+    vertices,
+    indices,
+    parts: [part],
+    marked: false,
+    radius,
+    trail_point: trail,
+    balls: ballsAlong(half, longest, capsuleRadius),
+  };
 }
 
 /** @param {number[]} half @param {number} longest @param {number} radius */
@@ -93,7 +106,7 @@ function ballsAlong(half, longest, radius) {
   for (let i = 0; i <= gaps; ++i) {
     const centre = [0, 0, 0];
     centre[longest] = reach * (gaps > 0 ? (2 * i) / gaps - 1 : 0);
-    balls.push({centre, radius});
+    balls.push({ centre, radius });
   }
   return balls;
 }
@@ -111,17 +124,28 @@ function roundedBox(half) {
     for (let j = 0; j <= chordsOfEdge; ++j) {
       const latitude = quarter * (end < 0 ? j / chordsOfEdge - 1 : j / chordsOfEdge);
       for (let octant = 0; octant < 4; ++octant) {
-        const corner = [octant === 0 || octant === 3 ? inner[0] : -inner[0], octant < 2 ? inner[1] : -inner[1], end * inner[2]];
+        const corner = [
+          octant === 0 || octant === 3 ? inner[0] : -inner[0],
+          octant < 2 ? inner[1] : -inner[1],
+          end * inner[2],
+        ];
         for (let i = 0; i <= chordsOfEdge; ++i) {
           const longitude = quarter * (octant + i / chordsOfEdge);
-          const normal = [Math.cos(latitude) * Math.cos(longitude), Math.cos(latitude) * Math.sin(longitude), Math.sin(latitude)];
+          const normal = [
+            Math.cos(latitude) * Math.cos(longitude),
+            Math.cos(latitude) * Math.sin(longitude),
+            Math.sin(latitude),
+          ];
           vertices.push(...add(corner, scale(bevel, normal)), ...normal);
         }
       }
     }
   }
   const around = 4 * (chordsOfEdge + 1);
-  return {vertices: Float32Array.from(vertices), indices: Uint32Array.from(ringIndices(2 * (chordsOfEdge + 1), around))};
+  return {
+    vertices: Float32Array.from(vertices),
+    indices: Uint32Array.from(ringIndices(2 * (chordsOfEdge + 1), around)),
+  };
 }
 
 /** Quads between rings, and fans that fill the first and the last. @param {number} rings @param {number} around */

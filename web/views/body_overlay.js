@@ -1,7 +1,9 @@
 // What is shown in space around the body: its axes, L and omega, the invariable plane and the trail
 // of a point. See src/render/overlay/body_overlay.h for why omega's arrow has this length.
-import {add, column, frameWithZAlong, normalized, scale, subtract, times} from "../math/linear.js";
-import {haloOf} from "../picture/draw_list.js";
+import { add, column, frameWithZAlong, normalized, scale, subtract, times } from '../math/linear.js';
+import { addArrow } from '../picture/arrows.js';
+import { addDot, addLine, addLineOnHalo, haloOf } from '../picture/lines.js';
+import { addDisc } from '../picture/surfaces.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../core/core.js").Sample} Sample */
@@ -9,8 +11,16 @@ import {haloOf} from "../picture/draw_list.js";
 /** @typedef {Record<string, boolean>} Shown */
 
 // As multiples of the bounding radius.
-const planeDistance = 1.18, longestOmega = 1.5, leastPlane = 0.85, axisLength = 1.16, momentumLength = 1.42;
-const momentumShaft = 0.017, omegaShaft = 0.015, axisShaft = 0.01, trailWidth = 0.016, planeLine = 0.004;
+const planeDistance = 1.18,
+  longestOmega = 1.5,
+  leastPlane = 0.85,
+  axisLength = 1.16,
+  momentumLength = 1.42;
+const momentumShaft = 0.017,
+  omegaShaft = 0.015,
+  axisShaft = 0.01,
+  trailWidth = 0.016,
+  planeLine = 0.004;
 
 /** @param {number[]} centre @param {number[]} normal @param {number} radius @param {number} count */
 function circle(centre, normal, radius, count) {
@@ -32,7 +42,7 @@ export class BodyOverlay {
     this.model = model;
     this.surface = surface;
     this.colors = colors;
-    const {radius} = surface;
+    const { radius } = surface;
     this.radius = radius;
     const longest = Math.max(model.height * Math.hypot(1, model.annulus.outer), Math.hypot(...model.omega));
     this.scale = model.atRest ? 0 : radius * Math.min(planeDistance / model.height, longestOmega / longest);
@@ -65,15 +75,22 @@ export class BodyOverlay {
 
   /** @param {Shown} shown @param {Sample} sample @param {DrawList} opaque */
   drawArrows(shown, sample, opaque) {
-    const {radius, colors} = this;
+    const { radius, colors } = this;
     if (shown.axes) {
       for (let i = 0; i < 3; ++i) {
-        opaque.arrow([0, 0, 0], scale(axisLength * radius, column(sample.X, i)), axisShaft * radius, colors.axis[i]);
+        addArrow(
+          opaque,
+          [0, 0, 0],
+          scale(axisLength * radius, column(sample.X, i)),
+          axisShaft * radius,
+          colors.axis[i],
+        );
       }
     }
     if (this.model.atRest) return;
-    if (shown.momentum) opaque.arrow([0, 0, 0], this.momentumTip, momentumShaft * radius, colors.momentum);
-    if (shown.omega) opaque.arrow([0, 0, 0], this.omegaTip(sample), omegaShaft * radius, colors.omega);
+    if (shown.momentum)
+      addArrow(opaque, [0, 0, 0], this.momentumTip, momentumShaft * radius, colors.momentum);
+    if (shown.omega) addArrow(opaque, [0, 0, 0], this.omegaTip(sample), omegaShaft * radius, colors.omega);
   }
 
   /** @param {Shown} shown @param {Sample[]} trail Oldest first, ending now. @param {DrawList} list */
@@ -83,21 +100,39 @@ export class BodyOverlay {
     if (shown.plane && shown.omega) {
       this.#drawTrack(trail, 0.6 * trailWidth, this.colors.omega, (sample) => this.omegaTip(sample), list);
     }
-    this.#drawTrack(trail, trailWidth, this.colors.trail, (sample) => times(sample.X, this.surface.trail_point), list);
+    this.#drawTrack(
+      trail,
+      trailWidth,
+      this.colors.trail,
+      (sample) => times(sample.X, this.surface.trail_point),
+      list,
+    );
   }
 
   /** @param {DrawList} list */
   #drawPlane(list) {
-    const {up} = this.model;
-    const centre = scale(this.planeHeight, up), color = this.colors.plane;
-    list.disc(centre, up, this.planeRadius, {color, opacity: 0.22}, {color, opacity: 0.1});
-    const point = (/** @type {number[]} */ place, /** @type {number} */ opacity) =>
-      ({place, width: planeLine * this.radius * list.pixels(place), ink: {color, opacity}});
+    const { up } = this.model;
+    const centre = scale(this.planeHeight, up),
+      color = this.colors.plane;
+    addDisc(list, centre, up, this.planeRadius, { color, opacity: 0.22 }, { color, opacity: 0.1 });
+    const point = (/** @type {number[]} */ place, /** @type {number} */ opacity) => ({
+      place,
+      width: planeLine * this.radius * list.pixels(place),
+      ink: { color, opacity },
+    });
     for (let ring = 1; ring <= 4; ++ring) {
-      list.line(circle(centre, up, (this.planeRadius * ring) / 4, 96).map((place) => point(place, ring === 4 ? 0.75 : 0.4)));
+      addLine(
+        list,
+        circle(centre, up, (this.planeRadius * ring) / 4, 96).map((place) =>
+          point(place, ring === 4 ? 0.75 : 0.4),
+        ),
+      );
     }
     for (const rim of circle(centre, up, this.planeRadius, 12)) {
-      list.line([0.25, 0.5, 0.75, 1].map((share) => point(add(centre, scale(share, subtract(rim, centre))), 0.3)));
+      addLine(
+        list,
+        [0.25, 0.5, 0.75, 1].map((share) => point(add(centre, scale(share, subtract(rim, centre))), 0.3)),
+      );
     }
   }
 
@@ -111,14 +146,20 @@ export class BodyOverlay {
     const line = trail.map((sample) => {
       const age = Math.min(Math.max((now.t - sample.t) / this.model.trailLength, 0), 1);
       const point = place(sample);
-      return {place: point, width: width * this.radius * (1 - 0.6 * age) * list.pixels(point),
-        ink: {color, opacity: 0.9 * (1 - age) ** 1.4}};
+      return {
+        place: point,
+        width: width * this.radius * (1 - 0.6 * age) * list.pixels(point),
+        ink: { color, opacity: 0.9 * (1 - age) ** 1.4 },
+      };
     });
-    list.lineOnHalo(line, this.colors.panel);
+    addLineOnHalo(list, line, this.colors.panel);
     const last = line[line.length - 1];
-    const near = add(last.place, scale(1.15 * width * this.radius, normalized(subtract(list.eye, last.place))));
-    list.dot(near, 1.15 * last.width + haloOf(last.width), {color: this.colors.panel, opacity: 0.9});
-    list.dot(near, 1.15 * last.width, {color, opacity: 1});
+    const near = add(
+      last.place,
+      scale(1.15 * width * this.radius, normalized(subtract(list.eye, last.place))),
+    );
+    addDot(list, near, 1.15 * last.width + haloOf(last.width), { color: this.colors.panel, opacity: 0.9 });
+    addDot(list, near, 1.15 * last.width, { color, opacity: 1 });
   }
 
   /** @param {Shown} shown @param {Sample} sample @returns {import("./canvas_view.js").Label[]} */
@@ -126,11 +167,15 @@ export class BodyOverlay {
     if (!shown.labels) return [];
     const labels = [];
     for (let i = 0; shown.axes && i < 3; ++i) {
-      labels.push({text: "xyz"[i], tip: scale(axisLength * this.radius, column(sample.X, i)), color: this.colors.axis[i]});
+      labels.push({
+        text: 'xyz'[i],
+        tip: scale(axisLength * this.radius, column(sample.X, i)),
+        color: this.colors.axis[i],
+      });
     }
     if (this.model.atRest) return labels;
-    if (shown.momentum) labels.push({text: "L", tip: this.momentumTip, color: this.colors.momentum});
-    if (shown.omega) labels.push({text: "ω", tip: this.omegaTip(sample), color: this.colors.omega});
+    if (shown.momentum) labels.push({ text: 'L', tip: this.momentumTip, color: this.colors.momentum });
+    if (shown.omega) labels.push({ text: 'ω', tip: this.omegaTip(sample), color: this.colors.omega });
     return labels;
   }
 }

@@ -1,16 +1,17 @@
 // What the views have in common: a canvas of WebGL 2 that is as sharp as the display, a camera that
 // can be turned and zoomed by mouse, touch, pen and keyboard, and names of things in space.
-import {clamp} from "../math/linear.js";
-import {clipFromSpace, directionOf, transformed} from "../math/camera.js";
+import { clamp } from '../math/linear.js';
+import { clipFromSpace, directionOf, transformed } from '../math/camera.js';
 
 /** @typedef {import("../math/camera.js").Camera} Camera */
 /** A name beside the end of something in space. @typedef {{text: string, tip: ArrayLike<number>, color: number[]}} Label */
 
 /** @param {number[]} color sRGB, 0 to 255 */
-export const css = (color) => `rgb(${color.map(Math.round).join(" ")})`;
+export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
 
 /** Pixels of what is a point on an ordinary screen; more where text is larger. */
-export const pixelsOfUnit = () => (devicePixelRatio * parseFloat(getComputedStyle(document.documentElement).fontSize)) / 15;
+export const pixelsOfUnit = () =>
+  (devicePixelRatio * parseFloat(getComputedStyle(document.documentElement).fontSize)) / 15;
 
 const mostElevation = Math.PI / 2 - 0.001;
 
@@ -22,19 +23,24 @@ export class CanvasView {
   constructor(box, changed) {
     this.box = box;
     this.changed = changed;
-    this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector("canvas"));
-    const gl = this.canvas.getContext("webgl2", {antialias: true, alpha: false, stencil: false, powerPreference: "high-performance"});
-    if (!gl) throw new Error("no WebGL 2");
+    this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector('canvas'));
+    const gl = this.canvas.getContext('webgl2', {
+      antialias: true,
+      alpha: false,
+      stencil: false,
+      powerPreference: 'high-performance',
+    });
+    if (!gl) throw new Error('no WebGL 2');
     this.gl = gl;
-    this.names = document.createElement("div");
-    this.names.className = "names";
-    this.names.ariaHidden = "true";
+    this.names = document.createElement('div');
+    this.names.className = 'names';
+    this.names.ariaHidden = 'true';
     box.append(this.names);
-    this.view = {azimuth: 0, elevation: 0, zoom: 1};
-    this.home = {azimuth: 0, elevation: 0};
+    this.view = { azimuth: 0, elevation: 0, zoom: 1 };
+    this.home = { azimuth: 0, elevation: 0 };
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
-    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-    this.canvas.addEventListener("webglcontextrestored", () => {
+    this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    this.canvas.addEventListener('webglcontextrestored', () => {
       this.restore();
       this.changed();
     });
@@ -60,14 +66,20 @@ export class CanvasView {
 
   /** From the origin to the eye. */
   direction() {
-    return directionOf(this.home.azimuth + this.view.azimuth,
-      clamp(this.home.elevation + this.view.elevation, -mostElevation, mostElevation));
+    return directionOf(
+      this.home.azimuth + this.view.azimuth,
+      clamp(this.home.elevation + this.view.elevation, -mostElevation, mostElevation),
+    );
   }
 
   /** Turns the view, angles in rad. @param {number} azimuth @param {number} elevation */
   turn(azimuth, elevation) {
     this.view.azimuth += azimuth;
-    this.view.elevation = clamp(this.view.elevation + elevation, -mostElevation - this.home.elevation, mostElevation - this.home.elevation);
+    this.view.elevation = clamp(
+      this.view.elevation + elevation,
+      -mostElevation - this.home.elevation,
+      mostElevation - this.home.elevation,
+    );
     this.moved();
   }
 
@@ -82,14 +94,17 @@ export class CanvasView {
   }
 
   resetView() {
-    this.view = {azimuth: 0, elevation: 0, zoom: 1};
+    this.view = { azimuth: 0, elevation: 0, zoom: 1 };
     this.moved();
   }
 
   /** The place of a pointer in the picture: -1 to 1 across and up. @param {PointerEvent} event */
   placeOf(event) {
     const box = this.canvas.getBoundingClientRect();
-    return [(2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height];
+    return [
+      (2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height,
+    ];
   }
 
   /**
@@ -99,21 +114,26 @@ export class CanvasView {
    * @param {number} [first] How many names there are already.
    * @returns {number} How many names there are now.
    */
-  showNames(labels, camera, pane = {left: 0, width: 1}, first = 0) {
+  showNames(labels, camera, pane = { left: 0, width: 1 }, first = 0) {
     const clip = clipFromSpace(camera);
-    const width = this.canvas.clientWidth * pane.width, height = this.canvas.clientHeight;
+    const width = this.canvas.clientWidth * pane.width,
+      height = this.canvas.clientHeight;
     let shown = first;
     const centre = transformed(clip, [0, 0, 0]);
-    for (const {text, tip, color} of labels) {
+    for (const { text, tip, color } of labels) {
       const at = transformed(clip, tip);
-      const x = at[0] / at[3], y = at[1] / at[3];
+      const x = at[0] / at[3],
+        y = at[1] / at[3];
       if (at[3] <= 0 || Math.abs(x) > 1 || Math.abs(y) > 1) continue;
-      const dx = (x - centre[0] / centre[3]) * width, dy = (centre[1] / centre[3] - y) * height;
+      const dx = (x - centre[0] / centre[3]) * width,
+        dy = (centre[1] / centre[3] - y) * height;
       const length = Math.max(Math.hypot(dx, dy), 1);
       const span = this.#name(shown++);
       span.textContent = text;
       span.style.color = css(color);
-      const left = this.canvas.clientWidth * pane.left + clamp((0.5 + 0.5 * x) * width + (13 * dx) / length, 10, width - 10);
+      const left =
+        this.canvas.clientWidth * pane.left +
+        clamp((0.5 + 0.5 * x) * width + (13 * dx) / length, 10, width - 10);
       const top = clamp((0.5 - 0.5 * y) * height + (13 * dy) / length, 12, height - 12);
       span.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
     }
@@ -122,12 +142,13 @@ export class CanvasView {
 
   /** Hides the names from that one on. @param {number} shown */
   hideNames(shown) {
-    for (let i = shown; i < this.names.children.length; ++i) /** @type {HTMLElement} */ (this.names.children[i]).textContent = "";
+    for (let i = shown; i < this.names.children.length; ++i)
+      /** @type {HTMLElement} */ (this.names.children[i]).textContent = '';
   }
 
   /** @param {number} i @returns {HTMLElement} */
   #name(i) {
-    while (this.names.children.length <= i) this.names.append(document.createElement("span"));
+    while (this.names.children.length <= i) this.names.append(document.createElement('span'));
     return /** @type {HTMLElement} */ (this.names.children[i]);
   }
 }

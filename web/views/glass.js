@@ -1,8 +1,9 @@
-import {clamp, dot, normalized, subtract} from "../math/linear.js";
+import { clamp, dot, normalized, subtract } from '../math/linear.js';
 
 /** @typedef {import("../math/linear.js").Vec3} Vec3 */
 
-const through = 0.22, ramp = 0.12;
+const through = 0.22,
+  ramp = 0.12;
 
 /**
  * How visible a point on a closed convex surface of glass is from `eye`: 1 on the near side, less on

@@ -1,17 +1,33 @@
 // The momentum in the body frame, on a sphere because its length is constant:
 // src/render/views/momentum_view.cpp. The start of the motion can be dragged.
-import {column, dot, fromColumns, cross, identity, normalized, scale, subtract, times, transposed} from "../math/linear.js";
-import {clipFromSpace, directionOf, fitted, frameSphere, pickSphere, transformed} from "../math/camera.js";
-import {DrawList} from "../picture/draw_list.js";
-import {DrawListPass} from "../picture/draw_list_pass.js";
-import {CanvasView, pixelsOfUnit} from "./canvas_view.js";
-import {shown} from "./glass.js";
+import {
+  column,
+  dot,
+  fromColumns,
+  cross,
+  identity,
+  normalized,
+  scale,
+  subtract,
+  times,
+  transposed,
+} from '../math/linear.js';
+import { clipFromSpace, directionOf, fitted, frameSphere, pickSphere, transformed } from '../math/camera.js';
+import { DrawList } from '../picture/draw_list.js';
+import { DrawListPass } from '../picture/draw_list_pass.js';
+import { CanvasView, pixelsOfUnit } from './canvas_view.js';
+import { shown } from './glass.js';
+import { addArrow } from '../picture/arrows.js';
+import { addDot, addLine, addLineOnHalo } from '../picture/lines.js';
+import { addEllipsoid } from '../picture/surfaces.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../core/core.js").Sample} Sample */
 
-const lifted = 1.002;  // lifts curves off the facets of the sphere
-const axisEnd = 1.24, named = 1.12, fieldOfView = 0.5;
+const lifted = 1.002; // lifts curves off the facets of the sphere
+const axisEnd = 1.24,
+  named = 1.12,
+  fieldOfView = 0.5;
 
 /**
  * What the view shows: paths of directions of the momentum, body axes, each oldest first and with its
@@ -28,7 +44,7 @@ export class SphereView extends CanvasView {
     /** @type {MotionModel | null} */
     this.model = null;
     this.viewFromBody = identity;
-    this.facing = "";
+    this.facing = '';
     this.restore();
   }
 
@@ -43,13 +59,21 @@ export class SphereView extends CanvasView {
    */
   #face(model) {
     if (this.model === model) return;
-    const {axes} = model.principal;
+    const { axes } = model.principal;
     const key = axes.join() + model.principal.names.join();
-    this.viewFromBody = transposed(fromColumns(cross(column(axes, 0), column(axes, 1)), column(axes, 0), column(axes, 1)));
+    this.viewFromBody = transposed(
+      fromColumns(cross(column(axes, 0), column(axes, 1)), column(axes, 0), column(axes, 1)),
+    );
     if (key !== this.facing) {
       const mu = times(transposed(axes), model.up);
-      const from = times(this.viewFromBody, times(axes, [mu[0] < 0 ? -0.36 : 0.36, mu[1] < 0 ? -0.8 : 0.8, mu[2] < 0 ? -0.5 : 0.5]));
-      this.home = {azimuth: Math.atan2(from[0], from[2]), elevation: Math.atan2(from[1], Math.hypot(from[0], from[2]))};
+      const from = times(
+        this.viewFromBody,
+        times(axes, [mu[0] < 0 ? -0.36 : 0.36, mu[1] < 0 ? -0.8 : 0.8, mu[2] < 0 ? -0.5 : 0.5]),
+      );
+      this.home = {
+        azimuth: Math.atan2(from[0], from[2]),
+        elevation: Math.atan2(from[1], Math.hypot(from[0], from[2])),
+      };
       this.facing = key;
     }
     this.model = model;
@@ -57,10 +81,13 @@ export class SphereView extends CanvasView {
 
   camera() {
     const tips = [0, 1, 2].map((i) => scale(named * axisEnd, this.#axis(i)));
-    const framing = {fieldOfView, aspect: this.aspect, radius: 1, distance: 1, centre: [0, 0]};
+    const framing = { fieldOfView, aspect: this.aspect, radius: 1, distance: 1, centre: [0, 0] };
     const fit = fitted(framing, [directionOf(this.home.azimuth, this.home.elevation)], tips);
-    const {zoom} = this.view;
-    return frameSphere({...fit, distance: fit.distance / zoom, centre: fit.centre.map((x) => x * zoom)}, this.direction());
+    const { zoom } = this.view;
+    return frameSphere(
+      { ...fit, distance: fit.distance / zoom, centre: fit.centre.map((x) => x * zoom) },
+      this.direction(),
+    );
   }
 
   /** The principal axis with that index in the view's coordinates. @param {number} i */
@@ -70,8 +97,8 @@ export class SphereView extends CanvasView {
   }
 
   /** @param {SpherePicture} picture */
-  draw({model, trails, colors}) {
-    const {gl, canvas, opaque, translucent, pass} = this;
+  draw({ model, trails, colors }) {
+    const { gl, canvas, opaque, translucent, pass } = this;
     if (gl.isContextLost() || !pass) return;
     this.#face(model);
     const camera = this.camera();
@@ -92,9 +119,14 @@ export class SphereView extends CanvasView {
 
   /** @param {MotionModel} model @param {Sample[][]} trails @param {any} colors @param {import("../math/camera.js").Camera} camera */
   #nameAll(model, trails, colors, camera) {
-    const labels = [0, 1, 2].map((i) => ({text: model.principal.names[i], tip: scale(axisEnd, this.#axis(i)), color: colors.axis[model.principal.colors[i]]}));
+    const labels = [0, 1, 2].map((i) => ({
+      text: model.principal.names[i],
+      tip: scale(axisEnd, this.#axis(i)),
+      color: colors.axis[model.principal.colors[i]],
+    }));
     const now = trails[0]?.[trails[0].length - 1];
-    if (now && !model.atRest) labels.push({text: "L", tip: this.#place(model.muOf(now.omega)), color: colors.momentum});
+    if (now && !model.atRest)
+      labels.push({ text: 'L', tip: this.#place(model.muOf(now.omega)), color: colors.momentum });
     this.hideNames(this.showNames(labels, camera));
   }
 
@@ -108,17 +140,35 @@ export class SphereView extends CanvasView {
     const list = this.translucent;
     const line = curve.map((mu) => {
       const place = this.#place(mu);
-      return {place: scale(lifted, place), width: width * list.hairline, ink: {color, opacity: opacity * shown(place, place, list.eye)}};
+      return {
+        place: scale(lifted, place),
+        width: width * list.hairline,
+        ink: { color, opacity: opacity * shown(place, place, list.eye) },
+      };
     });
     line.push(line[0]);
-    list.line(line);
+    addLine(list, line);
   }
 
   /** @param {MotionModel} model @param {any} colors */
   #addSphere(model, colors) {
-    const {names: {length}, colors: own, axes} = model.principal;
-    for (let i = 0; i < length; ++i) this.opaque.arrow(scale(0.98, this.#axis(i)), scale(axisEnd, this.#axis(i)), 0.016, colors.axis[own[i]]);
-    this.translucent.ellipsoid(identity, {color: colors.plane, opacity: 0.22}, 0.75, {color: colors.panel, opacity: colors.panel_opacity});
+    const {
+      names: { length },
+      colors: own,
+      axes,
+    } = model.principal;
+    for (let i = 0; i < length; ++i)
+      addArrow(
+        this.opaque,
+        scale(0.98, this.#axis(i)),
+        scale(axisEnd, this.#axis(i)),
+        0.016,
+        colors.axis[own[i]],
+      );
+    addEllipsoid(this.translucent, identity, { color: colors.plane, opacity: 0.22 }, 0.75, {
+      color: colors.panel,
+      opacity: colors.panel_opacity,
+    });
     for (const curve of model.family) {
       const nearLeast = aboutLeast(curve, axes);
       this.#addCurve(curve, 1.25, colors.axis[own[nearLeast ? 0 : 2]], 0.95);
@@ -129,37 +179,54 @@ export class SphereView extends CanvasView {
 
   /** @param {MotionModel} model @param {Sample[]} trail @param {number[]} color @param {any} colors */
   #addMomentum(model, trail, color, colors) {
-    const list = this.translucent, hairline = list.hairline, eye = list.eye;
+    const list = this.translucent,
+      hairline = list.hairline,
+      eye = list.eye;
     const now = trail[trail.length - 1];
     const line = trail.map((sample) => {
       const age = Math.min(Math.max((now.t - sample.t) / model.trailLength, 0), 1);
       const place = scale(lifted, this.#place(model.muOf(sample.omega)));
-      return {place, width: (3.2 - 2 * age) * hairline, ink: {color, opacity: (1 - age) ** 1.2 * shown(place, place, eye)}};
+      return {
+        place,
+        width: (3.2 - 2 * age) * hairline,
+        ink: { color, opacity: (1 - age) ** 1.2 * shown(place, place, eye) },
+      };
     });
-    list.lineOnHalo(line, colors.panel);
+    addLineOnHalo(list, line, colors.panel);
     const place = this.#place(model.muOf(now.omega));
-    list.line([{place: [0, 0, 0], width: hairline, ink: {color, opacity: 0.12}},
-      {place, width: 1.5 * hairline, ink: {color, opacity: 0.7 * shown(place, place, eye)}}]);
+    addLine(list, [
+      { place: [0, 0, 0], width: hairline, ink: { color, opacity: 0.12 } },
+      { place, width: 1.5 * hairline, ink: { color, opacity: 0.7 * shown(place, place, eye) } },
+    ]);
     const clear = 0.45 + 0.55 * shown(place, place, eye);
-    list.dot(place, 5.2 * hairline, {color: colors.panel, opacity: 0.9 * clear});
-    list.dot(place, 4 * hairline, {color, opacity: clear});
+    addDot(list, place, 5.2 * hairline, { color: colors.panel, opacity: 0.9 * clear });
+    addDot(list, place, 4 * hairline, { color, opacity: clear });
   }
 
   /** The handle: a ring around where the motion starts. @param {MotionModel} model @param {any} colors */
   #addStart(model, colors) {
-    const list = this.translucent, eye = list.eye;
-    const place = this.#place(model.up), clear = 0.35 + 0.65 * shown(place, place, eye);
+    const list = this.translucent,
+      eye = list.eye;
+    const place = this.#place(model.up),
+      clear = 0.35 + 0.65 * shown(place, place, eye);
     const normal = normalized(subtract(eye, place));
     const unit = pixelsOfUnit();
     const radius = (7.5 * unit) / Math.max(list.pixels(place), 1);
-    const right = normalized(cross([0, 1, 0], normal)), above = cross(normal, right);
+    const right = normalized(cross([0, 1, 0], normal)),
+      above = cross(normal, right);
     const ring = [];
     for (let i = 0; i <= 40; ++i) {
       const angle = (2 * Math.PI * i) / 40;
       ring.push(right.map((x, k) => place[k] + radius * (Math.cos(angle) * x + Math.sin(angle) * above[k])));
     }
-    for (const [width, color] of /** @type {[number, number[]][]} */ ([[4.2, colors.panel], [2, colors.text]])) {
-      list.line(ring.map((at) => ({place: at, width: width * unit, ink: {color, opacity: clear}})));
+    for (const [width, color] of /** @type {[number, number[]][]} */ ([
+      [4.2, colors.panel],
+      [2, colors.text],
+    ])) {
+      addLine(
+        list,
+        ring.map((at) => ({ place: at, width: width * unit, ink: { color, opacity: clear } })),
+      );
     }
   }
 
@@ -167,7 +234,8 @@ export class SphereView extends CanvasView {
   isAtStart([x, y]) {
     if (!this.model || this.model.atRest) return false;
     const clip = transformed(clipFromSpace(this.camera()), this.#place(this.model.up));
-    const dx = ((clip[0] / clip[3] - x) * this.canvas.clientWidth) / 2, dy = ((clip[1] / clip[3] - y) * this.canvas.clientHeight) / 2;
+    const dx = ((clip[0] / clip[3] - x) * this.canvas.clientWidth) / 2,
+      dy = ((clip[1] / clip[3] - y) * this.canvas.clientHeight) / 2;
     return Math.hypot(dx, dy) < 22;
   }
 

@@ -2,7 +2,8 @@
 
 /** @typedef {import("./canvas_view.js").CanvasView} CanvasView */
 
-const turnOfKey = 0.08, zoomOfKey = 1.12;
+const turnOfKey = 0.08,
+  zoomOfKey = 1.12;
 
 /**
  * @param {CanvasView} view
@@ -10,37 +11,42 @@ const turnOfKey = 0.08, zoomOfKey = 1.12;
  *   takes hold of, instead of turning the view: what to do with it as it moves.
  */
 export function makeTurnable(view, grab = () => null) {
-  const {canvas} = view;
+  const { canvas } = view;
   /** @type {Map<number, PointerEvent>} */
   const pointers = new Map();
   /** @type {((event: PointerEvent) => void) | null} */
   let held = null;
-  canvas.addEventListener("pointerdown", (event) => {
+  canvas.addEventListener('pointerdown', (event) => {
     if (event.button > 0) return;
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, event);
     if (pointers.size === 1) held = grab(event);
   });
-  canvas.addEventListener("pointermove", (event) => {
+  canvas.addEventListener('pointermove', (event) => {
     const before = pointers.get(event.pointerId);
     if (!before) return;
     if (held) held(event);
-    else if (pointers.size === 1) turnBy(view, event.clientX - before.clientX, event.clientY - before.clientY);
+    else if (pointers.size === 1)
+      turnBy(view, event.clientX - before.clientX, event.clientY - before.clientY);
     else pinch(view, [...pointers.values()], before, event);
     pointers.set(event.pointerId, event);
   });
-  for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) {
+  for (const type of /** @type {const} */ (['pointerup', 'pointercancel'])) {
     canvas.addEventListener(type, (event) => {
       pointers.delete(event.pointerId);
       held = null;
     });
   }
-  canvas.addEventListener("wheel", (event) => {
-    if (!event.ctrlKey && document.activeElement !== canvas && !document.fullscreenElement) return;  // the page scrolls
-    event.preventDefault();
-    view.zoom(Math.exp(-0.0015 * event.deltaY * (event.deltaMode === 1 ? 20 : 1)));
-  }, {passive: false});
-  canvas.addEventListener("dblclick", () => view.resetView());
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (!event.ctrlKey && document.activeElement !== canvas && !document.fullscreenElement) return; // the page scrolls
+      event.preventDefault();
+      view.zoom(Math.exp(-0.0015 * event.deltaY * (event.deltaMode === 1 ? 20 : 1)));
+    },
+    { passive: false },
+  );
+  canvas.addEventListener('dblclick', () => view.resetView());
 }
 
 /** @param {CanvasView} view @param {number} x @param {number} y in CSS pixels */
@@ -53,7 +59,8 @@ function turnBy(view, x, y) {
 function pinch(view, pointers, before, now) {
   const other = pointers.find((pointer) => pointer.pointerId !== now.pointerId);
   if (!other) return;
-  const apart = (/** @type {PointerEvent} */ pointer) => Math.hypot(pointer.clientX - other.clientX, pointer.clientY - other.clientY);
+  const apart = (/** @type {PointerEvent} */ pointer) =>
+    Math.hypot(pointer.clientX - other.clientX, pointer.clientY - other.clientY);
   view.zoom(apart(now) / Math.max(apart(before), 1));
 }
 
@@ -65,13 +72,30 @@ function pinch(view, pointers, before, now) {
 export function turnByKey(view, event) {
   const step = event.shiftKey ? turnOfKey / 8 : turnOfKey;
   switch (event.key) {
-    case "ArrowLeft": view.turn(-step, 0); return true;
-    case "ArrowRight": view.turn(step, 0); return true;
-    case "ArrowUp": view.turn(0, step); return true;
-    case "ArrowDown": view.turn(0, -step); return true;
-    case "+": case "=": view.zoom(zoomOfKey); return true;
-    case "-": case "_": view.zoom(1 / zoomOfKey); return true;
-    case "0": view.resetView(); return true;
-    default: return false;
+    case 'ArrowLeft':
+      view.turn(-step, 0);
+      return true;
+    case 'ArrowRight':
+      view.turn(step, 0);
+      return true;
+    case 'ArrowUp':
+      view.turn(0, step);
+      return true;
+    case 'ArrowDown':
+      view.turn(0, -step);
+      return true;
+    case '+':
+    case '=':
+      view.zoom(zoomOfKey);
+      return true;
+    case '-':
+    case '_':
+      view.zoom(1 / zoomOfKey);
+      return true;
+    case '0':
+      view.resetView();
+      return true;
+    default:
+      return false;
   }
 }

@@ -1,19 +1,19 @@
 // The words of the page in the reader's language.
-import en from "./en.json";
-import nb from "./nb.json";
+import en from './en.json';
+import nb from './nb.json';
 
 /** @type {Record<string, Record<string, string>>} */
-const dictionaries = {en, nb};
+const dictionaries = { en, nb };
 
 let dictionary = dictionaries.en;
-let locale = "en";
+let locale = 'en';
 
 /**
  * The words under that key, with {0}, {1} ... replaced.
  * @param {string} key @param {(string | number)[]} values
  */
 export function word(key, ...values) {
-  return (dictionary[key] ?? key).replace(/\{(\d)\}/g, (_, i) => String(values[Number(i)] ?? ""));
+  return (dictionary[key] ?? key).replace(/\{(\d)\}/g, (_, i) => String(values[Number(i)] ?? ''));
 }
 
 /** Puts the language's words into the elements that name them. @param {string} lang */
@@ -21,25 +21,32 @@ export function setLanguage(lang) {
   dictionary = dictionaries[lang] ?? en;
   locale = lang;
   document.documentElement.lang = lang;
-  for (const element of document.querySelectorAll("[data-word]")) {
-    element.textContent = word(/** @type {HTMLElement} */ (element).dataset.word ?? "");
+  for (const element of document.querySelectorAll('[data-word]')) {
+    element.textContent = word(/** @type {HTMLElement} */ (element).dataset.word ?? '');
   }
-  for (const element of document.querySelectorAll("[data-word-label]")) {
-    element.setAttribute("aria-label", word(/** @type {HTMLElement} */ (element).dataset.wordLabel ?? ""));
+  for (const element of document.querySelectorAll('[data-word-label]')) {
+    element.setAttribute('aria-label', word(/** @type {HTMLElement} */ (element).dataset.wordLabel ?? ''));
   }
 }
 
 /** A number with that many decimals, as the language writes it. @param {number} value @param {number} digits */
 export const decimal = (value, digits) =>
-  value.toLocaleString(locale, {minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false});
+  value.toLocaleString(locale, {
+    minimumFractionDigits: digits,
+    maximumFractionDigits: digits,
+    useGrouping: false,
+  });
 
 /** A number with three significant digits, 1.2e−8 where it is small. @param {number} value */
 export function brief(value) {
-  if (!Number.isFinite(value)) return "∞";
-  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return '∞';
+  if (value === 0) return '0';
   const size = Math.abs(value);
   const text = size >= 1e-3 && size < 1e5 ? value.toPrecision(3) : value.toExponential(1);
-  return text.replaceAll("-", "−").replace("e+", "e").replace(".", locale === "nb" ? "," : ".");
+  return text
+    .replaceAll('-', '−')
+    .replace('e+', 'e')
+    .replace('.', locale === 'nb' ? ',' : '.');
 }
 
 /** Fills a select. @param {HTMLSelectElement} select @param {[string, string][]} options value and text @param {string} chosen */
