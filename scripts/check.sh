@@ -2,8 +2,8 @@
 # The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
 # UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages, what
-# is exported as others' programs read it, the tests that look for uninitialised values under valgrind,
-# and three minutes of scripts/torture.sh.
+# is exported as others' programs read it, pages in a browser, the tests that look for uninitialised
+# values under valgrind, and three minutes of scripts/torture.sh.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -46,6 +46,9 @@ scripts/docs.sh
 
 step "What is exported, read by the programs of others"
 scripts/interchange.sh
+
+step "Pages, in a browser"
+scripts/page_test.sh
 
 step "The core's tests that look for values nothing has set, under valgrind"
 scripts/valgrind.sh --quick

@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folders=()
-for folder in include src python examples tests fuzz bench torture; do
+for folder in include src python examples tests fuzz bench torture web; do
   [[ ! -d $folder ]] || folders+=("$folder")
 done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }

@@ -33,6 +33,7 @@ LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
 # An earlier run's flags do not count.
 rm -f build/package/CMakeCache.txt
+scripts/page.sh
 scripts/build.sh package
 
 build=build/package packages=out/packages

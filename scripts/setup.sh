@@ -113,6 +113,7 @@ page     | OpenSSL's program             | openssl
 browser  | Chromium                      | chromium chromium-browser
 browser  | Node.js                       | nodejs
 browser  | npm                           | npm
+browser  | ImageMagick, for its pictures | imagemagick
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
 arm64    | pkg-config                    | pkgconf pkg-config

@@ -17,6 +17,10 @@ scene::Scene still(scene::Scene scene) {
     return std::max(16, 2 * static_cast<int>(std::lround(scale * side / 2)));
   };
   scene.film.width = scaled(scene.film.width), scene.film.height = scaled(scene.film.height);
+  // Nothing of t > 0 is seen.
+  scene.motion.method = "exact";
+  scene.motion.duration = 1;
+  scene.film.fps = 60, scene.film.speed = 1;
   using enum scene::Feature;
   scene.overlay.view = scene::View::wrench;
   scene.overlay.show = {floor, momentum, omega};

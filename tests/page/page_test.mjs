@@ -1,6 +1,7 @@
 // Pages in a real browser: that they draw, that they compute what the program computes, that they ask
 // nothing of the network, and that nothing in them runs which is not theirs.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
@@ -85,10 +86,12 @@ const tests = {
         const run = motion.run(name, { step: 0.02, tolerance: 1e-9 }).samples(times);
         return [[...X], [...run.X]];
       }, method, expected.map((s) => s.t));
-      // Sines and powers of two C libraries may differ in the last digit, and errors grow with the motion.
-      const wanted = expected.flatMap((s) => s.X);
-      assert.ok(distance(found[0], wanted) <= 2e-13, `${method}: ${distance(found[0], wanted)}`);
-      assert.ok(distance(found[1], wanted) <= 2e-13, `${method}, recorded: ${distance(found[1], wanted)}`);
+      // Two C libraries and two kinds of registers round differently; step control and the motion amplify it.
+      const bound = method === 'exact' ? 0 : 1e-11;
+      for (const X of found) {
+        const apart = distance(X, expected.flatMap((sample) => sample.X));
+        assert.ok(apart <= bound, `${method} is ${apart} away`);
+      }
     }
     quiet();
   },
@@ -120,20 +123,46 @@ const tests = {
     });
     assert.deepEqual(found.after, found.before);
     assert.deepEqual(found.said, [
-      'CoreError inertia', 'CoreError t', 'CoreError method rk4', 'CoreError step',
+      'CoreError inertia', 'CoreError times[0]', 'CoreError method rk4', 'CoreError step',
       'CoreError method', 'CoreError t', 'CoreError method rk4',
     ]);
     quiet();
   },
 
   async 'sample(t) is the motion shown, as the program computes it'() {
-    const words = ['stable-y', '--omega', '0.2,1.5,0.3'];
-    const { page, quiet } = await open(writePage('other.html', ...words));
-    for (const expected of simulated(...words, '--method', 'exact', '--times', '0,0.31,12.5,60')) {
-      const found = await page.evaluate((t) => globalThis.twrench.sample(t), expected.t);
-      assert.equal(found.t, expected.t);
-      assert.ok(distance(found.X, expected.X) <= 1e-14);
-      assert.ok(distance(found.omega, expected.omega) <= 1e-14);
+    for (const [words, bound] of [
+      [['dzhanibekov'], 0],
+      // Registers of another width sum in another order, and an error of eps grows with |omega| t.
+      [['stable-y', '--omega', '0.2,1.5,0.3'], 1.6 * 2e-15],
+    ]) {
+      const { page, quiet } = await open(writePage('other.html', ...words));
+      for (const expected of simulated(...words, '--method', 'exact', '--times', '0,0.31,12.5,60,1e5')) {
+        const found = await page.evaluate((t) => globalThis.twrench.sample(t), expected.t);
+        assert.equal(found.t, expected.t);
+        const apart = distance([...found.X, ...found.omega], [...expected.X, ...expected.omega]);
+        assert.ok(apart <= bound * Math.max(1, expected.t), `${words[0]} at ${found.t} s is ${apart} away`);
+      }
+      quiet();
+    }
+  },
+
+  // Edges are drawn another way, so that they may lie a pixel elsewhere; the rest is within 8 of 255, but
+  // for 4 pixels of a thousand. Measured: at most 2.3 of a thousand, and 0.4 of 255 on average.
+  async 'a picture is that of the film, in each theme'() {
+    const { page, quiet } = await open(flip);
+    for (const theme of ['studio', 'paper', 'space']) {
+      const frames = join(folder, theme);
+      twrench('render', '--method', 'exact', '--size', '960x540', '--theme', theme, '--no-video', '--frames', '0,125,500',
+        '--bare', '--show', 'floor,momentum,omega,trail', '--frames-dir', frames, '--progress', 'none');
+      for (const frame of [0, 125, 500]) {
+        const shown = { width: 960, height: 540, t: frame / 10, theme, show: ['floor', 'momentum', 'omega', 'trail'] };
+        const url = await page.evaluate((options) => globalThis.twrench.picture(options), shown);
+        const picture = join(folder, 'picture.png');
+        writeFileSync(picture, Buffer.from(url.split(',')[1], 'base64'));
+        execFileSync('convert', [picture, '-alpha', 'off', `PNG24:${picture}`]);
+        twrench('compare', join(frames, `frame_${String(frame).padStart(6, '0')}.png`), picture,
+          '--threshold', '8', '--edges', '1', '--share', '0.004');
+      }
     }
     quiet();
   },

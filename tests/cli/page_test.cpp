@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// A page that only holds a scene: the real one is made by scripts/page.sh and tested in a browser.
+void write_template(const ScratchFolder& folder) {
+  std::ofstream(folder / "t.html") << "<title>{{title}}</title><h1>{{title}}</h1>\n"
+                                      "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
+}
+
+nlohmann::json scene_of(const std::string& page) {
+  const std::string begin = "<script type=\"application/json\" id=\"scene\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST(Page, HasTheSceneWithItsOverridesAndWithout) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const Outcome run =
+      run_twrench(folder, "page stable-y --omega 0,2,0.5 --template t.html -o a.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out + run.err, "");
+  const nlohmann::json scene = scene_of(text_of(folder / "a.html"));
+  EXPECT_EQ(scene["source"], "stable-y");
+  EXPECT_EQ(scene["scene"]["motion"]["omega"], nlohmann::json({0, 2, 0.5}));
+  EXPECT_NE(scene["source_scene"]["motion"]["omega"], scene["scene"]["motion"]["omega"]);
+  EXPECT_EQ(scene["inertia"].size(), 9U);
+  EXPECT_EQ(scene["surface"]["parts"].size(), 2U);
+  EXPECT_EQ(scene["themes"].size(), 3U);
+}
+
+TEST(Page, HasAPictureForWhereItCannotDraw) {
+  const ScratchFolder folder;
+  write_template(folder);
+  ASSERT_EQ(run_twrench(folder, "page --template t.html --size 1080x1920 -o a.html").code, 0);
+  EXPECT_THAT(
+      text_of(folder / "a.html"),
+      HasSubstr("<img alt=\"\" width=\"540\" height=\"960\" src=\"data:image/jpeg;base64,"));
+}
+
+TEST(Page, KeepsHostileTextText) {
+  const ScratchFolder folder;
+  write_template(folder);
+  std::ofstream(folder / "s.toml")
+      << "title = '</script><img src=x onerror=alert(1)>{{title}}<!-- twrench:scene -->'\n"
+         "[[part]]\nname = '</script><b>'\nshape = 'box'\nsize = [1.0, 2.0, 3.0]\ndensity = 1.0\n";
+  ASSERT_EQ(run_twrench(folder, "page s.toml --template t.html -o a.html").code, 0);
+  const std::string page = text_of(folder / "a.html");
+  EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;&lt;img src=x"));
+  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
+  EXPECT_EQ(scene_of(page)["scene"]["part"][0]["name"], "</script><b>");
+}
+
+TEST(Page, RefusesWhatItCannotDo) {
+  const ScratchFolder folder;
+  write_template(folder);
+  std::ofstream(folder / "bare.html") << "<title>{{title}}</title>";
+  std::ofstream(folder / "s.toml") << "[body]\nmoments = [1.0, 2.0, 3.0]\n";
+  const auto expect_refused = [&](const std::string& options, int code, const char* message) {
+    const Outcome run = run_twrench(folder, "page " + options);
+    EXPECT_EQ(run.code, code) << options;
+    EXPECT_THAT(run.err, StartsWith("twrench: error: "));
+    EXPECT_THAT(run.err, HasSubstr(message));
+  };
+  expect_refused("--template t.html", 2, "--output");
+  expect_refused("--template none.html -o a.html", 5, "No such file");
+  expect_refused("--template bare.html -o a.html", 5, "there is no {{title}}");
+  expect_refused("--template t.html -o t.html", 2, "t.html");
+  expect_refused("s.toml --template t.html -o s.toml", 2, "s.toml");
+  expect_refused("--template t.html -o no/such.html", 5, "No such file or directory");
+  expect_refused("--template t.html -o /dev/full", 5, "No space left on device");
+  expect_refused("--template t.html -o a.html --duration 2e9", 2, "--duration");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
+  EXPECT_EQ(run_twrench(folder, "page s.toml --template t.html -o a.html --duration 1e9").code, 0);
+}
+
+// Only scripts/page.sh makes what is built in.
+TEST(Page, IsBuiltInOrSaysHowToGetIt) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "page sphere -o a.html");
+  if (run.code == 0) {
+    EXPECT_THAT(text_of(folder / "a.html"), StartsWith("<!doctype html>"));
+  } else {
+    EXPECT_EQ(run.code, 5);
+    EXPECT_EQ(run.err,
+              "twrench: error: page: this build of twrench has no page built in\n"
+              "  run scripts/page.sh, which makes it, and build again\n");
+  }
+}
+
+}  // namespace
+}  // namespace twrench
