@@ -85,7 +85,8 @@ export class ComparePanel {
     this.step.field.hidden = used.every((method) => method.exact);
     this.tolerance.field.hidden = !used.some((method) => method.adaptive);
     const off = state.compare === 'off';
-    for (const id of ['errors', 'error-chart', 'compare-note']) byId(id).hidden = off;
+    for (const id of ['errors', 'error-chart', 'compare-note', 'name-a', 'name-b']) byId(id).hidden = off;
+    byId('stage').classList.toggle('beside', state.compare === 'beside');
   }
 
   relabel() {
@@ -109,6 +110,10 @@ export class ComparePanel {
     const note = byId('compare-note'),
       text = notes.join(' · ');
     if (note.textContent !== text) note.textContent = text;
+    runs.runners.forEach(({ method, failure, reached }, i) => {
+      const end = failure && state.t > reached ? ` · ${word('stopped', brief(reached))}` : '';
+      byId(i === 0 ? 'name-a' : 'name-b').textContent = `${'AB'[i]}: ${method}${end}`;
+    });
     this.#drawErrors(state, model, runs, colors);
   }
 

@@ -107,7 +107,7 @@ export class Transport {
   }
 
   /** @param {State} state @param {MotionModel} model */
-  show({ t, from, length, speed, compare, methods }, model) {
+  show({ t, from, length, speed }, model) {
     const digits = Math.max(0, Math.min(3, 3 - Math.floor(Math.log10(length / 100))));
     if (document.activeElement !== this.time) this.time.value = t.toFixed(digits);
     if (document.activeElement !== this.length) this.length.value = String(Number(length.toPrecision(6)));
@@ -125,10 +125,5 @@ export class Transport {
     byId('readout').textContent = `t = ${decimal(t, digits > 1 ? 2 : digits)} s · ${says}`;
     byId('flip-back').toggleAttribute('disabled', !model.flips);
     byId('flip-on').toggleAttribute('disabled', !model.flips);
-    byId('stage').classList.toggle('beside', compare === 'beside');
-    ['name-a', 'name-b'].forEach((id, i) => {
-      byId(id).hidden = compare === 'off';
-      byId(id).textContent = `${'AB'[i]}: ${methods[i]}`;
-    });
   }
 }
