@@ -11,4 +11,4 @@ scripts/page.sh --check
 scripts/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json
 cp tests/page/*.mjs build/page/npm
-node build/page/npm/page_test.mjs "$@"
+for part in page controls; do node "build/page/npm/${part}_test.mjs" "$@"; done

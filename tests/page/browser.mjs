@@ -30,21 +30,34 @@ const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find((
   }
 });
 
-export const browser = await puppeteer.launch({
-  executablePath,
-  protocolTimeout: 120_000,
-  // Without a graphics card WebGL 2 is drawn by SwiftShader.
-  args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage'],
-});
+/** Starts a browser. Without a graphics card WebGL 2 is drawn by SwiftShader. */
+const launch = (...more) =>
+  puppeteer.launch({
+    executablePath,
+    protocolTimeout: 120_000,
+    args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage', ...more],
+  });
+
+export const browser = await launch();
+
+/** On a display of that many pixels a point: what is emulated does not reach a canvas. */
+export async function openOnDisplay(scale, file) {
+  const other = await launch(`--force-device-scale-factor=${scale}`);
+  const page = await other.newPage();
+  await page.setViewport(null);
+  await page.goto(pathToFileURL(file).href);
+  await page.evaluate(() => globalThis.twrench.ready);
+  return { page, close: () => other.close() };
+}
 
 /**
  * Opens a page and waits until it is ready. Errors of the console and requests are collected in
  * `trouble`: a test that does not expect any calls quiet().
  */
-export async function open(file, { hash = '', width = 1280, height = 800, ...emulated } = {}) {
+export async function open(file, { hash = '', width = 1280, height = 800, features } = {}) {
   const page = await browser.newPage();
-  await page.setViewport({ width, height, deviceScaleFactor: emulated.scale ?? 1 });
-  if (emulated.features) await page.emulateMediaFeatures(emulated.features);
+  await page.setViewport({ width, height });
+  if (features) await page.emulateMediaFeatures(features);
   const trouble = watch(page, file);
   await page.goto(pathToFileURL(file).href + hash);
   await page.evaluate(() => globalThis.twrench.ready);

@@ -1,0 +1,296 @@
+// What a reader does with a page: each control by mouse and by keyboard, links, what is taken away, and
+// what goes for everybody.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { folder, open, openOnDisplay, run, twrench, writePage } from './browser.mjs';
+
+const flip = writePage('flip.html');
+const axe = readFileSync(join(dirname(createRequire(import.meta.url).resolve('axe-core')), 'axe.min.js'), 'utf8');
+
+const time = (page) => page.$eval('#timeline', (slider) => Number(slider.getAttribute('aria-valuenow')));
+const shown = (page, id) => page.$eval(id, (element) => element.textContent);
+const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const sample = (page, t) => page.evaluate((at) => globalThis.twrench.sample(at), t);
+const still = { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] };
+
+/** Changes a control as one who types into it or chooses from it. */
+async function enter(page, selector, text) {
+  await page.click(selector, { count: 3 });
+  await page.keyboard.type(text);
+  await page.keyboard.press('Tab');
+  await settle(page);
+}
+
+const copied = async (page, button) => {
+  await page.click(button);
+  await page.waitForFunction(() => !document.getElementById('copied').hidden && document.getElementById('copied').textContent);
+  return shown(page, '#copied');
+};
+
+const tests = {
+  async 'it plays, and stands still for those who want less motion'() {
+    const { page, quiet } = await open(flip);
+    const start = await time(page);
+    await page.waitForFunction((t) => Number(document.getElementById('timeline').ariaValueNow) > t + 1, {}, start);
+    await page.click('#play');
+    await settle(page);
+    const stopped = await time(page);
+    await new Promise((done) => setTimeout(done, 300));
+    assert.equal(await time(page), stopped);
+    quiet();
+    const calm = await open(flip, still);
+    await new Promise((done) => setTimeout(done, 300));
+    assert.equal(await time(calm.page), 0);
+    calm.quiet();
+  },
+
+  async 'the controls of time, by mouse and by keyboard'() {
+    const { page, quiet } = await open(flip, still);
+    const expectTime = async (t, what) => {
+      await settle(page);
+      assert.ok(Math.abs((await time(page)) - t) < 2e-4, `${what}: ${await time(page)} in place of ${t}`);
+    };
+    await page.click('#flip-on');
+    await expectTime(11.8154, 'next flip');
+    await page.click('#flip-on');
+    await expectTime(35.4461, 'the one after');
+    await page.click('#flip-back');
+    await expectTime(11.8154, 'back');
+    await page.click('#step-on');
+    await expectTime(11.8154 + 4 / 60, 'a step');
+    await enter(page, '#t', '1000000000');
+    await expectTime(1e9, 'typed');
+    await enter(page, '#t', '-5');
+    await expectTime(1e9, 'before the start');
+    await enter(page, '#t', '20');
+    await page.focus('#timeline');
+    for (const [key, t] of [['Home', 0], ['PageUp', 11.8154], ['PageUp', 35.4461], ['PageDown', 11.8154]]) {
+      await page.keyboard.press(key);
+      await expectTime(t, key);
+    }
+    const box = await (await page.$('#timeline')).boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await settle(page);
+    const middle = await time(page);
+    await page.keyboard.press(' ');
+    await page.waitForFunction((t) => Number(document.getElementById('timeline').ariaValueNow) > t, {}, middle);
+    await page.keyboard.press(' ');
+    quiet();
+  },
+
+  async 'the start is set by typing, by slider, by dragging and by arrow keys'() {
+    const { page, quiet } = await open(flip, still);
+    const omega = async () => (await sample(page, 0)).omega;
+    await enter(page, '#omega input[inputmode=decimal]', '1,5');
+    assert.deepEqual(await omega(), [1.5, 0.05, 0], 'typed, with a comma');
+    await enter(page, '#omega input[inputmode=decimal]', 'much');
+    assert.deepEqual(await omega(), [1.5, 0.05, 0], 'nonsense');
+    await page.focus('#omega input[type=range]');
+    await page.keyboard.press('ArrowLeft');
+    await settle(page);
+    assert.ok((await omega())[0] < 1.5, 'slider');
+    let before = await omega();
+    await page.focus('#sphere canvas');
+    await page.keyboard.press('ArrowUp');
+    await settle(page);
+    assert.notDeepEqual(await omega(), before, 'arrow on the sphere');
+    const length = (vector) => Math.hypot(vector[0] * 982.27130302240869, vector[1] * 722.67103008077208, vector[2] * 1578.6503084288711);
+    assert.ok(Math.abs(length(await omega()) / length(before) - 1) < 1e-12, 'the same |L|');
+    before = await omega();
+    const next = await shown(page, '#readout');
+    for (const button of await page.$$('#about button')) {
+      await button.click();
+      await settle(page);
+    }
+    assert.notEqual(await shown(page, '#readout'), next);
+    quiet();
+  },
+
+  async 'moments that no body has are told of, and the motion goes on'() {
+    const { page, quiet } = await open(flip, { ...still, hash: '#moments=1,2,30' });
+    assert.ok((await shown(page, '#moments-note')).length > 10);
+    assert.equal((await sample(page, 1e4)).X.every(Number.isFinite), true);
+    await page.click('input[name=body][value=scene]');
+    await settle(page);
+    assert.equal(await shown(page, '#moments-note'), '');
+    quiet();
+  },
+
+  async 'two methods go side by side or as a ghost, and a bad one is seen to go wrong'() {
+    const { page, quiet } = await open(flip, { ...still, hash: '#compare=beside&methods=exact,rk4&step=0.5&t=60' });
+    await page.waitForFunction(() => /e-|10|\d/.test(document.querySelector('#errors tbody').textContent));
+    const rows = await shown(page, '#errors tbody');
+    await page.click('input[name=compare][value=ghost]');
+    await page.select('#method-b', 'euler');
+    await settle(page);
+    await page.waitForFunction((text) => document.querySelector('#errors tbody').textContent !== text, {}, rows);
+    // A step longer than a turn of the body: told, and nothing stops.
+    await enter(page, '#step-field input[inputmode=decimal]', '9');
+    await page.waitForFunction(() => document.getElementById('compare-note').textContent.length > 10);
+    await enter(page, '#step-field input[inputmode=decimal]', '0.01');
+    await page.waitForFunction(() => document.getElementById('compare-note').textContent === '');
+    for (const [, label] of await page.$eval('#method-a', (list) => [...list.options].map((o) => [o.index, o.value]))) {
+      await page.select('#method-a', label);
+      await settle(page);
+    }
+    quiet();
+  },
+
+  async 'a link holds what is seen'() {
+    const state = '#t=31.25&omega=0.3,1.2,-0.1&moments=3,5,7&speed=2&theme=space&frame=body&show=axes,omega&view=0.5,-0.25,1.5&length=50&compare=ghost&methods=rk4,strang&step=0.125&tolerance=0.0001&lang=nb';
+    const { page, quiet } = await open(flip, { ...still, hash: state });
+    assert.equal(await page.$eval('html', (html) => html.lang), 'nb');
+    const link = await copied(page, '#copy-link');
+    const pairs = (text) => new Set(decodeURIComponent(text.slice(text.indexOf('#') + 1)).split('&'));
+    assert.deepEqual(pairs(link), pairs(state));
+    const again = await open(flip, { ...still, hash: link.slice(link.indexOf('#')) });
+    assert.deepEqual(await sample(again.page, 31.25), await sample(page, 31.25));
+    assert.equal(await time(again.page), 31.25);
+    quiet();
+    again.quiet();
+  },
+
+  async 'nonsense in a link is left out with a note, and never run'() {
+    const hash = '#t=abc&omega=1,2&step=1e99&compare=<img src=x onerror=globalThis.broken=1>&__proto__=1&constructor=1&tour=7e5&theme=javascript:alert(1)&%E0%A4%A=1&moments=-1,2,3&speed=2';
+    const { page, quiet } = await open(flip, { ...still, hash });
+    assert.equal(await page.evaluate(() => globalThis.broken), undefined);
+    assert.match(await shown(page, '#note'), /onerror|abc/);
+    assert.equal(await page.$eval('#speed', (select) => select.value), '2', 'what makes sense counts');
+    assert.deepEqual((await sample(page, 0)).omega, [1, 0.05, 0]);
+    quiet();
+  },
+
+  async 'the copied command makes this very motion, to the last digit'() {
+    for (const [words, hash] of [
+      [[], '#speed=2'],
+      [['stable-y', '--omega', '0.25,1.5,0.125'], ''],
+      [['--inertia', '2,3,4'], '#omega=0.5,1.25,0.375'],
+      [[], '#moments=2,3,4&omega=-0.5,1.25,0.375&theme=paper&frame=rotating&show=floor&view=0.5,0.25,2'],
+    ]) {
+      const { page, quiet } = await open(writePage('copied.html', ...words), { ...still, hash });
+      const command = await copied(page, '#copy-command');
+      assert.match(command, /^twrench render .* -o flip\.mp4$/);
+      const frames = join(folder, `copied-${Math.random()}`);
+      const line = command.replace(/^twrench/, '"$TWRENCH"').replace(/-o flip\.mp4$/, '');
+      execFileSync('sh', ['-c', `${line} --no-video --frames 0,7,200 --size 64x36 --progress none --frames-dir ${frames}`], { cwd: folder });
+      const manifest = JSON.parse(readFileSync(join(frames, 'manifest.json'), 'utf8'));
+      assert.equal(manifest.frames.length, 3);
+      for (const frame of manifest.frames) {
+        const { X } = await sample(page, frame.t);
+        const apart = Math.max(...X.map((x, i) => Math.abs(x - frame.X[i])));
+        // Sums that are not short may be rounded otherwise: docs/page.md.
+        assert.ok(apart <= (words.length || hash.includes('omega') ? 3.2e-15 * Math.max(1, 2 * frame.t) : 0), `${command}: ${apart} at ${frame.t} s`);
+      }
+      const scene = await copied(page, '#copy-scene');
+      writeFileSync(join(folder, 'copied.toml'), scene);
+      const [, row] = twrench('simulate', join(folder, 'copied.toml'), '--times', '5').trim().split('\n');
+      const X = row.split(',').slice(1, 10).map(Number);
+      const found = (await sample(page, 5)).X;
+      assert.ok(Math.max(...X.map((x, i) => Math.abs(x - found[i]))) <= 3e-14, 'the scene file');
+      quiet();
+    }
+  },
+
+  async 'everything is said to those who do not see it: axe finds nothing'() {
+    for (const [hash, size] of [
+      ['', { width: 1280, height: 800 }],
+      ['#theme=paper&lang=nb&compare=beside&moments=1,2,9', { width: 1280, height: 800 }],
+      ['#theme=space&tour=3&compare=ghost', { width: 360, height: 740 }],
+    ]) {
+      const { page, quiet } = await open(flip, { ...still, ...size, hash });
+      await page.$eval('#data', (details) => (details.open = true));
+      await settle(page);
+      const session = await page.createCDPSession();
+      await session.send('Page.setBypassCSP', { enabled: true });
+      await page.evaluate(axe);
+      const found = await page.evaluate(async () => {
+        const { violations } = await globalThis.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] });
+        return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
+      });
+      assert.deepEqual(found, [], hash);
+      quiet();
+    }
+  },
+
+  async 'it fits from a phone to a wall'() {
+    mkdirSync(process.env.SHOTS ?? join(folder, 'shots'), { recursive: true });
+    for (const [width, height] of [[360, 740], [768, 1024], [1280, 800], [3840, 2160]]) {
+      const { page, quiet } = await open(flip, { ...still, width, height, hash: '#t=12.5' });
+      await settle(page);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `${wide} pixels wide in ${width}`);
+      await page.screenshot({ path: join(process.env.SHOTS ?? join(folder, 'shots'), `page-${width}.png`) });
+      quiet();
+    }
+  },
+
+  async 'it is sharp where a point is two pixels'() {
+    const { page, close } = await openOnDisplay(2, flip);
+    await settle(page);
+    for (const canvas of ['#body', '#sphere', '#timeline', '#components']) {
+      const sharp = await page.$eval(`${canvas} canvas`, (element) => element.width / element.getBoundingClientRect().width);
+      assert.ok(Math.abs(sharp - 2) < 0.02, `${canvas} has ${sharp} pixels a point`);
+    }
+    await close();
+  },
+
+  async 'it draws only what changes'() {
+    const { page, quiet } = await open(flip, still);
+    await settle(page);
+    const asked = await page.evaluate(async () => {
+      let count = 0;
+      const request = globalThis.requestAnimationFrame;
+      globalThis.requestAnimationFrame = (call) => (++count, request(call));
+      await new Promise((done) => setTimeout(done, 500));
+      return count;
+    });
+    assert.ok(asked <= 1, `${asked} frames in half a second of rest`);
+    quiet();
+  },
+
+  async 'it prints'() {
+    const { page, quiet } = await open(flip, { ...still, hash: '#t=12.5' });
+    const pdf = await page.pdf({ format: 'A4', printBackground: true });
+    const pages = Buffer.from(pdf).toString('latin1').match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+    assert.ok(pages >= 1 && pages <= 4, `${pages} pages`);
+    quiet();
+  },
+
+  async 'no order of clicks and keys breaks it, and its memory stays flat'() {
+    const { page, quiet } = await open(flip, { width: 1000, height: 800 });
+    let seed = 1;
+    const random = (below) => (seed = (seed * 48271) % 2147483647) % below;
+    const keys = ['Tab', 'Tab', 'Tab', 'Enter', ' ', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Home', 'End', 'PageUp', 'PageDown', 'Escape', '5', '.', '-', 'e', 'Backspace'];
+    const heap = async () => {
+      const session = await page.createCDPSession();
+      await session.send('HeapProfiler.collectGarbage');
+      return (await page.metrics()).JSHeapUsedSize;
+    };
+    const seconds = Number(process.env.MONKEY_SECONDS ?? 15);
+    const half = async (until) => {
+      while (performance.now() < until) {
+        if (random(2)) await page.keyboard.press(keys[random(keys.length)]);
+        else {
+          await page.mouse.move(random(1000), random(800));
+          await page.mouse.down();
+          if (random(3) === 0) await page.mouse.move(random(1000), random(800), { steps: 3 });
+          await page.mouse.up();
+          if (random(8) === 0) await page.mouse.wheel({ deltaY: random(600) - 300 });
+        }
+      }
+    };
+    const start = performance.now();
+    await half(start + 500 * seconds);
+    const before = await heap();
+    await half(start + 1000 * seconds);
+    const after = await heap();
+    assert.ok(after < before + 12e6, `${(before / 1e6).toFixed(1)} MB became ${(after / 1e6).toFixed(1)}`);
+    assert.equal((await sample(page, 1)).X.every(Number.isFinite), true);
+    quiet();
+  },
+};
+
+await run(tests);
