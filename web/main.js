@@ -42,5 +42,5 @@ twrench.ready.catch((error) => {
   byId('note').textContent = word('cannot', error.message);
   byId('note').hidden = false;
   byId('live').hidden = true;
-  byId('poster').hidden = false;
+  byId('instead').hidden = false;
 });

@@ -20,7 +20,7 @@ import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
 import { figuresOf, listed, MotionModel, spunAbout, trailTimes } from './motion_model.js';
-import { Player } from './player.js';
+import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
 import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
@@ -93,8 +93,8 @@ export class App {
     matchMedia('(prefers-color-scheme: light)').addEventListener('change', () =>
       this.#changed(this.store.state, this.store.state),
     );
-    byId('poster').hidden = true;
-    byId('live').hidden = false;
+    byId('instead').hidden = true;
+    for (const id of ['live', 'tools', 'footer']) byId(id).hidden = false;
     this.#changed(this.store.state, { ...this.store.state, lang: /** @type {any} */ ('') });
     this.player.play(!matchMedia('(prefers-reduced-motion: reduce)').matches);
   }
@@ -151,6 +151,7 @@ export class App {
    */
   #go(values) {
     const state = { ...this.store.initial, ...values };
+    state.from = pageOf(state);
     this.#modelOf(state).release();
     this.store.set(state);
     this.#follow(state);

@@ -184,10 +184,9 @@ export function figuresOf({ facts, omega }) {
 export function trailTimes(t, length, rate) {
   const points = clamp(Math.ceil((length * rate) / 0.03), 50, 600);
   const step = length / points;
-  const times = [];
-  for (let n = Math.max(0, Math.ceil((t - length) / step)); n * step < t; ++n) times.push(n * step);
-  times.push(t);
-  return times;
+  const first = Math.max(0, Math.ceil((t - length) / step));
+  const times = Array.from({ length: points + 1 }, (_, i) => (first + i) * step);
+  return [...times.filter((time) => time < t), t];
 }
 
 /**

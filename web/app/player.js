@@ -54,10 +54,15 @@ export class Player {
  * @param {import("./state.js").Store} store @param {number} t
  */
 export function seek(store, t) {
-  const { from, length } = store.state;
   const now = Math.min(Math.max(t, 0), 1e9);
-  const outside = now < from || now > from + length;
-  store.set(
-    outside ? { t: now, from: Math.max(0, from + Math.floor((now - from) / length) * length) } : { t: now },
-  );
+  store.set({ t: now, from: pageOf({ ...store.state, t: now }) });
+}
+
+/**
+ * Where a timeline begins that shows t: where it does, or whole lengths of it further on.
+ * @param {{t: number, from: number, length: number}} state
+ */
+export function pageOf({ t, from, length }) {
+  if (t >= from && t <= from + length) return from;
+  return Math.max(0, from + Math.floor((t - from) / length) * length);
 }

@@ -353,6 +353,7 @@ export class Motion {
     const { first, interval } = flips;
     if (!Number.isFinite(interval)) return from < first && first <= to ? [first] : times;
     let n = Math.floor((from - first) / interval);
+    if (!Number.isSafeInteger(n)) return times;  // two flips are not two numbers there
     for (; times.length < most; ++n) {
       const t = first + n * interval;
       if (t > to) break;
@@ -373,6 +374,7 @@ export class Motion {
     const { first, interval } = flips;
     if (!Number.isFinite(interval)) return first < t ? first : null;
     let n = Math.ceil((t - first) / interval);
+    if (!Number.isSafeInteger(n)) return null;
     while (first + n * interval >= t) --n;
     return first + n * interval;
   }

@@ -108,11 +108,14 @@ export class Transport {
 
   /** @param {State} state @param {MotionModel} model */
   show({ t, from, length, speed }, model) {
-    const digits = Math.max(0, Math.min(3, 3 - Math.floor(Math.log10(length / 100))));
+    const fine = 3 - Math.floor(Math.log10(length / 100)),
+      known = 10 - Math.floor(Math.log10(Math.max(t, 1)));
+    const digits = Math.max(0, Math.min(fine, known, 3));
     if (document.activeElement !== this.time) this.time.value = t.toFixed(digits);
     if (document.activeElement !== this.length) this.length.value = String(Number(length.toPrecision(6)));
     this.speed.value = String(speed);
-    const flips = model.flipsUntil(t),
+    const count = model.flipsUntil(t),
+      flips = count < 1e9 ? count : brief(count),
       next = model.nextFlip(t);
     const slider = byId('timeline');
     slider.setAttribute('aria-valuemin', String(from));
@@ -122,7 +125,7 @@ export class Transport {
     const says = model.flips
       ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', brief(next - t))}`
       : word('noFlips');
-    byId('readout').textContent = `t = ${decimal(t, digits > 1 ? 2 : digits)} s · ${says}`;
+    byId('readout').textContent = `t = ${decimal(t, Math.min(digits, 2))} s · ${says}`;
     byId('flip-back').toggleAttribute('disabled', !model.flips);
     byId('flip-on').toggleAttribute('disabled', !model.flips);
   }
