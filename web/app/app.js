@@ -189,6 +189,7 @@ export class App {
     if (state.omega !== before.omega || state.moments !== before.moments) {
       const last = this.model;
       this.model = this.#modelOf(state);
+      this.runs.stop();
       last.release();
     }
     this.dirty = true;
@@ -283,7 +284,7 @@ export class App {
       colors = chartColors(theme, this.themeName);
     const detail = this.components.cover(state, model);
     this.components.draw(state, colors, X);
-    this.timeline.draw(state, model, colors, detail);
+    this.timeline.draw(state, model, colors, this.components.chart.isShown ? detail : null);
     this.comparePanel.draw(state, model, this.runs, colors);
     this.transport.show(state, model);
     if (this.dirty) {
@@ -318,7 +319,7 @@ export class App {
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };
     [canvas.width, canvas.height] = [width, height];
     try {
-      this.runs.advance(store.state.t);
+      while (this.runs.advance(store.state.t));
       bodyView.setBody(this.#surface(store.state), this.data.themes[this.themeName]);
       bodyView.draw(this.#bodyPicture());
       const { gl } = bodyView,

@@ -79,10 +79,17 @@ export class Runs {
   prepare({ compare, methods, step, tolerance }, model) {
     const key = compare === 'off' ? '' : [methods, step, tolerance].join();
     if (key === this.key && model === this.model) return;
-    for (const runner of this.runners) runner.release();
+    this.stop();
     this.key = key;
     this.model = model;
-    this.runners = key === '' ? [] : methods.map((method) => new Runner(model, method, { step, tolerance }));
+    if (key) this.runners = methods.map((method) => new Runner(model, method, { step, tolerance }));
+  }
+
+  /** Ends the methods; to be called before their motion is released. */
+  stop() {
+    for (const runner of this.runners) runner.release();
+    this.runners = [];
+    this.key = '';
   }
 
   /**

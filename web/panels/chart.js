@@ -32,6 +32,11 @@ export class Chart {
     return 12 * this.unit;
   }
 
+  /** Whether it is on the page; in full screen some are not. */
+  get isShown() {
+    return this.canvas.offsetParent !== null;
+  }
+
   get width() {
     return this.canvas.width / devicePixelRatio;
   }

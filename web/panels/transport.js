@@ -98,7 +98,7 @@ export class Transport {
   relabel() {
     const { playing } = this.player;
     this.icon?.setAttribute('d', playing ? pauseIcon : playIcon);
-    this.playButton.setAttribute('aria-label', word(playing ? 'pause' : 'play'));
+    this.playButton.ariaLabel = this.playButton.title = word(playing ? 'pause' : 'play');
     fillSelect(
       this.speed,
       speeds.map((speed) => [String(speed), speedText(speed)]),

@@ -124,9 +124,11 @@ export class SphereView extends CanvasView {
       tip: scale(axisEnd, this.#axis(i)),
       color: colors.axis[model.principal.colors[i]],
     }));
-    const now = trails[0]?.[trails[0].length - 1];
-    if (now && !model.atRest)
-      labels.push({ text: 'L', tip: this.#place(model.muOf(now.omega)), color: colors.momentum });
+    for (const [i, trail] of model.atRest ? [] : trails.entries()) {
+      const tip = this.#place(model.muOf(trail[trail.length - 1].omega));
+      const text = trails.length > 1 ? 'AB'[i] : 'L';
+      labels.push({ text, tip, color: i === 0 ? colors.momentum : colors.omega });
+    }
     this.hideNames(this.showNames(labels, camera));
   }
 

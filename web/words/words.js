@@ -25,7 +25,9 @@ export function setLanguage(lang) {
     element.textContent = word(/** @type {HTMLElement} */ (element).dataset.word ?? '');
   }
   for (const element of document.querySelectorAll('[data-word-label]')) {
-    element.setAttribute('aria-label', word(/** @type {HTMLElement} */ (element).dataset.wordLabel ?? ''));
+    const label = word(/** @type {HTMLElement} */ (element).dataset.wordLabel ?? '');
+    element.setAttribute('aria-label', label);
+    if (element instanceof HTMLButtonElement) element.title = label;
   }
 }
 
