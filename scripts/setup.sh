@@ -86,6 +86,7 @@ bench    | its access control            | xauth
 foreign  | MuJoCo                        | libmujoco-dev
 foreign  | Bullet                        | libbullet-dev
 foreign  | the Open Dynamics Engine      | libode-dev
+foreign  | ADMesh, to read STL           | admesh
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind
 package  | the tools for packages        | dpkg-dev
