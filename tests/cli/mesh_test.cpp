@@ -222,6 +222,22 @@ TEST_F(MeshBody, ThatWasPutRightIsUsedWithAWarning) {
   EXPECT_EQ(outcome.out, run_shell(folder_, "\"$TWRENCH\" inertia mesh.toml 2>/dev/null").out);
 }
 
+TEST_F(MeshBody, ThatIsInsideOutIsTurnedWithAWarning) {
+  const Outcome sound = run("inertia mesh.toml");
+  std::string turned;
+  std::istringstream lines(box(40, 20, 10));
+  for (std::string line; std::getline(lines, line);) {
+    if (line[0] == 'f') std::reverse(line.begin() + 2, line.end());
+    turned += line + "\n";
+  }
+  write("box.obj", turned);
+  const Outcome outcome = run("inertia mesh.toml");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, testing::StartsWith("twrench: warning: box.obj: "));
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.out, sound.out);
+}
+
 TEST_F(MeshBody, OfMomentsHasTheShapeThatIsAskedFor) {
   write("moments.toml", "[body]\nmoments = [3, 4, 5]\nshape = 'ellipsoid'\n");
   std::map<std::string, std::string> pictures;

@@ -94,6 +94,18 @@ TEST_F(MeshPart, IsFoundFromTheFolderOfTheSceneFile) {
   EXPECT_NO_THROW(load("unit = 'cm'\ndensity = 1", absolute));
 }
 
+TEST_F(MeshPart, IsABuiltInOneWhereThereIsNoSuchFile) {
+  const auto count = [](const Scene& scene) {
+    return std::get<body::Mesh>(scene.body.parts[0].shape).surface->triangles.size();
+  };
+  const Scene built_in = load("unit = 'km'\ndensity = 2", "toutatis.obj");
+  EXPECT_EQ(count(built_in), 12796u);
+  EXPECT_EQ(description(built_in.body, 0).mesh->path, "");
+  EXPECT_THAT(input_files(built_in), ElementsAre("sans"));
+  write("toutatis.obj", tetrahedron);
+  EXPECT_EQ(count(load("unit = 'km'\ndensity = 2", "toutatis.obj")), 4u);
+}
+
 TEST_F(MeshPart, IsInTheJsonWithTheDigestOfItsFile) {
   write("t.obj", tetrahedron);
   const auto json =
