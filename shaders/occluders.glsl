@@ -28,13 +28,14 @@ vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_square
   float square = square_to_axis(i, place, s);
   float ahead = dot(to_end, direction) + s * along;
   float aside_squared = max(square - ahead * max(ahead, 0.0), 0.0);
+  float aside = sqrt(aside_squared);
   // Behind `place`, the effect decreases with distance.
-  float miss = sqrt(aside_squared) - (radius + min(ahead, 0.0));
+  float miss = aside - (radius + min(ahead, 0.0));
   float hidden = 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
-  // The normal where the ray enters the capsule, of length `radius`.
+  // The normal where the ray enters the capsule, of length `radius`, or where it misses it, `aside`.
   float depth = ahead - sqrt(max(radius * radius - aside_squared, 0.0));
   vec3 normal = depth * direction - (to_end + s * axis);
-  return mix(incoming, reflectance * ambient_radiance(normal * neighbour_size[i].z), hidden);
+  return mix(incoming, reflectance * ambient_radiance(normal / max(aside, radius)), hidden);
 }
 
 // The contact shadow: the fraction of light that remains close to where another part begins.

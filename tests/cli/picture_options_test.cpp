@@ -1,9 +1,11 @@
 // Each picture option sets the scene value it is named after, as recorded in the manifest.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/twrench.h"
+#include "image/png.h"
 
 namespace twrench {
 namespace {
@@ -43,6 +45,28 @@ TEST(PictureOptions, OfTheLook) {
                                  {"color", "#405060"},
                                  {"metallic", 0.25},
                                  {"roughness", 0.75}}));
+}
+
+TEST(PictureOptions, OfTheMaterial) {
+  const json brass = scene_drawn_with("--material brass")["look"];
+  EXPECT_EQ(brass["material"], "brass");
+  EXPECT_EQ(brass["color"], "#f4e4ad");
+  const json wood = scene_drawn_with("--roughness 0.75 --material wood")["look"];
+  EXPECT_FALSE(wood.contains("material"));
+  EXPECT_EQ(wood["metallic"], 0);
+  EXPECT_EQ(wood["roughness"], 0.75);
+}
+
+// Where a wide lobe misses a thin neighbour, that reflects no more than it would where it is hit.
+TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(
+      folder,
+      "render tao-disk --size 160x120 --frames 100 --bare --metallic 0 --roughness 0.9 --color "
+      "gray --no-video --progress none --frames-dir f");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const image::Image picture = image::read_png(folder / "f/frame_000100.png");
+  EXPECT_LT(*std::ranges::max_element(picture.pixels), 200);
 }
 
 TEST(PictureOptions, OfTheOverlay) {
