@@ -34,6 +34,7 @@ using ArrayOf = py::array_t<Number, py::array::c_style>;
 struct Shape {
   body::Shape shape;
   std::optional<scene::MeshSource> source = {};
+  std::vector<std::string> notes = {};
 };
 
 /// One of the package's solids.
@@ -50,8 +51,8 @@ Shape mesh_of_file(const std::string& file, std::optional<double> scale, double 
                    double shell) {
   const py::gil_scoped_release others_run;
   scene::MeshFiles files = scene::MeshFiles::beside("");
-  const auto& [shape, source] = files.read(file, {scale, weld, shell});
-  return {shape, source};
+  const auto& [shape, source, notes] = files.read(file, {scale, weld, shell});
+  return {shape, source, notes};
 }
 
 Shape mesh_of_arrays(const ArrayOf<double>& vertices, const ArrayOf<std::uint32_t>& triangles,
@@ -68,7 +69,8 @@ Shape mesh_of_arrays(const ArrayOf<double>& vertices, const ArrayOf<std::uint32_
   std::copy_n(triangles.data(), triangles.size(), mesh.triangles.data()->data());
   std::copy_n(colors.data(), colors.size(), mesh.colors.data()->data());
   const py::gil_scoped_release others_run;
-  return {mesh::checked_mesh("mesh", std::move(mesh), {scale, weld, shell}).shape};
+  mesh::MeshFile checked = mesh::checked_mesh("mesh", std::move(mesh), {scale, weld, shell});
+  return {std::move(checked.shape), {}, std::move(checked.notes)};
 }
 
 scene::PartLook make_look(const std::string& material, const std::string& color,
@@ -91,7 +93,7 @@ Part make_part(const Shape& shape, std::optional<double> density, double mass,
                         : rotation ? so3::exp(*rotation)
                                    : Matrix3d::Identity();
   const double given = density ? *density : mass / body::volume(shape.shape);
-  return {{shape.shape, given, position, turn}, {name, look, shape.source}};
+  return {{shape.shape, given, position, turn}, {name, look, shape.source, shape.notes}};
 }
 
 Body body_from_parts(const std::vector<Part>& parts) {
@@ -131,6 +133,7 @@ void add_bodies(py::module_& module) {
       .def_static("from_moments", &body_from_moments)
       .def_static("from_inertia", &body_from_inertia)
       .def(py::pickle([](const Body& b) { return state_of(b); }, &body_with))
+      .def_property_readonly("notes", [](const Body& b) { return mesh_notes(b.description); })
       .def_property_readonly("mass", [](const Body& b) { return b.properties.mass; })
       .def_property_readonly("centre_of_mass",
                              [](const Body& b) { return b.properties.centre_of_mass; })

@@ -82,8 +82,7 @@ py::object Writer::mesh(const body::Shape& shape) {
 
 py::object source_state(const std::optional<scene::MeshSource>& source) {
   if (!source) return py::none();
-  return py::make_tuple(source->file, source->path, source->scale, source->weld, source->sha256,
-                        source->notes);
+  return py::make_tuple(source->file, source->path, source->scale, source->weld, source->sha256);
 }
 
 py::tuple look_state(const scene::PartLook& look) {
@@ -176,7 +175,6 @@ std::optional<scene::MeshSource> source_with(const py::object& state) {
   source.scale = values[2].cast<std::optional<double>>();
   source.weld = values[3].cast<double>();
   source.sha256 = values[4].cast<std::string>();
-  source.notes = values[5].cast<std::vector<std::string>>();
   return source;
 }
 

@@ -73,6 +73,7 @@ void add_scenes(py::module_& module) {
             }
             on_scene([&] { scene::set_body(scene, body.description); });
           })
+      .def("notes", [](const Scene& scene) { return mesh_notes(scene); })
       .def("input_files", &scene::input_files)
       .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })
       .def("motion_times",

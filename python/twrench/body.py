@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING, Sequence, Union
@@ -282,6 +283,8 @@ class Body:
     :raises UsageError: for a length, a density, a moment or a mesh that no body has.
     :raises FileError: where the file of a mesh cannot be read.
 
+    What was put right in a mesh is a warning.
+
     >>> body = Body(moments=[1, 2, 3])
     >>> body.principal_moments
     array([1., 2., 3.])
@@ -301,6 +304,8 @@ class Body:
             raise UsageError("shape: is for a body given by moments")
         if parts is not None:
             self._native = _native.Body.from_parts(_native_parts(parts))
+            for note in self._native.notes:
+                warnings.warn(note, stacklevel=2)
         elif moments is not None:
             self._native = _native.Body.from_moments(
                 _arguments.vector("moments", moments),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Generic, Iterable, Optional, TypeVar, Union, cast, overload
@@ -136,6 +137,8 @@ class Scene:
         # A built-in scene is no file.
         self._inputs = [Path(name)] if os.path.exists(name) else []
         self._native = _native.Scene.load(name)
+        for note in self._native.notes():
+            warnings.warn(note, stacklevel=2)
         self._drawer: _native.FrameDrawer | None = None
         self._set_all(values)
 
@@ -144,7 +147,7 @@ class Scene:
         """The scene of the text of a scene file.
 
         :param text: the text, in TOML.
-        :param name: what stands for the file in messages.
+        :param name: what stands for the file in messages; paths of meshes start from its folder.
         :param values: values that replace those of the text, as in :class:`Scene`.
         :raises SceneError: for a mistake, which it names with line and key.
         """
@@ -153,6 +156,8 @@ class Scene:
         scene._native = _native.Scene.parse(
             _arguments.text("text", text), _arguments.text("name", name)
         )
+        for note in scene._native.notes():
+            warnings.warn(note, stacklevel=2)
         scene._drawer = None
         scene._set_all(values)
         return scene

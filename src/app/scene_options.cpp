@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "app/arguments.h"
 #include "app/message.h"
@@ -65,17 +64,6 @@ std::string default_text(const scene::Field& field) {
 /// Whether a field changes the motion or when it is sampled, rather than only the picture.
 bool determines_motion(const scene::Field& field) {
   return field.table == "motion" || field.key == "fps" || field.key == "speed";
-}
-
-/// What was put right in the meshes of a scene and its shots, each once.
-std::set<std::string> mesh_notes(const scene::Scene& scene) {
-  std::set<std::string> notes;
-  for (const scene::PartDescription& part : scene.body.descriptions) {
-    if (!part.mesh) continue;
-    for (const std::string& note : part.mesh->notes) notes.insert(part.mesh->file + ": " + note);
-  }
-  for (const scene::Shot& shot : scene.shots) notes.merge(mesh_notes(shot.scene));
-  return notes;
 }
 
 }  // namespace
@@ -231,7 +219,7 @@ std::vector<scene::Scene> SceneOptions::scenes() const {
   std::vector<scene::Scene> scenes = load();
   const bool as_json = Progress::is_json(command_);
   for (const scene::Scene& scene : scenes) {
-    for (const std::string& note : mesh_notes(scene)) warn(note, as_json);
+    for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
     if (scene.body.moments) warn_of_unreal_moments(scene.name, *scene.body.moments, as_json);
   }
   return scenes;

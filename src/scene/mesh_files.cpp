@@ -50,8 +50,8 @@ MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOption
            .path = is_built_in ? fs::path() : path,
            .scale = options.scale,
            .weld = options.weld,
-           .sha256 = std::move(read.sha256),
-           .notes = std::move(read.notes)}};
+           .sha256 = std::move(read.sha256)},
+          std::move(read.notes)};
 }
 
 }  // namespace twrench::scene

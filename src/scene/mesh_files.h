@@ -16,10 +16,11 @@ namespace twrench::scene {
 /// The meshes of a scene file, each of which is read once, however many parts are made of it.
 class MeshFiles {
  public:
-  /// A mesh as a part has it, and where it is from.
+  /// A mesh as a part has it, where it is from, and what was put right.
   struct Entry {
     body::Mesh shape;
     MeshSource source;
+    std::vector<std::string> notes;
   };
 
   /// Those of a scene file, whose paths start from the folder that it is in. Where there is no such

@@ -70,6 +70,7 @@ body::Shape read_mesh(TomlTable& part, MeshFiles& meshes, PartDescription& descr
   try {
     const MeshFiles::Entry& entry = meshes.read(file, options);
     description.mesh = entry.source;
+    description.notes = entry.notes;
     return entry.shape;
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(part.place("file"), error.what(), error.remedy());

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "scene/limits.h"
 
@@ -92,6 +93,24 @@ PartDescription description(const Body& body, std::size_t part) {
     return {names.at(part), {}, {}};
   }
   return part < body.descriptions.size() ? body.descriptions[part] : PartDescription{};
+}
+
+std::vector<std::string> mesh_notes(const Body& body) {
+  std::set<std::string> notes;
+  for (const PartDescription& part : body.descriptions) {
+    const std::string name = part.mesh ? part.mesh->file : "mesh";
+    for (const std::string& note : part.notes) notes.insert(name + ": " + note);
+  }
+  return {notes.begin(), notes.end()};
+}
+
+std::vector<std::string> mesh_notes(const Scene& scene) {
+  const std::vector<std::string> own = mesh_notes(scene.body);
+  std::set<std::string> notes(own.begin(), own.end());
+  for (const Shot& shot : scene.shots) {
+    for (std::string& note : mesh_notes(shot.scene)) notes.insert(std::move(note));
+  }
+  return {notes.begin(), notes.end()};
 }
 
 std::vector<std::filesystem::path> input_files(const Scene& scene) {

@@ -44,8 +44,6 @@ struct MeshSource {
   double weld = 0.0;
   /// SHA-256 of the file's bytes, in hexadecimal digits.
   std::string sha256;
-  /// What was put right or left out when it was read, a line each.
-  std::vector<std::string> notes;
 };
 
 /// What a scene says of a part beside its shape, mass and place.
@@ -56,6 +54,8 @@ struct PartDescription {
   PartLook look;
   /// Its file, for a mesh that was read from one.
   std::optional<MeshSource> mesh;
+  /// What was put right or left out in its mesh, a line each.
+  std::vector<std::string> notes = {};
 };
 
 /// What a body is drawn as that is given by its moments alone: something that has these moments.
@@ -288,6 +288,13 @@ struct PartGroup {
 
 /// Returns the parts of a body by their names, in the order in which these first appear.
 std::vector<PartGroup> part_groups(const Body& body);
+
+/// Returns the notes on the meshes of a scene and its shots, each with the name of its file and
+/// once.
+std::vector<std::string> mesh_notes(const Scene& scene);
+
+/// Returns the same of a body.
+std::vector<std::string> mesh_notes(const Body& body);
 
 /// Returns the files that a scene was made of beside its own: meshes and a font, those of its shots
 /// included.

@@ -116,7 +116,8 @@ def test_an_open_surface_is_a_wall():
     triangles[0, 0] = 8
     with pytest.raises(twrench.UsageError, match="mesh: the surface is open at 4 edges"):
         Body([Mesh(vertices=apart, triangles=triangles, density=1)])
-    welded = Body([Mesh(vertices=apart, triangles=triangles, density=1, weld=1e-6)])
+    with pytest.warns(UserWarning, match="mesh: 1 vertices were joined"):
+        welded = Body([Mesh(vertices=apart, triangles=triangles, density=1, weld=1e-6)])
     assert welded.mass == pytest.approx(1, rel=1e-6)
 
 
@@ -134,6 +135,20 @@ def test_a_mesh_is_shown_and_told_of(tmp_path, small):
         twrench.Scene(body=Body([Mesh(file=path, unit="cm", density=1)])).render(
             path, container="mp4", overwrite=True
         )
+
+
+def test_what_was_put_right_in_the_mesh_of_a_scene_is_a_warning(tmp_path):
+    apart = np.concatenate([CORNERS, CORNERS[:1] + 1e-7])
+    triangles = TRIANGLES.copy()
+    triangles[0, 0] = 8
+    write_obj(tmp_path / "box.obj", apart, triangles)
+    toml = '[[part]]\nshape="mesh"\nfile="box.obj"\nunit="cm"\nweld=1e-6\ndensity=1\n'
+    (tmp_path / "some.toml").write_text(toml)
+    with pytest.warns(UserWarning, match="box.obj: 1 vertices were joined"):
+        twrench.Scene(tmp_path / "some.toml")
+    with pytest.warns(UserWarning, match="box.obj: 1 vertices were joined"):
+        scene = twrench.Scene.from_toml(toml, str(tmp_path / "any"))
+    assert pickle.loads(pickle.dumps(scene)).to_dict() == scene.to_dict()
 
 
 def test_moments_have_a_shape(small):

@@ -1,8 +1,12 @@
 #include "scene/materials.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
+
+#include <fstream>
+#include <sstream>
 
 #include "scene/fields.h"
 #include "scene/limits.h"
@@ -26,6 +30,16 @@ TEST(Materials, AreAllowedAndNoTwoLookAlike) {
     Look look;
     set_material(look, material);
     EXPECT_EQ(material_name(look), material.name);
+  }
+}
+
+TEST(Materials, AreInTheDocument) {
+  std::ifstream file(TWRENCH_TESTS_DIR "/../docs/scene-files.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  for (const auto& [name, color, metallic, roughness] : materials()) {
+    EXPECT_THAT(text.str(), testing::HasSubstr(fmt::format("| `{}` | `{}` | {} | {} |", name,
+                                                           to_string(color), metallic, roughness)));
   }
 }
 
