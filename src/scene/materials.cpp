@@ -6,14 +6,15 @@
 
 namespace twrench::scene {
 
-// The colours of steel (there: iron), brass, wood and rubber are those of the reference sheet
-// "Material Properties" of Google's renderer Filament. Rock reflects 0.3 of the light, as dry rock
-// does, and is a little warmer than grey. The others, and what is rough, are chosen by eye.
+// The colours of steel (there: iron), brass and wood are those of the reference sheet "Material
+// Properties" of Google's renderer Filament. Its rubber, #353535, would be lost against a dark
+// background, and is lighter here. Rock reflects 0.3 of the light, as dry rock does, and is a
+// little warmer than grey. The others, and how rough each is, are chosen by eye.
 const std::vector<Material>& materials() {
   static const std::vector<Material> all{
       {"steel", {192, 189, 186}, 1.0, 0.25}, {"brass", {244, 228, 173}, 1.0, 0.25},
       {"wood", {135, 92, 60}, 0.0, 0.6},     {"plastic", {200, 204, 210}, 0.0, 0.35},
-      {"rubber", {53, 53, 53}, 0.0, 0.8},    {"rock", {152, 147, 139}, 0.0, 0.95},
+      {"rubber", {72, 70, 68}, 0.0, 0.7},    {"rock", {152, 147, 139}, 0.0, 0.95},
       {"paper", {240, 236, 224}, 0.0, 0.9},
   };
   return all;

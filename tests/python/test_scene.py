@@ -52,7 +52,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
 
 def test_a_material_is_a_colour_a_metalness_and_a_roughness():
     scene = Scene(material="rubber", roughness=0.5)
-    assert (scene.color, scene.metallic, scene.roughness) == ("#353535", 0, 0.5)
+    assert (scene.color, scene.metallic, scene.roughness) == ("#484644", 0, 0.5)
     assert scene.material is None
     scene.material = "brass"
     assert (scene.color, scene.metallic, scene.material) == ("#f4e4ad", 1, "brass")
