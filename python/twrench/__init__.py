@@ -5,7 +5,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0.
 """
 
 from ._native import version as __version__
-from .body import Body, Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
+from .body import Body
 from .errors import (
     EncoderError,
     Error,
@@ -28,6 +28,7 @@ from .motion import (
     simulate,
 )
 from .scene import Film, Scene, scenes
+from .solids import Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .study import MethodStudy, Study, StudyRun, study
 
 __all__ = [
