@@ -20,7 +20,7 @@ import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
 import { figuresOf, listed, MotionModel, spunAbout, trailTimes } from './motion_model.js';
-import { pageOf, Player } from './player.js';
+import { framesPerSecond, pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
 import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
@@ -31,6 +31,7 @@ import { chartColors, setThemeColors } from './theme.js';
 
 const pointsOfHerpolhode = 1200,
   widestTurn = 0.35;
+const shutter = 0.25; // half of half the time between two frames, as in the film
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
@@ -217,6 +218,7 @@ export class App {
       instants: trails.map((trail) => ({ sample: trail[trail.length - 1], trail })),
       ghost: state.compare === 'ghost',
       frame: state.frame,
+      halfOpen: this.player.playing ? (shutter * state.speed) / framesPerSecond : 0,
       shown: Object.fromEntries(state.show.map((feature) => [feature, true])),
     };
   }

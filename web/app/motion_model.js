@@ -117,6 +117,11 @@ export class MotionModel {
     return identity;
   }
 
+  /** The angular velocity of that frame in space, rad/s. @param {import('./state.js').FrameName} name @param {Sample} sample */
+  frameOmega(name, sample) {
+    return name === 'body' ? times(sample.X, sample.omega) : this.steady;
+  }
+
   /** The direction of the momentum in body axes, of length 1 unless the method has left it. @param {number[]} omega */
   muOf(omega) {
     return this.atRest ? [0, 0, 0] : scale(1 / this.momentum, times(this.inertia, omega));

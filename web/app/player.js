@@ -1,5 +1,6 @@
 // Lets the time of the motion go on, and the page be drawn only when something has changed.
 
+export const framesPerSecond = 60; // of the film, and of most displays
 const longestFrame = 0.1; // s: a tab that was hidden does not jump
 
 export class Player {

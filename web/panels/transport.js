@@ -1,13 +1,12 @@
 // Play, pause, step, flips, speed, and the length of the timeline.
 import { byId } from '../app/dom.js';
-import { seek } from '../app/player.js';
+import { framesPerSecond, seek } from '../app/player.js';
 import { speeds } from '../app/state.js';
 import { brief, decimal, fillSelect, word } from '../words/words.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
 /** @typedef {import("../app/state.js").State} State */
 
-const framesPerSecond = 60;
 const playIcon = 'M4 2 L15 9 L4 16 Z',
   pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';
 

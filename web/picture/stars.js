@@ -64,11 +64,8 @@ export class Stars {
     gl.bufferData(gl.ARRAY_BUFFER, stars, gl.STATIC_DRAW);
   }
 
-  /**
-   * @param {Camera} camera @param {number} height of the picture in pixels
-   * @param {boolean} dark Whether they darken a light background.
-   */
-  draw(camera, height, dark) {
+  /** @param {Camera} camera @param {number} height of the picture in pixels */
+  draw(camera, height) {
     if (this.count === 0) return;
     const { gl, program } = this;
     const p = camera.projection;
@@ -79,10 +76,8 @@ export class Stars {
     gl.bindVertexArray(this.array);
     gl.disable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
-    gl.blendEquation(dark ? gl.FUNC_REVERSE_SUBTRACT : gl.FUNC_ADD);
     gl.blendFunc(gl.ONE, gl.ONE);
     gl.drawArrays(gl.POINTS, 0, this.count);
-    gl.blendEquation(gl.FUNC_ADD);
     gl.disable(gl.BLEND);
     gl.bindVertexArray(null);
   }

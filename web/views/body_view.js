@@ -5,6 +5,7 @@ import { carried, directionOf, fitted, frameSphere } from '../math/camera.js';
 import { BodyPass } from '../picture/body_pass.js';
 import { DrawList } from '../picture/draw_list.js';
 import { DrawListPass } from '../picture/draw_list_pass.js';
+import { addFixedStars } from '../picture/fixed_stars.js';
 import { Ground } from '../picture/ground.js';
 import { Stars } from '../picture/stars.js';
 import { BodyOverlay } from './body_overlay.js';
@@ -23,6 +24,7 @@ import { CanvasView } from './canvas_view.js';
  * @property {Instant[]} instants One, or two to compare.
  * @property {boolean} ghost Whether the second is a ghost over the first.
  * @property {FrameName} frame
+ * @property {number} halfOpen Half the time for which the shutter is open, s of the motion.
  * @property {import("./body_overlay.js").Shown} shown
  */
 
@@ -158,6 +160,7 @@ export class BodyView extends CanvasView {
     this.#drawStars(picture, camera, height);
     opaque.begin(camera, width, height);
     translucent.begin(camera, width, height);
+    this.#addFixedStars(picture, instant.sample, camera, height);
     overlay.drawArrows(picture.shown, instant.sample, opaque);
     overlay.drawTranslucent(picture.shown, this.#relative(picture, instant), translucent);
     body.draw(camera, X, { width, height });
@@ -179,22 +182,29 @@ export class BodyView extends CanvasView {
     }));
   }
 
-  /** @param {BodyPicture} picture @param {Camera} camera @param {number} height */
+  /** The theme's stars, which rest in space. @param {BodyPicture} picture @param {Camera} camera @param {number} height */
   #drawStars(picture, camera, height) {
     const { stars, theme } = this;
-    if (!stars || !theme) return;
-    const inSpace = theme.backdrop.stars > 0;
-    if (!inSpace && (picture.frame === 'space' || !picture.shown.floor)) return;
-    const framing = this.#framing(picture);
-    const key = `${inSpace} ${JSON.stringify(framing)}`;
+    if (!stars || !theme.backdrop.stars || picture.frame !== 'space') return;
+    const framing = this.#framing(picture),
+      key = JSON.stringify(framing);
     if (this.starsFor !== key) {
-      stars.place(
-        frameSphere(framing, directionOf(this.lens.azimuth, this.lens.elevation)),
-        theme.backdrop.stars || 260,
-      );
+      const home = frameSphere(framing, directionOf(this.lens.azimuth, this.lens.elevation));
+      stars.place(home, theme.backdrop.stars);
       this.starsFor = key;
     }
-    stars.draw(camera, height, theme.backdrop.above[0] > 128);
+    stars.draw(camera, height);
+  }
+
+  /**
+   * The stars that show how a frame turns.
+   * @param {BodyPicture} picture @param {Sample} sample @param {Camera} camera @param {number} height
+   */
+  #addFixedStars({ model, frame, shown, halfOpen }, sample, camera, height) {
+    if (frame === 'space' || !shown.floor) return;
+    const omega = model.frameOmega(frame, sample),
+      look = { color: this.theme.overlay.dim, height };
+    addFixedStars(this.translucent, omega, halfOpen, camera.distance, look);
   }
 }
 
