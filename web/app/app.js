@@ -1,8 +1,4 @@
 // The page at work.
-import { BodyView } from '../views/body_view.js';
-import { PoinsotView } from '../views/poinsot_view.js';
-import { SphereView } from '../views/sphere_view.js';
-import { makeTurnable, turnByKey } from '../views/turning.js';
 import { Announcer } from '../panels/announcer.js';
 import { ComparePanel } from '../panels/compare.js';
 import { Components } from '../panels/components.js';
@@ -12,15 +8,14 @@ import { Timeline } from '../panels/timeline.js';
 import { Tour } from '../panels/tour.js';
 import { Transport } from '../panels/transport.js';
 import { ViewPanel } from '../panels/view_panel.js';
-import { pngOf } from '../picture/png.js';
-import { boxSurface, surfaceOf } from '../picture/surface.js';
 import { setLanguage } from '../words/words.js';
 import tour from '../tour/tour.json';
 import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
-import { figuresOf, listed, MotionModel, spunAbout, trailTimes } from './motion_model.js';
-import { framesPerSecond, pageOf, Player } from './player.js';
+import { figuresOf, listed, MotionModel, spunAbout } from './motion_model.js';
+import { Pictures } from './pictures.js';
+import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
 import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
@@ -29,9 +24,7 @@ import { chartColors, setThemeColors } from './theme.js';
 /** @typedef {import("./state.js").State} State */
 /** @typedef {{width: number, height: number, t?: number, theme?: import("./state.js").ThemeName, show?: string[]}} PictureOptions */
 
-const pointsOfHerpolhode = 1200,
-  widestTurn = 0.35;
-const shutter = 0.25; // half of half the time between two frames, as in the film
+const times = ['t', 'from']; // what changes at each picture while it plays
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
@@ -45,20 +38,13 @@ export class App {
       core.methods.map(({ name }) => name),
       tour.steps.length,
     );
-    this.sceneSurface = surfaceOf(data.surface);
     this.model = this.#modelOf(this.store.state);
     this.runs = new Runs();
     this.announcer = new Announcer();
-    /** @type {{model: MotionModel, page: number, samples: import("../core/core.js").Sample[]} | null} */
-    this.rolled = null;
-    /** @type {{moments: number[], surface: import("../picture/surface.js").Surface} | null} */
-    this.box = null;
     this.player = new Player(this.store, () => this.draw());
     const { store, player } = this,
       invalidate = () => player.invalidate();
-    this.bodyView = new BodyView(byId('body'), invalidate, data.scene.camera);
-    this.sphereView = new SphereView(byId('sphere'), invalidate);
-    this.poinsotView = new PoinsotView(byId('poinsot'), invalidate, data.scene.camera.azimuth);
+    this.pictures = new Pictures(store, data, player, this.runs);
     this.transport = new Transport(store, player, () => this.model);
     this.timeline = new Timeline(byId('timeline'), store, {
       invalidate,
@@ -84,13 +70,12 @@ export class App {
       model: () => this.model,
       theme: () => this.themeName,
       link: () => this.address.link,
-      picture: () => this.picture({ width: this.bodyView.canvas.width, height: this.bodyView.canvas.height }),
+      picture: () => this.picture(this.pictures.bodyView.canvas),
     });
-    this.#makeKeys();
     this.store.subscribe((state, before) => this.#changed(state, before));
     this.address = new Address(this.store, this.known, this.player, (values) => this.#go(values));
     this.address.follow();
-    addEventListener('resetview', () => this.bodyView.resetView());
+    addEventListener('resetview', () => this.pictures.bodyView.resetView());
     matchMedia('(prefers-color-scheme: light)').addEventListener('change', () =>
       this.#changed(this.store.state, this.store.state),
     );
@@ -98,39 +83,6 @@ export class App {
     for (const id of ['live', 'tools', 'footer']) byId(id).hidden = false;
     this.#changed(this.store.state, { ...this.store.state, lang: /** @type {any} */ ('') });
     this.player.play(!matchMedia('(prefers-reduced-motion: reduce)').matches);
-  }
-
-  #makeKeys() {
-    const { bodyView, sphereView, poinsotView, player, store } = this;
-    bodyView.moved = () => {
-      const { azimuth, elevation, zoom } = bodyView.view;
-      store.set({ view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4))) });
-    };
-    const startAt = (/** @type {number[]} */ mu) => store.set({ omega: this.model.omegaOf(mu) });
-    makeTurnable(bodyView);
-    makeTurnable(poinsotView);
-    makeTurnable(sphereView, (event) =>
-      sphereView.isAtStart(sphereView.placeOf(event))
-        ? (moved) => startAt(sphereView.muAt(sphereView.placeOf(moved)))
-        : null,
-    );
-    for (const view of [bodyView, poinsotView]) {
-      view.canvas.addEventListener('keydown', (event) => {
-        if (event.key === ' ') player.play(!player.playing);
-        else if (!turnByKey(view, event)) return;
-        event.preventDefault();
-      });
-    }
-    sphereView.canvas.addEventListener('keydown', (event) => {
-      const step = event.shiftKey ? 0.002 : 0.02;
-      const way = { ArrowRight: [step, 0], ArrowLeft: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[
-        event.key
-      ];
-      if (way) startAt(sphereView.muMoved(way[0], way[1]));
-      else if (event.key === ' ') player.play(!player.playing);
-      else if (!turnByKey(sphereView, event)) return;
-      event.preventDefault();
-    });
   }
 
   /** @param {State} state */
@@ -155,14 +107,9 @@ export class App {
     state.from = pageOf(state);
     this.#modelOf(state).release();
     this.store.set(state);
-    this.#follow(state);
+    this.pictures.follow();
     const isTourAlone = Object.keys(values).every((key) => ['tour', 'lang', 'theme'].includes(key));
     if (state.tour && isTourAlone) this.#enter(/** @type {any} */ (tour.steps[state.tour - 1]));
-  }
-
-  /** Has the view go where the state says. @param {State} state */
-  #follow({ view: [azimuth, elevation, zoom] }) {
-    this.bodyView.view = { azimuth, elevation, zoom };
   }
 
   /** Puts the page into the state of a step of the tour. @param {import("../panels/tour.js").TourStep} step */
@@ -181,7 +128,7 @@ export class App {
     next.omega = spunAbout(body, ['least', 'middle', 'greatest'].indexOf(spin), push);
     body.release();
     this.store.set(next);
-    this.#follow(next);
+    this.pictures.follow();
     this.player.play(play && !matchMedia('(prefers-reduced-motion: reduce)').matches);
   }
 
@@ -193,7 +140,8 @@ export class App {
       this.runs.stop();
       last.release();
     }
-    this.dirty = true;
+    if (Object.keys(state).some((key) => !times.includes(key) && differs(key, state, before)))
+      this.dirty = true;
     if (state.lang !== before.lang) {
       setLanguage(state.lang);
       for (const part of [this.viewPanel, this.comparePanel, this.transport]) part.relabel();
@@ -201,83 +149,13 @@ export class App {
     this.player.invalidate();
   }
 
-  /** The trail of the exact motion, or of a method, that ends at t. @param {{samples: (times: number[]) => import("../core/core.js").Samples}} source */
-  #trail(source) {
-    const { state } = this.store;
-    return listed(source.samples(trailTimes(state.t, this.model.trailLength, Math.hypot(...state.omega))));
-  }
-
-  /** What the body view shows. */
-  #bodyPicture() {
-    const { state } = this.store;
-    const trails = this.runs.runners.length
-      ? this.runs.runners.map((runner) => this.#trail(runner))
-      : [this.#trail(this.model.motion)];
-    return {
-      model: this.model,
-      instants: trails.map((trail) => ({ sample: trail[trail.length - 1], trail })),
-      ghost: state.compare === 'ghost',
-      frame: state.frame,
-      halfOpen: this.player.playing ? (shutter * state.speed) / framesPerSecond : 0,
-      shown: Object.fromEntries(state.show.map((feature) => [feature, true])),
-    };
-  }
-
-  /** Samples for the herpolhode, around t. */
-  #herpolhode() {
-    const {
-      model,
-      store: {
-        state: { t },
-      },
-    } = this;
-    const span = Math.min(
-      this.data.scene.motion.duration,
-      (pointsOfHerpolhode * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300),
-    );
-    const page = Math.floor(t / span);
-    if (this.rolled?.model !== model || this.rolled.page !== page) {
-      const times = Float64Array.from(
-        { length: pointsOfHerpolhode + 1 },
-        (_, i) => span * (page + i / pointsOfHerpolhode),
-      );
-      this.rolled = { model, page, samples: listed(model.motion.samples(times)) };
-    }
-    return this.rolled.samples;
-  }
-
-  /** @param {State} state */
-  #surface({ moments }) {
-    if (!moments) return this.sceneSurface;
-    if (this.box?.moments !== moments) this.box = { moments, surface: boxSurface(moments) };
-    return this.box.surface;
-  }
-
   draw() {
-    const {
-      store: { state },
-      model,
-      data,
-    } = this;
-    const theme = data.themes[this.themeName],
-      colors = theme.overlay;
+    const { state } = this.store,
+      theme = this.data.themes[this.themeName];
     setThemeColors(this.themeName);
-    try {
-      this.runs.prepare(state, model);
-    } catch (error) {
-      this.store.set({ compare: 'off' });
-      byId('compare-note').hidden = false;
-      byId('compare-note').textContent = error instanceof Error ? error.message : String(error);
-      return;
-    }
+    this.runs.prepare(state, this.model);
     if (this.runs.advance(state.t)) this.player.invalidate();
-    const picture = this.#bodyPicture(),
-      trails = picture.instants.map(({ trail }) => trail);
-    this.bodyView.setBody(this.#surface(state), theme);
-    this.bodyView.draw(picture);
-    this.sphereView.draw({ model, trails, colors });
-    this.poinsotView.draw({ model, trail: trails[0], herpolhode: this.#herpolhode(), colors });
-    this.#drawPanels(state, theme, picture.instants[0].sample.X);
+    this.#drawPanels(state, theme, this.pictures.draw(this.model, theme));
   }
 
   /** @param {State} state @param {any} theme @param {number[]} X */
@@ -314,24 +192,16 @@ export class App {
    * @returns {Promise<Blob>} a PNG
    */
   picture({ width, height, t, theme, show }) {
-    const { bodyView, store } = this,
-      { canvas } = bodyView,
-      before = store.state,
-      size = [canvas.width, canvas.height];
+    const { store } = this,
+      before = store.state;
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };
-    [canvas.width, canvas.height] = [width, height];
     try {
-      while (this.runs.advance(store.state.t));
-      bodyView.setBody(this.#surface(store.state), this.data.themes[this.themeName]);
-      bodyView.draw(this.#bodyPicture());
-      const { gl } = bodyView,
-        pixels = new Uint8Array(4 * width * height);
-      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      return pngOf(pixels, width, height);
+      return this.pictures.png(this.model, this.data.themes[this.themeName], width, height);
     } finally {
       store.state = before;
-      [canvas.width, canvas.height] = size;
-      this.player.invalidate();
     }
   }
 }
+
+/** @param {string} key @param {any} state @param {any} before */
+const differs = (key, state, before) => state[key] !== before[key];

@@ -17,9 +17,19 @@ class Runner {
     this.exact = method === 'exact';
     /** What stopped it. */
     this.failure = '';
-    /** @type {Run | null} */
-    this.run = this.exact ? null : model.motion.run(method, control);
     this.reached = 0;
+    /** @type {Run | null} */
+    this.run = null;
+    try {
+      if (!this.exact) this.run = model.motion.run(method, control);
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** @param {unknown} error */
+  #fail(error) {
+    this.failure = error instanceof Error ? error.message : String(error);
   }
 
   /** Goes on towards t for a while. @param {number} t s @param {number} deadline ms */
@@ -30,7 +40,7 @@ class Runner {
         this.reached = this.run.advance(t, stepsAtOnce);
       } while (this.reached < t && performance.now() < deadline);
     } catch (error) {
-      this.failure = error instanceof Error ? error.message : String(error);
+      this.#fail(error);
     }
   }
 
@@ -44,14 +54,14 @@ class Runner {
    * @param {number[]} times ascending
    */
   samples(times) {
-    if (!this.run) return this.model.motion.samples(times);
+    if (!this.run) return this.model.motion.samples(this.exact ? times : [0]);
     const known = times.filter((time) => time >= 0 && this.knows(time));
     return this.run.samples(known.length ? known : [this.reached]);
   }
 
   /** The flips until t, in its own solution. @param {number} t */
   flipsUntil(t) {
-    if (!this.run) return this.model.flipsUntil(t);
+    if (!this.run) return this.exact ? this.model.flipsUntil(t) : 0;
     return this.run.flipTimes().filter((time) => time <= t).length;
   }
 
@@ -72,8 +82,7 @@ export class Runs {
   }
 
   /**
-   * Starts the methods of the state anew if something they depend on has changed. Throws a CoreError
-   * for a step that a method refuses.
+   * Starts the methods of the state anew if something they depend on has changed.
    * @param {State} state @param {MotionModel} model
    */
   prepare({ compare, methods, step, tolerance }, model) {
