@@ -36,6 +36,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_simulate(app);
   add_export(app);
   add_page(app);
+  add_report(app);
   add_plot(app);
   add_inertia(app);
   add_study(app, code);

@@ -15,6 +15,7 @@ void add_render(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_export(CLI::App& app);
 void add_page(CLI::App& app);
+void add_report(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_inertia(CLI::App& app);
 void add_study(CLI::App& app, ExitCode& code);

@@ -126,7 +126,7 @@ std::string json(const Described& described) {
 
 /// The mesh or the scene that is named.
 Described describe(const InertiaOptions& options) {
-  const std::string& name = options.scene.names().front();
+  const std::string& name = options.scene.sources().front();
   if (!mesh::is_mesh_name(name)) {
     options.mesh.require_none();
     options.scene.require_not_input(options.output);

@@ -81,10 +81,11 @@ std::string help_of(const scene::Field& field) {
   return field.key == "method" ? field.help + " (see twrench methods)" : field.help;
 }
 
-SceneOptions::SceneOptions(CLI::App& command, Count count) : command_(command) {
+SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::string> without)
+    : command_(command), names_(std::move(without)) {
   command.add_option("SCENE", names_, ".toml file or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
-      ->default_str("dzhanibekov");
+      ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }
 
 CLI::Option* SceneOptions::add(const std::string& name, const std::string& value,

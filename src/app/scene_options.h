@@ -31,7 +31,9 @@ class SceneOptions {
   /// How many scenes the command accepts.
   enum class Count { one, several };
 
-  explicit SceneOptions(CLI::App& command, Count count = Count::one);
+  /// `without` are the scenes where none is given.
+  explicit SceneOptions(CLI::App& command, Count count = Count::one,
+                        std::vector<std::string> without = {"dzhanibekov"});
 
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
@@ -51,8 +53,8 @@ class SceneOptions {
   /// moments that no real body has.
   scene::Scene scene() const { return scenes().front(); }
 
-  /// The scenes as they were named.
-  const std::vector<std::string>& names() const { return names_; }
+  /// Returns the names or files of the scenes as they were given.
+  const std::vector<std::string>& sources() const { return names_; }
 
   /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
   void require_no_overrides(const std::string& name) const;
@@ -87,7 +89,7 @@ class SceneOptions {
   const std::vector<scene::Scene>& load() const;
 
   CLI::App& command_;
-  std::vector<std::string> names_{"dzhanibekov"};
+  std::vector<std::string> names_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
   mutable std::vector<scene::Scene> scenes_;  ///< What load() returns; empty before it was called.

@@ -71,6 +71,22 @@ bool is_complete(const std::filesystem::path& path, const Format& format) {
   return text.ends_with(format.last_bytes);
 }
 
+/// Draws the plot into the file; `name` is what messages call it.
+void draw(const std::filesystem::path& file, const Format& format, const Plot& plot,
+          const std::string& name) {
+  const std::string script = terminal(format, plot) +
+                             fmt::format("set output {}\n", gnuplot_string(file.string())) +
+                             plot.script + "\nunset output\n";
+  system::ChildProcess gnuplot = start({});
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
+  gnuplot.write({bytes, script.size()});
+  if (const int status = gnuplot.wait(); status != 0) {
+    throw PlotError("cannot draw " + name,
+                    fmt::format("gnuplot ended with exit status {}: {}", status,
+                                system::last_words(gnuplot.error_output())));
+  }
+}
+
 }  // namespace
 
 std::string gnuplot_string(std::string_view text) {
@@ -92,20 +108,18 @@ void require_gnuplot(const std::string& path) {
                   "install a build that can: apt-get install gnuplot-nox");
 }
 
+std::string svg(const Plot& plot) {
+  // Never committed, and so removed.
+  const system::PendingFile file(std::filesystem::temp_directory_path() / "twrench-figure.svg");
+  draw(file.path(), formats[0], plot, "the figure");
+  const std::vector<std::uint8_t> bytes = system::read_file(file.path(), longest_figure);
+  return {bytes.begin(), bytes.end()};
+}
+
 void draw_plot(const std::string& path, const Plot& plot) {
   const Format& format = format_of(path);
   system::PendingFile file(path);
-  const std::string script = terminal(format, plot) +
-                             fmt::format("set output {}\n", gnuplot_string(file.path().string())) +
-                             plot.script + "\nunset output\n";
-  system::ChildProcess gnuplot = start({});
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
-  gnuplot.write({bytes, script.size()});
-  if (const int status = gnuplot.wait(); status != 0) {
-    throw PlotError("cannot draw " + path,
-                    fmt::format("gnuplot ended with exit status {}: {}", status,
-                                system::last_words(gnuplot.error_output())));
-  }
+  draw(file.path(), format, plot, path);
   if (!file.is_direct() && !is_complete(file.path(), format)) {
     throw system::FileError("cannot write " + path, "gnuplot left it incomplete",
                             "check whether the disk is full");

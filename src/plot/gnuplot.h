@@ -37,6 +37,10 @@ std::string gnuplot_string(std::string_view text);
 /// format.
 void require_gnuplot(const std::string& path);
 
+/// Returns the plot as the text of an SVG file. Throws PlotError if gnuplot is missing or fails,
+/// and FileError where temporary files cannot be written.
+std::string svg(const Plot& plot);
+
 /// Draws the plot into the file, in the format of its ending; the file appears complete or not at
 /// all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
 void draw_plot(const std::string& path, const Plot& plot);

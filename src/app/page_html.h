@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace twrench::app {
+
+/// Returns the page without a scene, as scripts/page.sh builds it: the file, or without a name what
+/// is built in. Throws FileError where it cannot be read or nothing is built in.
+std::string page_template(const std::string& file);
+
+/// Returns the picture of a scene as an <img>; empty, with a warning, where nothing can be drawn,
+/// because a page can do without.
+std::string poster_html(const scene::Scene& scene);
+
+/// Returns the page of a scene. `source` is its name or file, as a command line has it; `poster` an
+/// <img>. Throws FileError where the template lacks a place for something.
+std::string page_html(const std::string& page_template, const scene::Scene& scene,
+                      const std::string& source, const std::string& poster);
+
+}  // namespace twrench::app

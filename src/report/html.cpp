@@ -1,0 +1,132 @@
+#include "report/html.h"
+
+#include <fmt/format.h>
+
+#include "embedded/report_style.h"
+
+namespace twrench::report {
+namespace {
+
+/// The text as content of an element or of an attribute.
+std::string html(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n') {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string command_html(const std::string& command) {
+  return "<code class=\"command\">" + html(command) + "</code>";
+}
+
+/// Names in an SVG are the whole page's: each figure gets its own, and the size of its column.
+std::string inline_svg(std::string svg, const std::string& prefix) {
+  svg.erase(0, svg.find("<svg"));
+  for (const std::string_view before : {"id='", "id=\"", "href='#", "href=\"#", "url(#"}) {
+    for (std::size_t at = 0; (at = svg.find(before, at)) != std::string::npos;) {
+      at += before.size();
+      svg.insert(at, prefix);
+    }
+  }
+  const std::size_t size = svg.find("width="), end = svg.find("viewBox=");
+  if (size < end && end != std::string::npos) svg.erase(size, end - size);
+  const std::size_t title = svg.find("<title>"), after = svg.find("</desc>");
+  if (title < after && after != std::string::npos) svg.erase(title, after + 7 - title);
+  return svg;
+}
+
+/// Writes the parts of a section.
+class HtmlWriter {
+ public:
+  explicit HtmlWriter(const Write& write) : write_(write) {}
+
+  void operator()(const Table& table) {
+    write_(fmt::format(
+        "<figure class=\"table\"><table>\n<caption><b>Table {}.</b> {}</caption>\n<thead><tr>",
+        ++tables_, html(table.caption)));
+    for (const std::string& cell : table.header)
+      write_("<th scope=\"col\">" + html(cell) + "</th>");
+    write_("</tr></thead>\n<tbody>\n");
+    for (const auto& row : table.rows) {
+      write_("<tr>");
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        write_(i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>"
+                      : "<td>" + html(row[i]) + "</td>");
+      }
+      write_("</tr>\n");
+    }
+    write_("</tbody></table>\n" + command_html(table.command) + "</figure>\n");
+  }
+
+  void operator()(const Figure& figure) {
+    ++figures_;
+    write_(fmt::format("<figure role=\"group\" aria-label=\"{}\">\n", html(figure.caption)));
+    write_(inline_svg(plot::svg(figure.plot), fmt::format("figure{}-", figures_)));
+    write_(fmt::format("<figcaption><b>Figure {}.</b> {}</figcaption>\n{}</figure>\n", figures_,
+                       html(figure.caption), command_html(figure.command)));
+  }
+
+  void operator()(const Formula& formula) {
+    write_(
+        fmt::format("<div class=\"formula\"><math display=\"block\">{}</math><span>({})</span>"
+                    "<p>{}</p></div>\n",
+                    formula.mathml, ++formulas_, html(formula.says)));
+  }
+
+  void operator()(const List& list) {
+    write_("<ol>\n");
+    for (const std::string& item : list.items) write_("<li>" + html(item) + "</li>\n");
+    write_("</ol>\n");
+  }
+
+ private:
+  const Write& write_;
+  int tables_ = 0, figures_ = 0, formulas_ = 0;
+};
+
+constexpr const char* own_policy =
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+    "'unsafe-inline'; img-src data:\">";
+
+void write_head(const Document& document, const Viewer* viewer, const Write& write) {
+  write(fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<meta name=\"generator\" content=\"{}\">\n<title>{}</title>\n<style>\n{}</style>\n"
+      "</head>\n<body>\n<main>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n{}</header>\n",
+      viewer ? viewer->policy : own_policy, html(document.program), html(document.title),
+      embedded::report_style().at("report.css"), html(document.title), html(document.program),
+      command_html(document.command)));
+}
+
+}  // namespace
+
+void write_html(const Document& document, const Viewer* viewer, const Write& write) {
+  write_head(document, viewer, write);
+  if (viewer != nullptr) {
+    write("<div class=\"viewer\">" + viewer->poster +
+          "<iframe title=\"The motion\" sandbox=\"allow-scripts allow-downloads\" srcdoc=\"");
+    write(html(viewer->page));
+    write("\"></iframe></div>\n");
+  }
+  HtmlWriter writer(write);
+  for (const Section& section : document.sections) {
+    write("<section>\n<h2>" + html(section.heading) + "</h2>\n");
+    for (const auto& part : section.content) std::visit(writer, part);
+    write("</section>\n");
+  }
+  write("</main>\n</body>\n</html>\n");
+}
+
+}  // namespace twrench::report

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+namespace twrench::report {
+
+/// Returns a value with eight significant digits; a dash where there is none.
+std::string digits(double value);
+
+/// Returns an error or another small quantity with three significant digits, a dash where there is
+/// none.
+std::string brief(double value);
+
+/// Returns three values in parentheses.
+template <typename Vector>
+std::string triple(const Vector& v) {
+  return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")";
+}
+
+}  // namespace twrench::report
