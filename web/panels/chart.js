@@ -1,4 +1,5 @@
 // A canvas for curves, as sharp as the display, with the theme's colours.
+import { superscript } from '../words/words.js';
 
 export class Chart {
   /** @param {HTMLElement} box Holds a canvas. @param {() => void} changed */
@@ -63,7 +64,3 @@ export function tickText(t, step) {
   const power = Math.floor(Math.log10(t) + 1e-12);
   return `${Number((t / 10 ** power).toPrecision(6))}·10${superscript(power)}`;
 }
-
-/** @param {number} power */
-export const superscript = (power) =>
-  [...String(power)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');

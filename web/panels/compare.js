@@ -1,7 +1,7 @@
 // Two methods against the exact motion: which, with what step, and what becomes of them.
 import { byId, element } from '../app/dom.js';
-import { brief, fillSelect, word } from '../words/words.js';
-import { Chart, superscript } from './chart.js';
+import { brief, fillSelect, superscript, word } from '../words/words.js';
+import { Chart } from './chart.js';
 import { NumberField } from './number_field.js';
 
 /** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */

@@ -39,17 +39,22 @@ export const decimal = (value, digits) =>
     useGrouping: false,
   });
 
-/** A number with three significant digits, 1.2e−8 where it is small. @param {number} value */
+/** @param {number} power of ten, as superscript digits */
+export const superscript = (power) =>
+  [...String(power)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');
+
+/** A number with three significant digits, 1.2·10⁻⁸ where it is small. @param {number} value */
 export function brief(value) {
   if (!Number.isFinite(value)) return '∞';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  const text = size >= 1e-3 && size < 1e5 ? value.toPrecision(3) : value.toExponential(1);
-  return text
-    .replaceAll('-', '−')
-    .replace('e+', 'e')
-    .replace('.', locale === 'nb' ? ',' : '.');
+  const [digits, power] = size < 1e-3 || size >= 1e5 ? value.toExponential(1).split('e') : [plain(value), ''];
+  const text = power ? `${digits}·10${superscript(Number(power))}` : digits;
+  return text.replaceAll('-', '−').replace('.', locale === 'nb' ? ',' : '.');
 }
+
+/** @param {number} value from 0.001 to 100000 */
+const plain = (value) => (Math.abs(value) < 100 ? value.toPrecision(3) : value.toFixed(0));
 
 /** Fills a select. @param {HTMLSelectElement} select @param {[string, string][]} options value and text @param {string} chosen */
 export function fillSelect(select, options, chosen) {
