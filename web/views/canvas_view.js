@@ -52,8 +52,11 @@ export class CanvasView {
   /** @param {ResizeObserverEntry} entry */
   #resize(entry) {
     const device = entry.devicePixelContentBoxSize?.[0];
-    const width = device ? device.inlineSize : Math.round(entry.contentRect.width * devicePixelRatio);
-    const height = device ? device.blockSize : Math.round(entry.contentRect.height * devicePixelRatio);
+    // The browser knows to which whole pixels the box is rounded, but not where a display is emulated.
+    const pixels = (/** @type {number} */ points, /** @type {number | undefined} */ known) =>
+      known && Math.abs(known - points * devicePixelRatio) <= 1 ? known : Math.round(points * devicePixelRatio);
+    const width = pixels(entry.contentRect.width, device?.inlineSize),
+      height = pixels(entry.contentRect.height, device?.blockSize);
     if (width === this.canvas.width && height === this.canvas.height) return;
     this.canvas.width = Math.max(1, width);
     this.canvas.height = Math.max(1, height);
