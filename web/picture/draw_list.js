@@ -60,13 +60,14 @@ export class DrawList {
   /**
    * Clears the list; later items are seen by `camera`, whose picture has that size in pixels.
    * @param {import("../math/camera.js").Camera} camera @param {number} width @param {number} height
+   * @param {number} [thinnest] Width of the thinnest line in pixels.
    */
-  begin(camera, width, height) {
+  begin(camera, width, height, thinnest = 1) {
     this.clipFromSpace = clipFromSpace(camera);
     this.attitude = camera.attitude;
     this.eye = eyeOf(camera);
     this.halfSize = [width / 2, height / 2];
-    this.hairline = Math.max(1, 0.0022 * Math.min(width, height));
+    this.hairline = Math.max(thinnest, 0.0022 * Math.min(width, height));
     const p = camera.projection;
     this.scale = p[5] * this.halfSize[1];
     this.clipZNearer = (2 * p[11]) / p[5];

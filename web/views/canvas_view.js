@@ -54,7 +54,9 @@ export class CanvasView {
     const device = entry.devicePixelContentBoxSize?.[0];
     // The browser knows to which whole pixels the box is rounded, but not where a display is emulated.
     const pixels = (/** @type {number} */ points, /** @type {number | undefined} */ known) =>
-      known && Math.abs(known - points * devicePixelRatio) <= 1 ? known : Math.round(points * devicePixelRatio);
+      known && Math.abs(known - points * devicePixelRatio) <= 1
+        ? known
+        : Math.round(points * devicePixelRatio);
     const width = pixels(entry.contentRect.width, device?.inlineSize),
       height = pixels(entry.contentRect.height, device?.blockSize);
     if (width === this.canvas.width && height === this.canvas.height) return;

@@ -15,7 +15,7 @@ import {
 import { directionOf, fitted, frameSphere } from '../math/camera.js';
 import { DrawList } from '../picture/draw_list.js';
 import { DrawListPass } from '../picture/draw_list_pass.js';
-import { CanvasView } from './canvas_view.js';
+import { CanvasView, pixelsOfUnit } from './canvas_view.js';
 import { shown } from './glass.js';
 import { addArrow } from '../picture/arrows.js';
 import { addDot, addLine, addLineOnHalo } from '../picture/lines.js';
@@ -114,8 +114,8 @@ export class PoinsotView extends CanvasView {
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(colors.panel[0] / 255, colors.panel[1] / 255, colors.panel[2] / 255, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    opaque.begin(camera, canvas.width, canvas.height);
-    translucent.begin(camera, canvas.width, canvas.height);
+    opaque.begin(camera, canvas.width, canvas.height, pixelsOfUnit());
+    translucent.begin(camera, canvas.width, canvas.height, pixelsOfUnit());
     const fromUnit = product(
       product(this.viewFromSpace, now.X),
       product(model.principal.axes, diagonal(this.radii)),

@@ -106,8 +106,8 @@ export class SphereView extends CanvasView {
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(colors.panel[0] / 255, colors.panel[1] / 255, colors.panel[2] / 255, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    opaque.begin(camera, canvas.width, canvas.height);
-    translucent.begin(camera, canvas.width, canvas.height);
+    opaque.begin(camera, canvas.width, canvas.height, pixelsOfUnit());
+    translucent.begin(camera, canvas.width, canvas.height, pixelsOfUnit());
     this.#addSphere(model, colors);
     trails.slice(1).forEach((trail) => this.#addMomentum(model, trail, colors.omega, colors));
     if (!model.atRest && trails[0]) this.#addMomentum(model, trails[0], colors.momentum, colors);
