@@ -18,7 +18,7 @@ vec3 environment_brdf(float n_v) {
   vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
   float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
   vec2 scale_bias = vec2(-1.04, 1.04) * a + r.zw;
-  return reflectance * scale_bias.x + scale_bias.y;
+  return own_reflectance() * scale_bias.x + scale_bias.y;
 }
 
 void main() {

@@ -3,7 +3,7 @@
 
 layout(location = 0) in vec3 position;  // body axes, cm
 layout(location = 1) in vec3 normal;
-layout(location = 2) in float offset;  // half pixels along the normal on the screen
+layout(location = 2) in vec4 shift;  // see Shift in silhouette.h
 
 uniform mat3 stage_from_body;
 uniform mat3 stage_normal_from_body;
@@ -15,7 +15,7 @@ uniform float part_lift;
 // Stage: radius of curvature near the silhouette; the same for a round outline, else 0; that of a
 // cylinder's rims, else 0.
 uniform vec3 part_radii;
-// The position across a cylinder's axis in its radii, from body axes; 0 for other shapes.
+// The position across the axis of a shape of revolution in its radii, from body axes; else 0.
 uniform vec4 across_from_body[2];
 uniform vec3 side_axis;  // stage, unit vector: of the cylinder whose side this is; else 0
 
@@ -32,11 +32,12 @@ out vec3 around;
 void main() {
   stage_position = stage_from_body * position;
   stage_normal = stage_normal_from_body * normal;
+  float offset = shift.w;
   coverage = 1.0 - max(offset, 0.0);
   vec4 place = clip_from_stage * vec4(stage_position, 1.0);
-  vec4 onward = clip_from_stage * vec4(stage_normal, 0.0);
+  vec4 onward = clip_from_stage * vec4(stage_normal_from_body * shift.xyz, 0.0);
   vec2 outward = (onward.xy * place.w - place.xy * onward.w) * picture.xy;  // pixels, any length
-  outward *= inversesqrt(max(dot(outward, outward), 1e-12));
+  outward *= max(length(shift.xyz), 1.0) * inversesqrt(max(dot(outward, outward), 1e-12));
   stage_eye = eye;
   vec3 towards_eye = eye - stage_position;
   vec3 to_eye = normalize(towards_eye);
@@ -82,5 +83,6 @@ void main() {
   if (offset * picture.z != 0.0) {
     stage_normal = normalize(n + max(facing - cosine, 0.0) * to_eye);
   }
+  pass_on_color();
   pass_on_neighbours();
 }

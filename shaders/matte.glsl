@@ -1,4 +1,5 @@
 // The diffuse (Lambertian) term of a body that is not entirely metal.
 vec3 scattered(vec3 place, vec3 normal) {
-  return diffuse * occluded(incoming_radiance(place, normal, 1.0, vec3(0.0)), place, normal, 1.0);
+  return own_diffuse() *
+         occluded(incoming_radiance(place, normal, 1.0, vec3(0.0)), place, normal, 1.0);
 }

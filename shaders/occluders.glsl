@@ -5,6 +5,7 @@ flat in vec4 neighbour_end[occluder_count];  // stage; an end of the axis, and t
 flat in vec4 neighbour_axis[occluder_count];
 // Squared length of the axis; 1 over that; 1 / radius.
 flat in vec3 neighbour_size[occluder_count];
+flat in vec3 neighbour_tint[occluder_count];  // of the light that it reflects
 
 // The squared distance from `place` to the point at the fraction s of the axis.
 float square_to_axis(int i, vec3 place, float s) {
@@ -35,7 +36,8 @@ vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_square
   // The normal where the ray enters the capsule, of length `radius`, or where it misses it, `aside`.
   float depth = ahead - sqrt(max(radius * radius - aside_squared, 0.0));
   vec3 normal = depth * direction - (to_end + s * axis);
-  return mix(incoming, reflectance * ambient_radiance(normal / max(aside, radius)), hidden);
+  vec3 tint = is_of_one_material ? reflectance : neighbour_tint[i];
+  return mix(incoming, tint * ambient_radiance(normal / max(aside, radius)), hidden);
 }
 
 // The contact shadow: the fraction of light that remains close to where another part begins.

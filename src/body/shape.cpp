@@ -1,6 +1,5 @@
 #include <twrench/body/shape.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -100,28 +99,6 @@ Eigen::Matrix3d central_inertia(const Shape& shape, double mass) {
   const Vector3d s = std::visit(MeanSquares(), shape);
   const Vector3d moments = mass * Vector3d{s.y() + s.z(), s.x() + s.z(), s.x() + s.y()};
   return moments.asDiagonal();
-}
-
-double bounding_radius(const Shape& shape) {
-  return std::visit(Overload{
-                        [](const Cylinder& c) { return std::hypot(c.radius, c.length / 2.0); },
-                        [](const Box& b) { return b.size.norm() / 2.0; },
-                        [](const Ellipsoid& e) { return e.radii.maxCoeff(); },
-                        [](const Cone& c) {
-                          return std::hypot(std::max(c.radius, c.top_radius), c.length / 2.0);
-                        },
-                        [](const Torus& t) { return t.radius + t.tube_radius; },
-                        [](const Capsule& c) { return c.radius + c.length / 2.0; },
-                        [](const Tube& t) { return std::hypot(t.radius, t.length / 2.0); },
-                        [](const Mesh& m) {
-                          double squared = 0.0;
-                          for (const Vector3d& v : m.surface->vertices) {
-                            squared = std::max(squared, v.squaredNorm());
-                          }
-                          return std::sqrt(squared);
-                        },
-                    },
-                    shape);
 }
 
 Eigen::Matrix3d frame_with_z_along(const Vector3d& axis) {

@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "embedded/shaders.h"
 #include "gl/vertices.h"
@@ -32,20 +34,44 @@ std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
   return most;
 }
 
+/// The radius of curvature of a shape near its silhouette, and the same for one with a round
+/// outline, else 0; cm.
+struct OutlineRadii {
+  std::pair<double, double> operator()(const body::Cylinder& c) const { return {c.radius, 0}; }
+  std::pair<double, double> operator()(const body::Tube& t) const { return {t.radius, 0}; }
+  std::pair<double, double> operator()(const body::Cone& c) const {
+    return {(c.radius + c.top_radius) / 2, 0};
+  }
+  std::pair<double, double> operator()(const body::Capsule& c) const {
+    return {c.radius, c.radius};
+  }
+  std::pair<double, double> operator()(const body::Torus& t) const {
+    return {t.tube_radius, t.tube_radius};
+  }
+  std::pair<double, double> operator()(const body::Ellipsoid& e) const {
+    const double radius = mean_radius(e);
+    return {radius, radius};
+  }
+  std::pair<double, double> operator()(const auto& shape) const { return {mean_radius(shape), 0}; }
+
+  static double mean_radius(const body::Shape& shape) {
+    return capsule_of({shape, 1, Vector3d::Zero(), Matrix3d::Identity()}).radius;
+  }
+};
+
 /// See the uniform part_radii in body.vert.
 std::vector<glm::vec3> part_radii(std::span<const body::Part> parts, const Mesh& mesh,
                                   double unit) {
   std::vector<glm::vec3> radii;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double radius = capsule_of(parts[i]).radius;
-    const bool is_round = std::holds_alternative<body::Ellipsoid>(parts[i].shape);
+    const auto [radius, round] = std::visit(OutlineRadii(), parts[i].shape);
     const double rim = mesh.sides[i] ? mesh.sides[i]->bevel : 0;
-    radii.push_back(glm_from_eigen((Vector3d(radius, is_round ? radius : 0, rim) / unit).eval()));
+    radii.push_back(glm_from_eigen((Vector3d(radius, round, rim) / unit).eval()));
   }
   return radii;
 }
 
-/// In indices, where the side of each part begins; the end of the part if it is not a cylinder.
+/// In indices, where the side of each part begins; the end of the part if it has none.
 std::vector<std::size_t> side_begins(const Mesh& mesh) {
   std::vector<std::size_t> begins;
   for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
@@ -54,39 +80,76 @@ std::vector<std::size_t> side_begins(const Mesh& mesh) {
   return begins;
 }
 
-/// Unit vectors in body axes; 0 for parts that are not cylinders.
-std::vector<Vector3d> part_axes(std::span<const body::Part> parts) {
+/// Unit vectors in body axes; 0 for parts without the side of a cylinder.
+std::vector<Vector3d> part_axes(std::span<const body::Part> parts, const Mesh& mesh) {
   std::vector<Vector3d> axes;
-  for (const body::Part& part : parts) {
-    const bool is_cylinder = std::holds_alternative<body::Cylinder>(part.shape);
-    axes.push_back(is_cylinder ? Vector3d(part.body_from_part.col(2)) : Vector3d::Zero());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    axes.push_back(mesh.sides[i] ? Vector3d(parts[i].body_from_part.col(2)) : Vector3d::Zero());
   }
   return axes;
 }
 
-bool scatters(const Material& material) { return material.diffuse != glm::vec3(0); }
+/// What decides on a program beside the studio.
+struct ProgramKind {
+  Material material;
+  bool is_colored;  ///< Whether vertices have colours.
+
+  bool operator==(const ProgramKind&) const = default;
+};
+
+bool scatters(const ProgramKind& kind) {
+  return kind.is_colored ? kind.material.metalness < 1 : kind.material.diffuse != glm::vec3(0);
+}
+
+/// What is compiled into all programs of a body.
+struct BodyTraits {
+  std::size_t occluder_count;
+  bool is_marked, is_of_one_material;
+};
 
 /// Whether the body has a diffuse term is compiled in, not tested at each pixel: llvmpipe executes
 /// both branches of an if, and the second doubles the work.
-gl::Program body_program(const gl::Functions& gl, const Material& material, const Studio& studio,
-                         std::size_t occluder_count, bool marked) {
+gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const Studio& studio,
+                         const BodyTraits& body) {
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
-  const std::string constants = shader_constants(material, studio) +
-                                fmt::format("const int occluder_count = {};\n", occluder_count);
-  const bool alone = occluder_count == 0;
+  const std::string constants =
+      shader_constants(kind.material, studio) +
+      fmt::format("const int occluder_count = {};\nconst bool is_of_one_material = {};\n",
+                  body.occluder_count, body.is_of_one_material);
+  const bool alone = body.occluder_count == 0;
   const std::array vertex{gl::ShaderFile{"constants", constants},
-                          file(alone ? "unoccluded.vert" : "occluders.vert"), file("body.vert")};
+                          file(alone ? "unoccluded.vert" : "occluders.vert"),
+                          file(kind.is_colored ? "colored.vert" : "plain.vert"), file("body.vert")};
   const std::array fragment{gl::ShaderFile{"constants", constants},
                             file("studio.glsl"),
+                            file(kind.is_colored ? "colored.glsl" : "plain.glsl"),
                             file(alone ? "unoccluded.glsl" : "occluders.glsl"),
                             file("tone.glsl"),
                             file("brush.glsl"),
-                            file(marked ? "marked.glsl" : "unmarked.glsl"),
-                            file(scatters(material) ? "matte.glsl" : "metal.glsl"),
+                            file(body.is_marked ? "marked.glsl" : "unmarked.glsl"),
+                            file(scatters(kind) ? "matte.glsl" : "metal.glsl"),
                             file("body.frag")};
   return {gl, vertex, fragment};
+}
+
+/// The colour of the light that a part reflects: of its own, or the mean of its vertices'.
+std::vector<glm::vec4> tints(const Mesh& mesh, std::span<const Material> materials) {
+  std::vector<glm::vec4> result;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    glm::vec3 color = materials[i].diffuse + materials[i].reflectance;
+    if (mesh.is_colored[i] != 0) {
+      color = std::accumulate(mesh.colors.begin() + static_cast<std::ptrdiff_t>(begin),
+                              mesh.colors.begin() + static_cast<std::ptrdiff_t>(mesh.vertex_ends[i]),
+                              glm::vec3(0)) /
+              static_cast<float>(mesh.vertex_ends[i] - begin);
+    }
+    result.emplace_back(color, 1);
+    begin = mesh.vertex_ends[i];
+  }
+  return result;
 }
 
 /// The shader's `picture` uniform without displacement.
@@ -109,27 +172,28 @@ Matrix4d camera_from_stage(const Camera& camera, double radius) {
 
 }  // namespace
 
-BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, double tolerance,
-                   double radius, const Material& material, const Studio& studio)
+BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, Mesh mesh,
+                   double radius, std::span<const Material> materials, const Studio& studio)
     : gl_(&gl),
-      mesh_(body_mesh(parts, tolerance)),
+      mesh_(std::move(mesh)),
       side_begins_(side_begins(mesh_)),
       occluders_(find_occluders(parts, max_occluders)),
       occluder_count_(most_of_any(occluders_)),
       part_radii_(part_radii(parts, mesh_, radius)),
-      part_axes_(part_axes(parts)),
+      part_axes_(part_axes(parts, mesh_)),
       across_from_body_(across_from_body(parts)),
-      program_(body_program(gl, material, studio, occluder_count_,
-                            axis_of_revolution(parts).has_value())),
+      tints_(tints(mesh_, materials)),
       array_(gl),
       edge_quad_array_(gl),
       vertices_(gl),
+      colors_(gl),
       indices_(gl),
       visible_indices_(gl),
-      offsets_(gl),
+      shifts_(gl),
       edge_quads_(gl),
       edge_quad_indices_(gl),
       radius_(radius) {
+  add_programs(parts, materials, studio);
   gl.BindVertexArray(array_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
   gl::upload(gl, GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, GL_STATIC_DRAW);
@@ -138,9 +202,9 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, d
   gl::set_attributes(gl, sizeof(Vertex),
                      {{position_attribute, 3, offsetof(Vertex, position)},
                       {normal_attribute, 3, offsetof(Vertex, normal)}});
-  gl.BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
-  gl::upload(gl, GL_ARRAY_BUFFER, std::vector<float>(mesh_.vertices.size()), GL_STREAM_DRAW);
-  gl::set_attributes(gl, sizeof(float), {{offset_attribute, 1}});
+  gl.BindBuffer(GL_ARRAY_BUFFER, shifts_.id());
+  gl::upload(gl, GL_ARRAY_BUFFER, std::vector<Shift>(mesh_.vertices.size()), GL_STREAM_DRAW);
+  gl::set_attributes(gl, sizeof(Shift), {{shift_attribute, 4}});
 
   gl.BindVertexArray(edge_quad_array_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, edge_quad_indices_.id());
@@ -148,12 +212,39 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, d
   gl::set_attributes(gl, sizeof(EdgeQuadVertex),
                      {{position_attribute, 3, offsetof(EdgeQuadVertex, position)},
                       {normal_attribute, 3, offsetof(EdgeQuadVertex, normal)},
-                      {offset_attribute, 1, offsetof(EdgeQuadVertex, offset)}});
+                      {shift_attribute, 4, offsetof(EdgeQuadVertex, shift)}});
+  if (!mesh_.colors.empty()) add_colors();
+}
+
+void BodyPass::add_programs(std::span<const body::Part> parts, std::span<const Material> materials,
+                            const Studio& studio) {
+  std::vector<ProgramKind> kinds;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ProgramKind kind{materials[i], mesh_.is_colored[i] != 0};
+    const auto found = std::ranges::find(kinds, kind);
+    program_of_part_.push_back(static_cast<std::size_t>(found - kinds.begin()));
+    if (found == kinds.end()) kinds.push_back(kind);
+  }
+  is_of_one_material_ = kinds.size() == 1 && !kinds.front().is_colored;
+  const BodyTraits traits{occluder_count_, axis_of_revolution(parts).has_value(),
+                          is_of_one_material_};
+  for (const ProgramKind& kind : kinds) {
+    programs_.push_back(body_program(*gl_, kind, studio, traits));
+  }
+}
+
+/// Makes both vertex arrays, of which that of the edge quads is bound, read colours.
+void BodyPass::add_colors() {
+  gl::set_attributes(*gl_, sizeof(EdgeQuadVertex),
+                     {{color_attribute, 3, offsetof(EdgeQuadVertex, color)}});
+  gl_->BindVertexArray(array_.id());
+  gl_->BindBuffer(GL_ARRAY_BUFFER, colors_.id());
+  gl::upload(*gl_, GL_ARRAY_BUFFER, mesh_.colors, GL_STATIC_DRAW);
+  gl::set_attributes(*gl_, sizeof(glm::vec3), {{color_attribute, 3}});
 }
 
 void BodyPass::draw(const Camera& camera, const Matrix3d& X) const {
-  set_stage(camera, X, Affine3d::Identity());
-  program_.set("picture", as_drawn);
+  set_stage(camera, X, Affine3d::Identity(), as_drawn);
   gl_->FrontFace(GL_CCW);
   draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
@@ -163,8 +254,7 @@ void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double hei
   mirror(1, 1) = -1;
   mirror(1, 3) = 2 * height / radius_;
   const Affine3d stage_from_space(camera.camera_from_space());
-  set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse());
-  program_.set("picture", as_drawn);
+  set_stage(camera, X, stage_from_space * mirror * stage_from_space.inverse(), as_drawn);
   gl_->FrontFace(GL_CW);  // a mirror reverses the winding
   draw_parts(array_, indices_, {side_begins_, mesh_.part_ends}, stage_from_body(camera, X), 0);
 }
@@ -175,22 +265,20 @@ void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const image:
   const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
   const glm::vec3 eye = glm_from_eigen((camera.distance * body_from_camera.col(2)).eval());
   silhouette_->find(eye, static_cast<float>(scale));
-  const Facets seen = visible_facets(mesh_, eye);
+  const Facets seen = visible_facets(mesh_, eye, silhouette_->faces_eye());
   lift_ = 1 + scale * seen.depth;
   gl_->BindVertexArray(array_.id());
   gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, visible_indices_.id());
   gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
-  gl_->BindBuffer(GL_ARRAY_BUFFER, offsets_.id());
-  gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->offsets(), GL_STREAM_DRAW);
-  set_stage(camera, X, Affine3d::Identity());
-  program_.set("picture", glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
+  gl_->BindBuffer(GL_ARRAY_BUFFER, shifts_.id());
+  gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->shifts(), GL_STREAM_DRAW);
+  set_stage(camera, X, Affine3d::Identity(), {0.5F * pane.width, 0.5F * pane.height, 0.5F});
   gl_->FrontFace(GL_CCW);
   draw_parts(array_, visible_indices_, {seen.side_begins, seen.part_ends},
              stage_from_body(camera, X), lift_);
 }
 
 void BodyPass::draw_edge_quads(const Camera& camera, const Matrix3d& X) const {
-  program_.use();
   gl_->BindVertexArray(edge_quad_array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, edge_quads_.id());
   gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->edge_quads(), GL_STREAM_DRAW);
@@ -209,18 +297,20 @@ Matrix3d BodyPass::stage_from_body(const Camera& camera, const Matrix3d& X) cons
 
 /// The body stays in stage coordinates, in its light; the camera sees the stage transformed by
 /// `seen_from_stage`, which is its own inverse.
-void BodyPass::set_stage(const Camera& camera, const Matrix3d& X,
-                         const Affine3d& seen_from_stage) const {
-  program_.use();
-  program_.set(
-      "eye", glm_from_eigen((seen_from_stage * Vector3d(0, 0, camera.distance / radius_)).eval()));
-  program_.set("clip_from_stage",
-               glm_from_eigen((camera.projection * camera_from_stage(camera, radius_) *
-                               seen_from_stage.matrix())
-                                  .eval()));
-  program_.set("stage_from_body", glm_from_eigen(stage_from_body(camera, X)));
-  program_.set("stage_normal_from_body",
-               glm_from_eigen(normal_matrix(camera.camera_from_space() * X)));
+void BodyPass::set_stage(const Camera& camera, const Matrix3d& X, const Affine3d& seen_from_stage,
+                         const glm::vec3& picture) const {
+  const Vector3d eye = seen_from_stage * Vector3d(0, 0, camera.distance / radius_);
+  const Matrix4d clip_from_stage =
+      camera.projection * camera_from_stage(camera, radius_) * seen_from_stage.matrix();
+  const Matrix3d turn = normal_matrix(camera.camera_from_space() * X);
+  for (const gl::Program& program : programs_) {
+    program.use();
+    program.set("eye", glm_from_eigen(eye));
+    program.set("clip_from_stage", glm_from_eigen(clip_from_stage));
+    program.set("stage_from_body", glm_from_eigen(stage_from_body(camera, X)));
+    program.set("stage_normal_from_body", glm_from_eigen(turn));
+    program.set("picture", picture);
+  }
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Enable(GL_CULL_FACE);
 }
@@ -235,40 +325,45 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   std::size_t begin = 0;
-  const auto draw_to = [&](std::size_t end, const Vector3d& side_axis) {
+  const auto draw_to = [&](const gl::Program& program, std::size_t end, const Vector3d& side_axis) {
     if (begin == end) return;
-    program_.set("side_axis", glm_from_eigen((radius_ * stage_from_body * side_axis).eval()));
+    program.set("side_axis", glm_from_eigen((radius_ * stage_from_body * side_axis).eval()));
     gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
                       gl::offset_pointer(begin * sizeof(std::uint32_t)));
     begin = end;
   };
   for (std::size_t part = 0; part < ranges.part_ends.size(); ++part) {
-    set_occluders(occluders_[part], stage_from_body, lift > 0);
+    const gl::Program& program = programs_[program_of_part_[part]];
+    program.use();
+    set_occluders(program, occluders_[part], stage_from_body, lift > 0);
     const bool meets = std::ranges::any_of(occluders_[part], &Capsule::meets);
-    program_.set("part_lift", meets ? static_cast<float>(lift) : 0.0F);
-    program_.set("part_radii", part_radii_[part]);
-    program_.set("across_from_body", across_from_body_[part]);
-    draw_to(ranges.side_begins[part], Vector3d::Zero());
-    draw_to(ranges.part_ends[part], part_axes_[part]);
+    program.set("part_lift", meets ? static_cast<float>(lift) : 0.0F);
+    program.set("part_radii", part_radii_[part]);
+    program.set("across_from_body", across_from_body_[part]);
+    draw_to(program, ranges.side_begins[part], Vector3d::Zero());
+    draw_to(program, ranges.part_ends[part], part_axes_[part]);
   }
   gl_->Disable(GL_BLEND);
 }
 
-void BodyPass::set_occluders(const std::vector<Capsule>& capsules, const Matrix3d& stage_from_body,
-                             bool smooth) const {
+void BodyPass::set_occluders(const gl::Program& program, const std::vector<Capsule>& capsules,
+                             const Matrix3d& stage_from_body, bool smooth) const {
   if (occluder_count_ == 0) return;
   // Unused occluder slots: too small and far away to be visible.
   std::vector<glm::vec4> from(occluder_count_, glm::vec4(0, 0, -1e4F, 1e-6F));
   std::vector<glm::vec4> to(occluder_count_, glm::vec4(0, 1, -1e4F, 0));
+  std::vector<glm::vec4> tint(occluder_count_, glm::vec4(1));
   for (std::size_t i = 0; i < capsules.size(); ++i) {
     const auto end = [&](const Vector3d& place) {
       return glm_from_eigen((stage_from_body * place).eval());
     };
     from[i] = glm::vec4(end(capsules[i].from), capsules[i].radius / radius_);
     to[i] = glm::vec4(end(capsules[i].to), smooth && capsules[i].meets ? 1 : 0);
+    tint[i] = tints_[capsules[i].part];
   }
-  program_.set("occluders_from", from);
-  program_.set("occluders_to", to);
+  program.set("occluders_from", from);
+  program.set("occluders_to", to);
+  if (!is_of_one_material_) program.set("occluder_tints", tint);
 }
 
 }  // namespace twrench::render

@@ -68,17 +68,38 @@ class SideFacets {
   Facets& facets_;
 };
 
+/// Appends the triangles of clusters that face the eye.
+void add_clusters(const Mesh& mesh, std::vector<Cluster> clusters, const glm::vec3& eye,
+                  std::span<const char> faces_eye, std::vector<std::uint32_t>& indices) {
+  std::ranges::sort(clusters, {}, [&](const Cluster& cluster) {
+    const glm::vec3 to_eye = eye - cluster.centre;
+    return glm::dot(to_eye, to_eye);
+  });
+  for (const Cluster& cluster : clusters) {
+    for (std::size_t i = cluster.begin; i < cluster.end; i += 3) {
+      if (faces_eye[i / 3] == 0) continue;
+      for (std::size_t k = i; k < i + 3; ++k) indices.push_back(mesh.indices[k]);
+    }
+  }
+}
+
 }  // namespace
 
-Facets visible_facets(const Mesh& mesh, const glm::vec3& eye) {
+Facets visible_facets(const Mesh& mesh, const glm::vec3& eye, std::span<const char> faces_eye) {
   Facets result;
+  result.indices.reserve(mesh.indices.size());
   const auto from_mesh = mesh.indices.begin();
   std::ptrdiff_t begin = 0;
   for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
     const auto end = static_cast<std::ptrdiff_t>(mesh.part_ends[part]);
     const auto& side = mesh.sides[part];
-    result.indices.insert(result.indices.end(), from_mesh + begin,
-                          from_mesh + (side ? static_cast<std::ptrdiff_t>(side->begin) : end));
+    const auto& clusters = mesh.clusters[part];
+    if (clusters.empty()) {
+      result.indices.insert(result.indices.end(), from_mesh + begin,
+                            from_mesh + (side ? static_cast<std::ptrdiff_t>(side->begin) : end));
+    } else {
+      add_clusters(mesh, clusters, eye, faces_eye, result.indices);
+    }
     result.side_begins.push_back(result.indices.size());
     if (side) SideFacets(mesh, *side, eye, result).add_seen();
     result.part_ends.push_back(result.indices.size());

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "render/body/mesh.h"
@@ -25,7 +26,9 @@ struct Facets {
 /// triangles, because a software rasteriser pays for whole blocks of pixels along each edge. On the
 /// side of a cylinder up to four strips are merged into one, fewer close to the silhouette, which
 /// is unchanged; strips that face away are omitted. The visible surface has no gaps. A wide facet
-/// lies deep inside the cylinder, but the shader computes the shading from the exact cylinder.
-Facets visible_facets(const Mesh& mesh, const glm::vec3& eye);
+/// lies deep inside the cylinder, but the shader computes the shading from the exact cylinder. Of a
+/// part that is given by triangles, those that face the eye, as `faces_eye` says of each triangle,
+/// are returned cluster by cluster, the nearest first: what they hide is then not shaded.
+Facets visible_facets(const Mesh& mesh, const glm::vec3& eye, std::span<const char> faces_eye);
 
 }  // namespace twrench::render

@@ -106,11 +106,14 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
 std::vector<Floor::Ball> Floor::balls_of(std::span<const body::Part> parts) {
   std::vector<Ball> balls;
   for (const body::Part& part : parts) {
-    const auto [from, to, radius, meets] = capsule_of(part);
-    const double apart = std::numbers::pi / 2 * radius;
-    const int gaps = static_cast<int>(std::lround(std::min((to - from).norm() / apart, most_gaps)));
-    for (int i = 0; i <= gaps; ++i) {
-      balls.push_back({from + (gaps > 0 ? double(i) / gaps : 0.5) * (to - from), radius});
+    for (const Capsule& capsule : capsules_of(part)) {
+      const Vector3d along = capsule.to - capsule.from;
+      const double apart = std::numbers::pi / 2 * capsule.radius;
+      const int gaps = static_cast<int>(std::lround(std::min(along.norm() / apart, most_gaps)));
+      for (int i = 0; i <= gaps; ++i) {
+        const double share = gaps > 0 ? double(i) / gaps : 0.5;
+        balls.push_back({capsule.from + share * along, capsule.radius});
+      }
     }
   }
   return balls;

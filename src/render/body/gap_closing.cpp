@@ -1,5 +1,6 @@
 #include "render/body/gap_closing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -15,8 +16,7 @@ struct Holds {
   double margin;
 
   bool operator()(const body::Cylinder& c) const {
-    return std::hypot(point.x(), point.y()) <= c.radius + margin &&
-           std::abs(point.z()) <= c.length / 2 + margin;
+    return across() <= c.radius + margin && std::abs(point.z()) <= c.length / 2 + margin;
   }
   bool operator()(const body::Box& b) const {
     return (point.cwiseAbs().array() <= b.size.array() / 2 + margin).all();
@@ -24,7 +24,26 @@ struct Holds {
   bool operator()(const body::Ellipsoid& e) const {
     return point.cwiseQuotient((e.radii.array() + margin).matrix()).norm() <= 1;
   }
-  bool operator()(const auto&) const { return false; }
+  bool operator()(const body::Cone& c) const {
+    const double share = std::clamp(point.z() / c.length + 0.5, 0.0, 1.0);
+    const double radius = c.radius + share * (c.top_radius - c.radius);
+    const double slant = std::hypot(c.length, c.radius - c.top_radius) / c.length;
+    return across() <= radius + slant * margin && std::abs(point.z()) <= c.length / 2 + margin;
+  }
+  bool operator()(const body::Torus& t) const {
+    return std::hypot(across() - t.radius, point.z()) <= t.tube_radius + margin;
+  }
+  bool operator()(const body::Capsule& c) const {
+    const double beyond = std::max(std::abs(point.z()) - c.length / 2, 0.0);
+    return std::hypot(across(), beyond) <= c.radius + margin;
+  }
+  bool operator()(const body::Tube& t) const {
+    return across() <= t.radius + margin && across() >= t.inner_radius - margin &&
+           std::abs(point.z()) <= t.length / 2 + margin;
+  }
+  bool operator()(const body::Mesh&) const { return false; }  // is drawn as it is given
+
+  double across() const { return std::hypot(point.x(), point.y()); }
 };
 
 bool holds(const body::Part& part, const Vector3d& point, double margin) {
@@ -32,17 +51,42 @@ bool holds(const body::Part& part, const Vector3d& point, double margin) {
   return std::visit(Holds{local, margin}, part.shape);
 }
 
+/// The middle of a part, where it is widest: a point, or for some shapes a curve or a surface about
+/// the axis, of which the point next to `start` counts.
+struct Middle {
+  Vector3d start;
+
+  Vector3d operator()(const body::Torus& t) const { return at_radius(t.radius); }
+  Vector3d operator()(const body::Tube& t) const {
+    const double half = t.length / 2;
+    return at_radius((t.radius + t.inner_radius) / 2) +
+           std::clamp(start.z(), -half, half) * Vector3d::UnitZ();
+  }
+  Vector3d operator()(const auto&) const { return Vector3d::Zero(); }
+
+  Vector3d at_radius(double radius) const {
+    return radius * Vector3d(start.x(), start.y(), 0).normalized();
+  }
+};
+
+bool has_full_axis(const body::Shape& shape) {
+  return std::holds_alternative<body::Cylinder>(shape) ||
+         std::holds_alternative<body::Cone>(shape) || std::holds_alternative<body::Capsule>(shape);
+}
+
 /// The distance from `start` along the unit vector `direction` at which it comes closest to the
-/// part's axis (of a cylinder that is not parallel) or its centre.
+/// part's axis, of a solid of revolution that is not parallel to it, or to its middle.
 double depth_of_middle(const body::Part& part, const Vector3d& start, const Vector3d& direction) {
-  Vector3d to_centre = part.position - start;
+  const Vector3d local = part.body_from_part.transpose() * (start - part.position);
+  const Vector3d middle = std::visit(Middle{local}, part.shape);
+  const Vector3d to_middle = part.position + part.body_from_part * middle - start;
   Vector3d across = direction;
-  if (std::holds_alternative<body::Cylinder>(part.shape)) {
+  if (has_full_axis(part.shape)) {
     const Vector3d axis = part.body_from_part.col(2);
     const Vector3d part_across = direction - axis.dot(direction) * axis;
     if (part_across.norm() > 1e-3) across = part_across / part_across.squaredNorm();
   }
-  return to_centre.dot(across);
+  return to_middle.dot(across);
 }
 
 /// How far the end of `cylinder` towards `direction`, with the centre of its face at `end`, extends

@@ -1,135 +1,14 @@
 #include "render/body/mesh.h"
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "render/body/polygon.h"
+#include "render/body/rings.h"
+#include "render/body/triangle_surface.h"
 #include "render/space/glm_from_eigen.h"
 
 namespace twrench::render {
 namespace {
-
-using Eigen::Vector3d;
-
-// Shares of half the smallest dimension.
-constexpr double rim_share = 0.04, edge_share = 0.08, widest_bevel_share = 0.12;
-constexpr double least_bevel = 12;  // in tolerances
-constexpr double quarter = std::numbers::pi / 2;
-
-// Minimum number of chords per quarter turn, however small the picture: normals are interpolated
-// linearly.
-constexpr int least_of_body = 8;
-constexpr int least_of_bevel = 2;
-
-/// Returns how many chords a quarter of a circle of `radius` needs to stay within `tolerance` of
-/// it.
-int chords_of_quarter(double radius, double tolerance, int least) {
-  if (tolerance >= radius) return least;
-  const double half_angle = std::acos(1 - tolerance / radius);
-  return std::max(least, static_cast<int>(std::ceil(quarter / (2 * half_angle))));
-}
-
-double bevel_of(double half, double share, double tolerance) {
-  return std::max(share * half, std::min(least_bevel * tolerance, widest_bevel_share * half));
-}
-
-struct SurfacePoint {
-  Vector3d position;
-  Vector3d normal;
-};
-
-/// A closed surface as rings with the same number of points, from its bottom (-z) to its top, each
-/// ring counter-clockwise as seen from the top. Quads connect them; the first and the last ring are
-/// filled.
-using Rings = std::vector<std::vector<SurfacePoint>>;
-
-Vector3d on_unit_sphere(double longitude, double latitude) {
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
-/// The angles from `first` to `last`, both included.
-std::vector<double> evenly_spaced(double first, double last, int count) {
-  std::vector<double> result;
-  for (int i = 0; i <= count; ++i) result.push_back(first + (last - first) * i / count);
-  return result;
-}
-
-/// The latitudes of the bevel at the end -1 or +1 of a shape, upwards.
-std::vector<double> bevel_latitudes(double end, int chords) {
-  return end < 0 ? evenly_spaced(-quarter, 0, chords) : evenly_spaced(0, quarter, chords);
-}
-
-double rim_bevel(const body::Cylinder& cylinder, double tolerance) {
-  return bevel_of(std::min(cylinder.radius, cylinder.length / 2), rim_share, tolerance);
-}
-
-Rings rings_of(const body::Cylinder& cylinder, double tolerance) {
-  const double bevel = rim_bevel(cylinder, tolerance);
-  const double inner_radius = cylinder.radius - bevel;
-  const double inner_height = cylinder.length / 2 - bevel;
-  const int around = 4 * chords_of_quarter(cylinder.radius, tolerance, least_of_body);
-  const int along_bevel = chords_of_quarter(bevel, tolerance, least_of_bevel);
-  Rings rings;
-  for (const double end : {-1.0, 1.0}) {
-    for (const double latitude : bevel_latitudes(end, along_bevel)) {
-      auto& ring = rings.emplace_back();
-      for (int i = 0; i < around; ++i) {
-        const double longitude = 4 * quarter * i / around;
-        const Vector3d normal = on_unit_sphere(longitude, latitude);
-        const Vector3d inner = inner_radius * on_unit_sphere(longitude, 0);
-        ring.push_back({inner + Vector3d(0, 0, end * inner_height) + bevel * normal, normal});
-      }
-    }
-  }
-  return rings;
-}
-
-/// A box with rounded edges is a sphere of the bevel's radius, cut into octants that are moved
-/// apart to the corners of an inner box.
-Rings rings_of(const body::Box& box, double tolerance) {
-  const double bevel = bevel_of(box.size.minCoeff() / 2, edge_share, tolerance);
-  const Vector3d inner = (box.size.array() / 2 - bevel).matrix();
-  const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
-  Rings rings;
-  for (const double end : {-1.0, 1.0}) {
-    for (const double latitude : bevel_latitudes(end, chords)) {
-      auto& ring = rings.emplace_back();
-      for (int octant = 0; octant < 4; ++octant) {
-        const Vector3d middle = on_unit_sphere((octant + 0.5) * quarter, 0);
-        const Vector3d corner(std::copysign(inner.x(), middle.x()),
-                              std::copysign(inner.y(), middle.y()), end * inner.z());
-        for (const double longitude :
-             evenly_spaced(octant * quarter, (octant + 1) * quarter, chords)) {
-          const Vector3d normal = on_unit_sphere(longitude, latitude);
-          ring.push_back({corner + bevel * normal, normal});
-        }
-      }
-    }
-  }
-  return rings;
-}
-
-Rings rings_of(const body::Ellipsoid& ellipsoid, double tolerance) {
-  const int chords = chords_of_quarter(ellipsoid.radii.maxCoeff(), tolerance, least_of_body);
-  Rings rings;
-  for (int j = 0; j < 2 * chords; ++j) {
-    auto& ring = rings.emplace_back();
-    const double latitude = quarter * ((j + 0.5) / chords - 1);  // half a step from the poles
-    for (int i = 0; i < 4 * chords; ++i) {
-      const Vector3d unit = on_unit_sphere(quarter * i / chords, latitude);
-      ring.push_back(
-          {unit.cwiseProduct(ellipsoid.radii), unit.cwiseQuotient(ellipsoid.radii).normalized()});
-    }
-  }
-  return rings;
-}
-
-Rings rings_of(const auto& shape, double tolerance) {
-  return rings_of(body::Ellipsoid{Vector3d::Constant(body::bounding_radius(shape))}, tolerance);
-}
 
 class MeshBuilder {
  public:
@@ -171,6 +50,8 @@ class MeshBuilder {
     mesh_.vertex_ends = {mesh_.vertices.size()};
     mesh_.part_ends = {mesh_.indices.size()};
     mesh_.sides = {side_};
+    mesh_.clusters.resize(1);
+    mesh_.is_colored = {0};
     return std::move(mesh_);
   }
 
@@ -184,45 +65,82 @@ class MeshBuilder {
   std::optional<CylinderSide> side_;
 };
 
-}  // namespace
-
-Mesh part_mesh(const body::Part& part, double tolerance) {
-  const Rings rings =
-      std::visit([&](const auto& shape) { return rings_of(shape, tolerance); }, part.shape);
+Mesh surface_of_rings(const body::Part& part, const Rings& surface) {
+  const auto& [rings, has_hole, side, bevel] = surface;
   const auto count = static_cast<std::uint32_t>(rings.front().size());
   const auto last_ring = static_cast<std::uint32_t>(rings.size() - 1) * count;
   MeshBuilder mesh(part);
   for (const auto& ring : rings) {
     for (const SurfacePoint& point : ring) mesh.add(point);
   }
-  mesh.fill_ring(last_ring, count, false);
-  mesh.fill_ring(0, count, true);
-  const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
-  const std::uint32_t side = cylinder != nullptr ? (last_ring - count) / 2 : last_ring;
-  for (std::uint32_t low = 0; low < last_ring; low += count) {
-    if (low != side) mesh.join(low, low + count, count);
+  if (has_hole) {
+    mesh.join(last_ring, 0, count);
+  } else {
+    mesh.fill_ring(last_ring, count, false);
+    mesh.fill_ring(0, count, true);
   }
-  if (cylinder != nullptr) {
-    mesh.join_side(side, side + count, count, rim_bevel(*cylinder, tolerance));
+  for (std::uint32_t low = 0; low < last_ring; low += count) {
+    if (low != side.value_or(rings.size()) * count) mesh.join(low, low + count, count);
+  }
+  if (side) {
+    const auto low = static_cast<std::uint32_t>(*side) * count;
+    mesh.join_side(low, low + count, count, bevel);
   }
   return mesh.finish();
 }
 
-Mesh body_mesh(std::span<const body::Part> parts, double tolerance) {
+/// Appends a mesh of one part.
+void append(Mesh& all, const Mesh& mesh) {
+  const auto offset = static_cast<std::uint32_t>(all.vertices.size());
+  const std::size_t begin = all.indices.size();
+  all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  if (!all.colors.empty() || !mesh.colors.empty()) {
+    all.colors.resize(offset);
+    all.colors.insert(all.colors.end(), mesh.colors.begin(), mesh.colors.end());
+    all.colors.resize(all.vertices.size());
+  }
+  for (const std::uint32_t index : mesh.indices) all.indices.push_back(offset + index);
+  all.vertex_ends.push_back(all.vertices.size());
+  all.part_ends.push_back(all.indices.size());
+  all.sides.push_back(mesh.sides.front());
+  if (auto& side = all.sides.back()) {
+    side->low += offset;
+    side->high += offset;
+    side->begin += begin;
+  }
+  all.is_colored.push_back(mesh.is_colored.front());
+  all.clusters.push_back(mesh.clusters.front());
+  for (Cluster& cluster : all.clusters.back()) {
+    cluster.begin += begin;
+    cluster.end += begin;
+  }
+}
+
+/// Turns a shape of whichever kind into its mesh.
+struct PartMesher {
+  const body::Part& part;
+  double tolerance, crease_angle;
+
+  Mesh operator()(const body::Mesh& mesh) const {
+    return triangle_surface(mesh, part.position, part.body_from_part, crease_angle);
+  }
+  Mesh operator()(const auto& shape) const {
+    return surface_of_rings(part, rings_of(shape, tolerance));
+  }
+};
+
+}  // namespace
+
+Mesh part_mesh(const body::Part& part, double tolerance, double crease_angle) {
+  return std::visit(PartMesher{part, tolerance, crease_angle}, part.shape);
+}
+
+Mesh body_mesh(std::span<const body::Part> parts, double tolerance,
+               std::span<const scene::PartLook> looks) {
   Mesh result;
-  for (const body::Part& part : parts) {
-    const auto offset = static_cast<std::uint32_t>(result.vertices.size());
-    const Mesh mesh = part_mesh(part, tolerance);
-    result.vertices.insert(result.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const std::uint32_t index : mesh.indices) result.indices.push_back(offset + index);
-    result.vertex_ends.push_back(result.vertices.size());
-    result.part_ends.push_back(result.indices.size());
-    result.sides.push_back(mesh.sides.front());
-    if (auto& side = result.sides.back()) {
-      side->low += offset;
-      side->high += offset;
-      side->begin += result.indices.size() - mesh.indices.size();
-    }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const scene::PartLook look = i < looks.size() ? looks[i] : scene::PartLook();
+    append(result, part_mesh(parts[i], tolerance, look.crease_angle));
   }
   return result;
 }

@@ -14,12 +14,19 @@ using Eigen::Vector3d;
 
 /// A diagonal tensor with the symmetry of the shape under rotations by small angles.
 struct SymmetryTensor {
-  Vector3d operator()(const body::Cylinder&) const { return {1, 1, 0}; }
   Vector3d operator()(const body::Box&) const { return {1, 2, 3}; }
   Vector3d operator()(const body::Ellipsoid& e) const { return e.radii / e.radii.maxCoeff(); }
   Vector3d operator()(const body::Mesh&) const { return {1, 2, 3}; }
-  Vector3d operator()(const auto&) const { return {1, 1, 0}; }
+  Vector3d operator()(const auto&) const { return {1, 1, 0}; }  // shapes of revolution
 };
+
+Vector3d symmetry(const body::Part& part) { return std::visit(SymmetryTensor(), part.shape); }
+
+/// How far the shape extends from its own origin along a unit vector in body axes.
+double radius_along(const body::Part& part, const Vector3d& direction) {
+  const Vector3d own = part.body_from_part.transpose() * direction;
+  return own.dot(body::support(part.shape, own));
+}
 
 bool turns_into_itself(const body::Part& part, const Vector3d& axis) {
   constexpr double round_off = 1e-9;
@@ -27,7 +34,7 @@ bool turns_into_itself(const body::Part& part, const Vector3d& axis) {
   if ((place - place.dot(axis) * axis).norm() > round_off * body::bounding_radius(part.shape))
     return false;
   const Matrix3d Q = Eigen::AngleAxisd(1, axis).toRotationMatrix() * part.body_from_part;
-  const Matrix3d tensor = std::visit(SymmetryTensor(), part.shape).asDiagonal();
+  const Matrix3d tensor = symmetry(part).asDiagonal();
   const Matrix3d& R = part.body_from_part;
   return (Q * tensor * Q.transpose() - R * tensor * R.transpose()).norm() <= round_off;
 }
@@ -43,25 +50,12 @@ AcrossFromBody across_axis(const Matrix3d& frame, const Vector3d& centre, double
   return rows;
 }
 
-/// The radius of a shape across the axis of the body that it is a part of.
-struct RadiusAcross {
-  Vector3d direction;  // in the shape's own frame; unit vector, perpendicular to the axis
-
-  double operator()(const body::Cylinder& c) const { return c.radius; }
-  double operator()(const body::Box& b) const { return b.size.maxCoeff() / 2; }
-  double operator()(const body::Ellipsoid& e) const {
-    return e.radii.cwiseProduct(direction).norm();
-  }
-  double operator()(const auto& shape) const { return body::bounding_radius(shape); }
-};
-
-/// The same for all parts of a body of revolution, in units of its largest radius.
+/// The same for all parts of a body of revolution, in units of its largest radius about its axis.
 AcrossFromBody across_all(std::span<const body::Part> parts, const Vector3d& axis) {
   const Matrix3d frame = body::frame_with_z_along(axis);
   double radius = 0;
   for (const body::Part& part : parts) {
-    const RadiusAcross across{part.body_from_part.transpose() * frame.col(0)};
-    radius = std::max(radius, std::visit(across, part.shape));
+    radius = std::max(radius, radius_along(part, frame.col(0)));
   }
   return across_axis(frame, Vector3d::Zero(), radius);
 }
@@ -87,8 +81,9 @@ std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts) 
   }
   std::vector<AcrossFromBody> result;
   for (const body::Part& part : parts) {
-    const auto* const cylinder = std::get_if<body::Cylinder>(&part.shape);
-    result.push_back(cylinder ? across_axis(part.body_from_part, part.position, cylinder->radius)
+    const bool has_axis = symmetry(part) == Vector3d(1, 1, 0);
+    result.push_back(has_axis ? across_axis(part.body_from_part, part.position,
+                                            radius_along(part, part.body_from_part.col(0)))
                               : AcrossFromBody{});
   }
   return result;

@@ -20,8 +20,8 @@ std::optional<Eigen::Vector3d> axis_of_revolution(std::span<const body::Part> pa
 using AcrossFromBody = std::array<glm::vec4, 2>;
 
 /// Returns for each part the position across the axis of a body of revolution, which all parts
-/// share, in units of the body's largest radius about it, or else across a cylinder's own axis, in
-/// its radii; 0 for other shapes.
+/// share, in units of the body's largest radius about it, or else across the own axis of a
+/// shape of revolution, in its radii; 0 for other shapes.
 std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts);
 
 }  // namespace twrench::render

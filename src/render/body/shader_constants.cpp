@@ -45,6 +45,8 @@ std::string shader_constants(const Material& material, const Studio& studio) {
          constant("vec3", "reflectance", material.reflectance) +
          constant("float", "roughness", material.roughness) +
          constant("float", "brushing", material.brushing) +
+         constant("float", "metalness", material.metalness) +
+         constant("float", "dielectric", static_cast<float>(dielectric_reflectance)) +
          constant("vec3", "room_above", studio.above) +
          constant("vec3", "room_below", studio.below) +
          constant("vec3", "ambient_mean", ambient.mean) +

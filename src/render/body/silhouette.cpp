@@ -1,107 +1,208 @@
 #include "render/body/silhouette.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
-#include <map>
+#include <span>
 #include <tuple>
-#include <utility>
+
+#include "render/body/half_edges.h"
 
 namespace twrench::render {
 namespace {
 
 /// For each vertex the first one at the same position: corners of boxes have several, one per face.
-std::vector<std::uint32_t> first_at_each_place(const std::vector<Vertex>& vertices) {
-  std::map<std::tuple<float, float, float>, std::uint32_t> first;
-  std::vector<std::uint32_t> result;
-  result.reserve(vertices.size());
-  for (const Vertex& vertex : vertices) {
-    const glm::vec3& p = vertex.position;
-    const auto number = static_cast<std::uint32_t>(result.size());
-    result.push_back(first.emplace(std::tuple(p.x, p.y, p.z), number).first->second);
-  }
-  return result;
+std::vector<std::uint32_t> first_at_each_place(std::span<const Vertex> vertices) {
+  const auto place = [&](std::uint32_t i) {
+    const glm::vec3& p = vertices[i].position;
+    return std::tuple(p.x, p.y, p.z);
+  };
+  return first_equal(vertices.size(),
+                     [&](std::uint32_t i, std::uint32_t j) { return place(i) < place(j); });
 }
 
 }  // namespace
 
 Silhouette::Silhouette(const Mesh& mesh)
-    : vertices_(mesh.vertices), first_at_(first_at_each_place(vertices_)) {
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> half_edges;  // to their triangle
-  for (const std::size_t end : mesh.part_ends) {
-    for (std::size_t i = 3 * triangles_.size(); i < end; i += 3) {
-      const auto triangle = static_cast<std::uint32_t>(triangles_.size());
-      const std::array corners{first_at_[mesh.indices[i]], first_at_[mesh.indices[i + 1]],
-                               first_at_[mesh.indices[i + 2]]};
-      const glm::vec3 a = vertices_[corners[0]].position;
-      triangles_.push_back({corners, glm::cross(vertices_[corners[1]].position - a,
-                                                vertices_[corners[2]].position - a)});
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = corners[k];
-        const std::uint32_t to = corners[(k + 1) % 3];
-        if (const auto other = half_edges.find({to, from}); other != half_edges.end()) {
-          edges_.push_back({{from, to}, {triangle, other->second}});
-          half_edges.erase(other);
-        } else {
-          half_edges.emplace(std::array{from, to}, triangle);
-        }
-      }
-    }
-    edge_ends_.push_back(edges_.size());
+    : vertices_(mesh.vertices), colors_(mesh.colors), corners_(mesh.indices) {
+  first_at_.reserve(vertices_.size());
+  add_planes();
+  Part begin{};
+  for (std::size_t i = 0; i < mesh.part_ends.size(); ++i) {
+    Part part{mesh.part_ends[i] / 3, 0, mesh.vertex_ends[i], !mesh.clusters[i].empty()};
+    const auto first = static_cast<std::uint32_t>(begin.vertex_end);
+    const std::span vertices(vertices_.data() + first, part.vertex_end - first);
+    for (const std::uint32_t at : first_at_each_place(vertices)) first_at_.push_back(first + at);
+    add_edges(begin, part);
+    part.edge_end = edges_.size();
+    parts_.push_back(part);
+    begin = part;
   }
-  seen_.resize(triangles_.size());
-  offsets_.resize(vertices_.size());
   on_it_.resize(vertices_.size());
+  for (const Vertex& vertex : vertices_) shifts_.push_back({vertex.normal, 0});
+}
+
+void Silhouette::add_planes() {
+  for (std::size_t i = 0; i < corners_.size(); i += 3) {
+    const glm::vec3 a = vertices_[corners_[i]].position;
+    const glm::vec3 normal = glm::cross(vertices_[corners_[i + 1]].position - a,
+                                        vertices_[corners_[i + 2]].position - a);
+    planes_.x.push_back(a.x);
+    planes_.y.push_back(a.y);
+    planes_.z.push_back(a.z);
+    planes_.normal_x.push_back(normal.x);
+    planes_.normal_y.push_back(normal.y);
+    planes_.normal_z.push_back(normal.z);
+  }
+  faces_eye_.resize(planes_.x.size());
+}
+
+/// The edges of a part; those in hollows are left out.
+void Silhouette::add_edges(const Part& begin, const Part& part) {
+  std::vector<std::uint32_t> places;
+  places.reserve(3 * (part.triangle_end - begin.triangle_end));
+  for (std::size_t i = 3 * begin.triangle_end; i < 3 * part.triangle_end; ++i) {
+    places.push_back(place(i) - static_cast<std::uint32_t>(begin.vertex_end));
+  }
+  const std::vector<std::uint32_t> opposite =
+      opposite_half_edges(places, part.vertex_end - begin.vertex_end);
+  const auto first = static_cast<std::uint32_t>(3 * begin.triangle_end);
+  for (std::uint32_t i = 0; i < opposite.size(); ++i) {
+    if (opposite[i] == no_half_edge || opposite[i] > i) continue;
+    const Edge edge{first + i, first + opposite[i]};
+    if (!part.has_creases || !is_hollow(edge)) edges_.push_back(edge);
+  }
+}
+
+/// Whether the two triangles face each other: what turns away is then in front of what does not,
+/// and the edge is hidden wherever it is on the silhouette.
+bool Silhouette::is_hollow(const Edge& edge) const {
+  const std::uint32_t triangle = edge.half_edge / 3;
+  const glm::vec3 normal(planes_.normal_x[triangle], planes_.normal_y[triangle],
+                         planes_.normal_z[triangle]);
+  const std::uint32_t apex = next_half_edge(next_half_edge(edge.other));
+  const glm::vec3 across =
+      vertices_[corners_[apex]].position - vertices_[corners_[edge.half_edge]].position;
+  constexpr float round_off = 1e-5F;
+  return glm::dot(normal, across) > round_off * glm::length(normal) * glm::length(across);
 }
 
 void Silhouette::find(const glm::vec3& eye, float scale) {
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const glm::vec3 to_eye = eye - vertices_[triangles_[i].corners[0]].position;
-    seen_[i] = glm::dot(triangles_[i].normal, to_eye) > 0 ? 1 : 0;
-  }
+  face(eye);
   edge_quads_.clear();
   indices_.clear();
   part_ends_.clear();
-  offsets_.assign(offsets_.size(), 0);
   on_it_.assign(on_it_.size(), 0);
-  std::size_t edge = 0;
-  for (const std::size_t end : edge_ends_) {
-    for (; edge < end; ++edge) {
-      const auto& [one, other] = edges_[edge].triangles;
-      if (seen_[one] == seen_[other]) continue;
-      add_edge_quad(edges_[edge]);
+  Part begin{};
+  for (const Part& part : parts_) {
+    find_outline(begin, part);
+    if (part.has_creases) {
+      point_outward(begin, part, eye);
+    } else {
+      for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i].offset = 0;
     }
+    for (const Edge& edge : outline_) add_edge_quad(edge);
     part_ends_.push_back(indices_.size());
+    shrink(begin, part, eye, scale);
+    begin = part;
   }
-  shrink(eye, scale);
 }
 
-/// The distance of a vertex inside the silhouette is measured on the screen: along the normal,
-/// without its component along the line of sight.
-void Silhouette::shrink(const glm::vec3& eye, float scale) {
-  for (const Triangle& triangle : triangles_) {
-    for (const std::uint32_t edge : triangle.corners) {
-      if (on_it_[edge] == 0) continue;
-      const auto& [place, normal] = vertices_[edge];
-      const glm::vec3 sight = glm::normalize(eye - place);
-      const glm::vec3 across = glm::normalize(normal - glm::dot(normal, sight) * sight);
-      for (const std::uint32_t corner : triangle.corners) {
-        const float within = scale * glm::dot(across, place - vertices_[corner].position);
-        offsets_[corner] = std::min(offsets_[corner], std::clamp(2 * within - 1, -1.0F, 0.0F));
-      }
+void Silhouette::face(const glm::vec3& eye) {
+  const auto& [x, y, z, normal_x, normal_y, normal_z] = planes_;
+  for (std::size_t i = 0; i < faces_eye_.size(); ++i) {
+    const float towards = normal_x[i] * (eye.x - x[i]) + normal_y[i] * (eye.y - y[i]) +
+                          normal_z[i] * (eye.z - z[i]);
+    faces_eye_[i] = towards > 0 ? 1 : 0;
+  }
+}
+
+void Silhouette::find_outline(const Part& begin, const Part& part) {
+  outline_.clear();
+  for (std::size_t i = begin.edge_end; i < part.edge_end; ++i) {
+    const Edge& edge = edges_[i];
+    if (is_seen(edge.half_edge) == is_seen(edge.other)) continue;
+    outline_.push_back(edge);
+    on_it_[place(edge.half_edge)] = 1;
+    on_it_[place(edge.other)] = 1;
+  }
+}
+
+/// At creases normals say nothing of the outline; the planes through its edges and the eye do. Two
+/// edges meet in a mitre.
+void Silhouette::point_outward(const Part& begin, const Part& part, const glm::vec3& eye) {
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i] = {glm::vec3(0), 0};
+  for (const auto& [half_edge, other] : outline_) {
+    const std::uint32_t seen = is_seen(half_edge) ? half_edge : other;
+    const std::uint32_t from = place(seen), to = place(next_half_edge(seen));
+    const glm::vec3 outward = glm::cross(vertices_[from].position - eye,
+                                         vertices_[to].position - vertices_[from].position);
+    const float length = glm::length(outward);
+    if (length == 0) continue;
+    for (const std::uint32_t end : {from, to}) {
+      shifts_[end].direction += outward / length;
+      shifts_[end].offset += 1;  // their number, for the moment
     }
   }
-  for (std::size_t i = 0; i < offsets_.size(); ++i) offsets_[i] = offsets_[first_at_[i]];
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) {
+    auto& [direction, count] = shifts_[i];
+    if (on_it_[i] == 0) continue;
+    const float mean = glm::length(direction) / std::max(count, 1.0F);
+    constexpr float sharpest = 0.5F;  // the cosine of half the angle by which the outline turns
+    if (mean > sharpest) {
+      direction /= count * mean * mean;
+    } else if (mean > 0.1F) {
+      direction /= count * mean;
+    } else {
+      direction = vertices_[i].normal;
+    }
+    count = 0;
+  }
 }
 
 void Silhouette::add_edge_quad(const Edge& edge) {
   const auto first = static_cast<std::uint32_t>(edge_quads_.size());
-  for (const std::uint32_t end : edge.ends) {
-    const Vertex& vertex = vertices_[end];
-    on_it_[end] = 1;
-    edge_quads_.push_back({vertex.position, vertex.normal, -1});
-    edge_quads_.push_back({vertex.position, vertex.normal, 1});
+  const bool is_first = is_seen(edge.half_edge);
+  const std::uint32_t seen = is_first ? edge.half_edge : next_half_edge(edge.other);
+  const std::uint32_t next = is_first ? next_half_edge(edge.half_edge) : edge.other;
+  for (const std::uint32_t end : {seen, next}) {
+    const std::uint32_t corner = corners_[end];
+    const auto& [position, normal] = vertices_[corner];
+    const glm::vec3 color = colors_.empty() ? glm::vec3(0) : colors_[corner];
+    const glm::vec3 direction = shifts_[place(end)].direction;
+    for (const float side : {-1.0F, 1.0F}) {
+      edge_quads_.push_back({position, normal, {direction, side}, color});
+    }
   }
   indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
+}
+
+/// The distance of a vertex inside the silhouette is measured on the screen: along the direction in
+/// which that is moved, without its component along the line of sight.
+void Silhouette::shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale) {
+  for (std::size_t i = 3 * begin.triangle_end; i < 3 * part.triangle_end; i += 3) {
+    const std::array places{place(i), place(i + 1), place(i + 2)};
+    for (const std::uint32_t edge : places) {
+      if (on_it_[edge] == 0) continue;
+      const glm::vec3& position = vertices_[edge].position;
+      const glm::vec3 direction = shifts_[edge].direction;
+      const glm::vec3 sight = glm::normalize(eye - position);
+      const glm::vec3 across = glm::normalize(direction - glm::dot(direction, sight) * sight);
+      for (const std::uint32_t corner : places) {
+        const float within = scale * glm::dot(across, position - vertices_[corner].position);
+        if (part.has_creases && within < -0.5F) continue;  // around a corner
+        const float offset = std::clamp(2 * within - 1, -1.0F, 0.0F);
+        if (offset >= shifts_[corner].offset) continue;
+        shifts_[corner].offset = offset;
+        if (part.has_creases && on_it_[corner] == 0) shifts_[corner].direction = direction;
+      }
+    }
+  }
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) {
+    const Shift& first = shifts_[first_at_[i]];
+    if (part.has_creases) shifts_[i].direction = first.direction;
+    shifts_[i].offset = first.offset;
+  }
 }
 
 }  // namespace twrench::render

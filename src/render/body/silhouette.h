@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,14 +9,23 @@
 
 namespace twrench::render {
 
+/// How far a vertex is moved on the screen; a vec4 in the vertex shader.
+struct Shift {
+  /// The direction in body axes. Its length, if more than 1, multiplies the distance.
+  glm::vec3 direction;
+  /// Half pixels in that direction: -1 inside, 1 outside.
+  float offset;
+};
+
 /// A vertex of an edge quad, with members in the order of the vertex shader's attributes.
 struct EdgeQuadVertex {
   /// Position on the silhouette in body axes, cm.
   glm::vec3 position;
   /// Unit surface normal there.
   glm::vec3 normal;
-  /// Screen-space offset along the normal in half pixels: -1 inside, 1 outside.
-  float offset;
+  Shift shift;
+  /// Linear colour; only for a mesh with colours.
+  glm::vec3 color;
 };
 
 /// The silhouette of a closed mesh: the edges between a front-facing and a back-facing triangle. It
@@ -39,35 +47,54 @@ class Silhouette {
   /// Returns, in indices, the end of the edge quads of each part.
   const std::vector<std::size_t>& part_ends() const { return part_ends_; }
 
-  /// Returns for each vertex of the mesh its offset in half pixels: -1 on the silhouette, less for
-  /// adjacent vertices within half a pixel of it, where triangles would otherwise fold over, and 0
-  /// elsewhere.
-  const std::vector<float>& offsets() const { return offsets_; }
+  /// Returns for each vertex of the mesh how it is moved, by -1 on the silhouette, less for
+  /// adjacent vertices within half a pixel of it, where triangles would otherwise fold over, and by
+  /// 0 elsewhere.
+  const std::vector<Shift>& shifts() const { return shifts_; }
+
+  /// Returns for each triangle of the mesh whether it faces the eye.
+  const std::vector<char>& faces_eye() const { return faces_eye_; }
 
  private:
-  struct Triangle {
-    std::array<std::uint32_t, 3> corners;
-    glm::vec3 normal;  ///< Of any length.
+  /// The planes of the triangles, by a corner and a normal of any length.
+  struct Planes {
+    std::vector<float> x, y, z, normal_x, normal_y, normal_z;
   };
+  /// An edge, by its half-edges in the two triangles.
   struct Edge {
-    std::array<std::uint32_t, 2> ends;
-    std::array<std::uint32_t, 2> triangles;
+    std::uint32_t half_edge, other;
+  };
+  /// The ends of a part's triangles, edges and vertices.
+  struct Part {
+    std::size_t triangle_end, edge_end, vertex_end;
+    bool has_creases;
   };
 
-  void shrink(const glm::vec3& eye, float scale);
+  void add_planes();
+  void add_edges(const Part& begin, const Part& part);
+  bool is_hollow(const Edge& edge) const;
+  void face(const glm::vec3& eye);
+  void find_outline(const Part& begin, const Part& part);
+  void point_outward(const Part& begin, const Part& part, const glm::vec3& eye);
   void add_edge_quad(const Edge& edge);
+  void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);
+  std::uint32_t place(std::size_t half_edge) const { return first_at_[corners_[half_edge]]; }
+  bool is_seen(std::uint32_t half_edge) const { return faces_eye_[half_edge / 3] != 0; }
 
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> first_at_;  ///< For each vertex, the first one at the same position.
-  std::vector<Triangle> triangles_;
+  std::vector<glm::vec3> colors_;
+  std::vector<std::uint32_t> corners_;   ///< The mesh's indices.
+  std::vector<std::uint32_t> first_at_;  ///< For each vertex, its part's first in the same place.
+  Planes planes_;
   std::vector<Edge> edges_;
-  std::vector<std::size_t> edge_ends_;  ///< Of each part.
-  std::vector<char> seen_;              ///< For each triangle.
-  std::vector<char> on_it_;             ///< For each vertex.
+  std::vector<Part> parts_;
+  std::vector<char> faces_eye_;
+  std::vector<char> on_it_;   ///< For each vertex.
+  std::vector<Edge> outline_;  ///< Of the part in progress.
   std::vector<EdgeQuadVertex> edge_quads_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::size_t> part_ends_;
-  std::vector<float> offsets_;
+  std::vector<Shift> shifts_;
 };
 
 }  // namespace twrench::render

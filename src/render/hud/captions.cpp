@@ -4,43 +4,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace twrench::render::captions {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Half the shape's extent along a direction, a unit vector in its own axes.
-struct HalfExtent {
-  Vector3d along;
+/// What a part covers of an axis of the body, in cm from the centre of mass.
+struct Extent {
+  double low, high;
 
-  double operator()(const body::Cylinder& c) const {
-    return std::abs(along.z()) * c.length / 2 + std::hypot(along.x(), along.y()) * c.radius;
-  }
-  double operator()(const body::Box& b) const { return along.cwiseAbs().dot(b.size) / 2; }
-  double operator()(const body::Ellipsoid& e) const { return along.cwiseProduct(e.radii).norm(); }
-  double operator()(const auto& shape) const { return body::bounding_radius(shape); }
+  double middle() const { return (low + high) / 2; }
+  double half() const { return (high - low) / 2; }
+  double farthest() const { return std::max(high, -low); }
 };
 
-double half_extent(const body::Part& part, int axis) {
-  return std::visit(HalfExtent{part.body_from_part.row(axis).transpose()}, part.shape);
+Extent extent(const body::Part& part, int axis) {
+  const Vector3d along = part.body_from_part.row(axis).transpose();
+  const auto end = [&](double side) {
+    return part.position[axis] + along.dot(body::support(part.shape, side * along));
+  };
+  return {end(-1), end(1)};
 }
 
-/// Positions are from the centre of mass.
 bool is_leg(const body::Part& part) {
   constexpr double on_axis = 1e-6;
-  const double along = half_extent(part, 0);
-  const double across = std::max(half_extent(part, 1), half_extent(part, 2));
-  return part.position.x() > 0 && along > across &&
-         part.position.tail<2>().norm() < on_axis * along;
+  const Extent x = extent(part, 0), y = extent(part, 1), z = extent(part, 2);
+  return x.middle() > 0 && x.half() > std::max(y.half(), z.half()) &&
+         std::hypot(y.middle(), z.middle()) < on_axis * x.half();
 }
 
 bool has_leg(const scene::Body& body) {
   const std::vector<body::Part> parts = scene::visible_parts(body);
-  const auto reach = [](const body::Part& part) {
-    return std::abs(part.position.x()) + half_extent(part, 0);
-  };
+  const auto reach = [](const body::Part& part) { return extent(part, 0).farthest(); };
   const auto farthest = std::ranges::max_element(parts, {}, reach);
   const bool alone = std::ranges::all_of(parts, [&](const body::Part& part) {
     return &part == &*farthest || reach(part) < 0.999 * reach(*farthest);

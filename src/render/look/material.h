@@ -9,6 +9,9 @@ namespace twrench::render {
 /// Returns the linear light, 0 to 1, of an sRGB value from 0 to 255 (IEC 61966-2-1).
 double linear_from_srgb(double value);
 
+/// Reflectance at normal incidence of paint: F0 of a refractive index of 1.5.
+inline constexpr double dielectric_reflectance = 0.04;
+
 /// The material of the body, as the shader needs it.
 struct Material {
   /// Linear diffuse albedo; black for metals.
@@ -20,8 +23,14 @@ struct Material {
   float brushing;
   /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
   float roughness;
+  /// Metalness, 0 (paint) to 1 (metal), which decides how a vertex's own colour is shared out
+  /// between diffuse albedo and reflectance.
+  float metalness;
+
+  bool operator==(const Material&) const = default;
 };
 
-Material material(const scene::Look& look);
+/// Returns the material of a body that looks like that, or of a part of it with a look of its own.
+Material material(const scene::Look& look, const scene::PartLook& part = {});
 
 }  // namespace twrench::render

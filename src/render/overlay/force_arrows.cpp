@@ -18,18 +18,18 @@ constexpr double long_axis = 0.5;  // of a part, compared with its longest
 /// Returns the points of a part whose forces are shown.
 std::vector<ForceArrows::Point> shown_points(const body::Part& part, double radius) {
   const auto all = body::equimomental_points(part);
-  const auto arm = [&](const body::PointMass& point) {
-    return (point.position - part.position).norm();
-  };
+  const Vector3d middle = body::centroid(part.shape);
+  const Vector3d centre = part.position + part.body_from_part * middle;
+  const auto arm = [&](const body::PointMass& point) { return (point.position - centre).norm(); };
   double longest = 0;
   for (const body::PointMass& point : all) longest = std::max(longest, arm(point));
   if (longest < small_part * radius) {
-    return {{{6 * all[0].mass, part.position}, part.position, body::bounding_radius(part.shape)}};
+    return {{{6 * all[0].mass, centre}, centre, body::bounding_radius(part.shape, middle)}};
   }
   std::vector<ForceArrows::Point> points;
   for (const body::PointMass& point : all) {
     if (arm(point) < long_axis * longest) continue;
-    const Vector3d out = (point.position - part.position).normalized();
+    const Vector3d out = (point.position - centre).normalized();
     points.push_back({point, point.position + off_the_end * radius * out, 0});
   }
   return points;

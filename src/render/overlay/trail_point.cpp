@@ -1,5 +1,7 @@
 #include "render/overlay/trail_point.h"
 
+#include <twrench/body/mass_properties.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,33 +9,41 @@
 namespace twrench::render {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// From the shape's centre to its ends along its own axes.
-struct Ends {
-  std::vector<Vector3d> operator()(const body::Cylinder& c) const {
-    return {Vector3d(0, 0, c.length / 2), Vector3d(0, 0, -c.length / 2)};
+/// The directions from a shape's centre of mass to its ends, as columns in its own axes.
+struct EndDirections {
+  Matrix3d operator()(const body::Box&) const { return Matrix3d::Identity(); }
+  Matrix3d operator()(const body::Ellipsoid&) const { return Matrix3d::Identity(); }
+  Matrix3d operator()(const body::Mesh& m) const {
+    return body::principal_axes(m.integrals.inertia).axes;
   }
-  std::vector<Vector3d> operator()(const body::Box& b) const { return along_axes(b.size / 2); }
-  std::vector<Vector3d> operator()(const body::Ellipsoid& e) const { return along_axes(e.radii); }
-  std::vector<Vector3d> operator()(const auto& shape) const {
-    return along_axes(Vector3d::Constant(body::bounding_radius(shape)));
+  Eigen::Matrix<double, 3, 2> operator()(const body::Torus&) const {
+    return Matrix3d::Identity().leftCols<2>();
   }
-
-  static std::vector<Vector3d> along_axes(const Vector3d& size) {
-    std::vector<Vector3d> ends;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double side : {1.0, -1.0})
-        ends.emplace_back(side * size[axis] * Vector3d::Unit(axis));
-    }
-    return ends;
-  }
+  Vector3d operator()(const auto&) const { return Vector3d::UnitZ(); }  // the axis of rotation
 };
+
+/// The ends of a shape in its own frame: where it ends along a line through its centre of mass.
+std::vector<Vector3d> ends_of(const body::Shape& shape) {
+  const Eigen::Matrix3Xd directions = std::visit(
+      [](const auto& s) -> Eigen::Matrix3Xd { return EndDirections()(s); }, shape);
+  const Vector3d centre = body::centroid(shape);
+  std::vector<Vector3d> ends;
+  for (const auto& axis : directions.colwise()) {
+    for (const double side : {1.0, -1.0}) {
+      const Vector3d out = side * axis;
+      ends.emplace_back(centre + out.dot(body::support(shape, out) - centre) * out);
+    }
+  }
+  return ends;
+}
 
 std::vector<Vector3d> ends_of(const std::vector<body::Part>& parts) {
   std::vector<Vector3d> ends;
   for (const body::Part& part : parts) {
-    for (const Vector3d& end : std::visit(Ends{}, part.shape)) {
+    for (const Vector3d& end : ends_of(part.shape)) {
       ends.emplace_back(part.position + part.body_from_part * end);
     }
   }

@@ -62,6 +62,20 @@ double tolerance(const Camera& camera, int height) {
   return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
 }
 
+/// Draws the scene's body with facets that deviate from it by at most `tolerance` cm.
+BodyPass body_pass(const gl::Functions& gl, const scene::Scene& scene, double tolerance,
+                   double radius) {
+  const std::vector<body::Part> parts = close_gaps(scene::visible_parts(scene.body));
+  std::vector<scene::PartLook> looks;
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    looks.push_back(scene::description(scene.body, i).look);
+    materials.push_back(material(scene.look, looks.back()));
+  }
+  return {gl,     parts,     body_mesh(parts, tolerance, looks),
+          radius, materials, style_of(scene.look.theme).studio};
+}
+
 /// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
 /// for each rectangle.
 int band_height(const gl::Framebuffer& framebuffer) {
@@ -84,9 +98,7 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
       forces_(forces_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
       framing_(framing_of(scene, solutions[solution])),
-      body_(gl, close_gaps(scene::visible_parts(scene.body)),
-            tolerance(camera(0), pane.area.height), radius_, material(scene.look),
-            style_of(scene.look.theme).studio),
+      body_(body_pass(gl, scene, tolerance(camera(0), pane.area.height), radius_)),
       multisampled_(scene.look.samples > 1),
       draw_list_pass_(gl) {
   if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(gl, scene);

@@ -1,0 +1,3 @@
+// A part of one colour.
+vec3 own_diffuse() { return diffuse; }
+vec3 own_reflectance() { return reflectance; }

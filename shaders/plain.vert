@@ -1,0 +1,2 @@
+// A part of one colour.
+void pass_on_color() {}

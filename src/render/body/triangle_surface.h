@@ -1,0 +1,20 @@
+#pragma once
+
+#include <twrench/body/shape.h>
+
+#include <Eigen/Core>
+
+#include "render/body/mesh.h"
+
+namespace twrench::render {
+
+/// Returns the surface of a part that is given by triangles, at `position` cm and turned by
+/// `body_from_part`, as a mesh of one part. Vertices in one place are joined. Where adjacent
+/// triangles meet at no more than `crease_angle` rad, they share normals: the mean of those of the
+/// triangles around, each weighted by its angle there (Thürmer and Wüthrich, "Computing Vertex
+/// Normals from Polygonal Facets", Journal of Graphics Tools 3 (1998)). Degenerate triangles are
+/// left out. A wall has a second side: the same triangles turned over.
+Mesh triangle_surface(const body::Mesh& mesh, const Eigen::Vector3d& position,
+                      const Eigen::Matrix3d& body_from_part, double crease_angle);
+
+}  // namespace twrench::render
