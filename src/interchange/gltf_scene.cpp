@@ -1,8 +1,12 @@
 #include "interchange/gltf_scene.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "interchange/surface.h"
 #include "interchange/track.h"
@@ -68,7 +72,7 @@ class SceneWriter {
 
  private:
   void add_body(std::size_t camera);
-  std::size_t add_body_material();
+  std::size_t material_of(std::size_t part, bool is_colored);
   std::size_t add_arrow_mesh(const std::string& name, double length, double shaft,
                              const scene::Color& color);
   std::size_t add_mesh(const std::string& name, const Surface& surface, std::size_t material);
@@ -89,31 +93,45 @@ class SceneWriter {
   PlayedMotion played_;
   double radius_;  ///< Bounding radius of the body in cm.
   render::BodyOverlay overlay_;
-  std::vector<std::size_t> nodes_;  ///< The roots.
+  std::vector<std::size_t> nodes_;                            ///< The roots.
+  std::vector<std::pair<Json, std::size_t>> part_materials_;  ///< And their indices.
   Json animation_{
       {"name", "free rotation"}, {"samplers", Json::array()}, {"channels", Json::array()}};
 };
 
 std::size_t SceneWriter::add_mesh(const std::string& name, const Surface& surface,
                                   std::size_t material) {
-  const Json attributes{{"POSITION", gltf_.add_floats(surface.positions, 3, Gltf::Use::vertices)},
-                        {"NORMAL", gltf_.add_floats(surface.normals, 3, Gltf::Use::vertices)}};
+  Json attributes{{"POSITION", gltf_.add_floats(surface.positions, 3, Gltf::Use::vertices)},
+                  {"NORMAL", gltf_.add_floats(surface.normals, 3, Gltf::Use::vertices)}};
+  if (!surface.colors.empty()) {
+    attributes["COLOR_0"] = gltf_.add_floats(surface.colors, 3, Gltf::Use::vertices);
+  }
   const Json primitive{{"attributes", attributes},
                        {"indices", gltf_.add_indices(surface.indices)},
                        {"material", material}};
   return gltf_.add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
 }
 
-std::size_t SceneWriter::add_body_material() {
+/// Returns the material of a part, which those that look the same share. What colours the vertices
+/// have multiplies that of their material, which is then white.
+std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
   const scene::Look& look = scene_.look;
-  std::vector<double> color = linear(look.color.value_or(style_.metal));
+  const scene::PartLook own = scene::description(scene_.body, part).look;
+  std::vector<double> color{1, 1, 1};
+  if (!is_colored) color = linear(own.color.value_or(look.color.value_or(style_.metal)));
   color.push_back(1);
-  return gltf_.add("materials",
-                   {{"name", "body"},
-                    {"pbrMetallicRoughness",
-                     {{"baseColorFactor", color},
-                      {"metallicFactor", look.metallic.value_or(style_.metallic)},
-                      {"roughnessFactor", look.roughness.value_or(style_.roughness)}}}});
+  const Json surface{
+      {"baseColorFactor", color},
+      {"metallicFactor", own.metallic.value_or(look.metallic.value_or(style_.metallic))},
+      {"roughnessFactor", own.roughness.value_or(look.roughness.value_or(style_.roughness))}};
+  const auto found =
+      std::ranges::find(part_materials_, surface, &std::pair<Json, std::size_t>::first);
+  if (found != part_materials_.end()) return found->second;
+  const std::string name = part_materials_.empty() ? "body" : fmt::format("body {}", part + 1);
+  const std::size_t index =
+      gltf_.add("materials", {{"name", name}, {"pbrMetallicRoughness", surface}});
+  part_materials_.emplace_back(surface, index);
+  return index;
 }
 
 /// An arrow keeps most of its colour in the shade, as in the film, and without any light.
@@ -145,12 +163,13 @@ void SceneWriter::add_channel(std::size_t node, const char* path, std::size_t ti
 void SceneWriter::add_body(std::size_t camera) {
   constexpr double finest = 3e-4;  // of the radius: a seventh of a pixel in a picture 1080 high
   const std::vector<body::Part> parts = render::close_gaps(scene::visible_parts(scene_.body));
-  const std::size_t material = add_body_material();
   std::vector<std::size_t> children;
   if (scene_.camera.frame == scene::Frame::body) children.push_back(camera);
   for (const scene::PartGroup& group : scene::part_groups(scene_.body)) {
     for (const std::size_t part : group.parts) {
-      const Surface surface = part_surface(parts[part], finest * radius_);
+      const double crease = scene::description(scene_.body, part).look.crease_angle;
+      const Surface surface = part_surface(parts[part], finest * radius_, crease);
+      const std::size_t material = material_of(part, !surface.colors.empty());
       const std::size_t mesh = add_mesh(group.name, surface, material);
       children.push_back(gltf_.add("nodes", {{"name", group.name}, {"mesh", mesh}}));
     }

@@ -45,14 +45,16 @@ void add_band(Surface& surface, const Vector2d& from, const Vector2d& to) {
 
 }  // namespace
 
-Surface part_surface(const body::Part& part, double tolerance) {
-  const render::Mesh mesh = render::part_mesh(part, tolerance);
+Surface part_surface(const body::Part& part, double tolerance, double crease_angle) {
+  const bool is_mesh = std::holds_alternative<body::Mesh>(part.shape);
+  const render::Mesh mesh = render::part_mesh(part, is_mesh ? 0 : tolerance, crease_angle);
   Surface surface;
   for (const render::Vertex& vertex : mesh.vertices) {
     const glm::vec3 &p = vertex.position, &n = vertex.normal;
     append(surface.positions, metres_per_cm * Vector3d(p.x, p.y, p.z));
     append(surface.normals, Vector3d(n.x, n.y, n.z).normalized());
   }
+  for (const glm::vec3& c : mesh.colors) append(surface.colors, Vector3d(c.x, c.y, c.z));
   surface.indices = mesh.indices;
   return surface;
 }

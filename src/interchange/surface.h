@@ -12,13 +12,15 @@ namespace twrench::interchange {
 struct Surface {
   std::vector<float> positions;
   std::vector<float> normals;  ///< Of unit length, outward.
+  std::vector<float> colors;   ///< Linear red, green and blue; empty without colours.
   std::vector<std::uint32_t> indices;
 };
 
 inline constexpr double metres_per_cm = 0.01;
 
-/// Returns the surface of a part in body axes; facets deviate from it by at most `tolerance` cm.
-Surface part_surface(const body::Part& part, double tolerance);
+/// Returns the surface of a part in body axes; facets deviate from it by at most `tolerance` cm. A
+/// mesh keeps its triangles, smooth where they meet at no more than `crease_angle` rad.
+Surface part_surface(const body::Part& part, double tolerance, double crease_angle);
 
 /// Returns an arrow from the origin along z, of the film's shape: `length` and the radius `shaft`
 /// of its shaft in cm. An arrow shorter than its head consists of the head only.

@@ -37,7 +37,7 @@ double volume_within(const Surface& surface) {
 TEST(Surface, OfAPartIsInMetres) {
   const body::Part ball{
       body::Ellipsoid{Vector3d(1, 2, 3)}, 1, {0, 0, 5}, Eigen::Matrix3d::Identity()};
-  EXPECT_NEAR(volume_within(part_surface(ball, 1e-3)), 8e-6 * std::numbers::pi, 5e-8);
+  EXPECT_NEAR(volume_within(part_surface(ball, 1e-3, 0.6)), 8e-6 * std::numbers::pi, 5e-8);
 }
 
 TEST(Surface, OfAnArrowIsClosed) {
