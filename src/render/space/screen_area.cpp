@@ -7,7 +7,9 @@
 #include <boost/geometry/geometries/ring.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 
 namespace twrench::render {
 namespace {
@@ -42,10 +44,45 @@ Span span_between(const Point& a, const Point& b, double top, double bottom) {
   return {low, high};
 }
 
+/// The point that is outermost in a direction.
+Eigen::Array2d outermost(const std::vector<Eigen::Array2d>& points, const Eigen::Array2d& out) {
+  std::size_t best = 0;
+  double farthest = -infinity;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = (out * points[i]).sum();
+    if (distance > farthest) best = i, farthest = distance;
+  }
+  return points[best];
+}
+
+/// Leaves out points that are inside the polygon of those that are outermost in some directions
+/// (Akl and Toussaint, "A Fast Convex Hull Algorithm", 1978): of many points, nearly all.
+std::vector<Eigen::Array2d> outer_points(const std::vector<Eigen::Array2d>& points) {
+  constexpr int directions = 16;
+  if (points.size() < std::size_t{4} * directions) return points;
+  std::vector<Eigen::Array2d> polygon;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2 * std::numbers::pi * i / directions;
+    const Eigen::Array2d point = outermost(points, {std::cos(angle), std::sin(angle)});
+    if (polygon.empty() || (point != polygon.back()).any()) polygon.push_back(point);
+  }
+  const auto is_outside = [&](const Eigen::Array2d& point) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Eigen::Array2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+      const Eigen::Array2d way = point - polygon[i];
+      if (edge.x() * way.y() < edge.y() * way.x()) return true;
+    }
+    return false;
+  };
+  std::vector<Eigen::Array2d> result = polygon;
+  std::ranges::copy_if(points, std::back_inserter(result), is_outside);
+  return result;
+}
+
 /// The corners of the convex hull of `points` in order; the first is repeated at the end.
 geometry::model::ring<Point> hull(const std::vector<Eigen::Array2d>& points) {
   geometry::model::multi_point<Point> corners;
-  for (const auto& point : points) corners.emplace_back(point.x(), point.y());
+  for (const auto& point : outer_points(points)) corners.emplace_back(point.x(), point.y());
   geometry::model::ring<Point> result;
   geometry::convex_hull(corners, result);
   return result;

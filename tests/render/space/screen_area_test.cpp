@@ -141,5 +141,26 @@ TEST(ScreenArea, PartsShapesThatAreFarApartAndJoinsThoseThatAreNear) {
   }
 }
 
+// Of many points most are left out before their hull is found.
+TEST(ScreenArea, OfManyPointsIsThatOfTheOutermost) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const double flatness : {1.0, 0.01, 0.0}) {
+    ScreenArea all(pane, picture_height), outer(pane, picture_height);
+    all.begin_shape();
+    outer.begin_shape();
+    const auto at = [&](double radius, double angle) {
+      return Vector2d(180 + radius * std::cos(angle), 120 + flatness * radius * std::sin(angle));
+    };
+    for (int i = 0; i < 30; ++i) {
+      all.add(clip(at(90, 0.21 * i)));
+      outer.add(clip(at(90, 0.21 * i)));
+    }
+    for (int i = 0; i < 500; ++i) all.add(clip(at(89 * share(random), 7 * share(random))));
+    EXPECT_EQ(all.bands(band), outer.bands(band)) << flatness;
+    EXPECT_EQ(all.bounds(), outer.bounds());
+  }
+}
+
 }  // namespace
 }  // namespace twrench::render
