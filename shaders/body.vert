@@ -4,6 +4,8 @@
 layout(location = 0) in vec3 position;  // body axes, cm
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 shift;  // see Shift in silhouette.h
+// Of edge quads: transparency, and a depth offset towards the eye in pixels; else 0.
+layout(location = 4) in vec2 fade;
 
 uniform mat3 stage_from_body;
 uniform mat3 stage_normal_from_body;
@@ -33,7 +35,7 @@ void main() {
   stage_position = stage_from_body * position;
   stage_normal = stage_normal_from_body * normal;
   float offset = shift.w;
-  coverage = 1.0 - max(offset, 0.0);
+  coverage = 1.0 - fade.x;
   vec4 place = clip_from_stage * vec4(stage_position, 1.0);
   vec4 onward = clip_from_stage * vec4(stage_normal_from_body * shift.xyz, 0.0);
   vec2 outward = (onward.xy * place.w - place.xy * onward.w) * picture.xy;  // pixels, any length
@@ -52,7 +54,7 @@ void main() {
 
   float pixel = 2.0 * picture.z * place.w / (clip_from_stage[1][1] * picture.y);  // stage
   scale = 1.0 / max(pixel, 1e-6);
-  vec4 lifted = clip_from_stage * vec4(stage_position + part_lift * pixel * to_eye, 1.0);
+  vec4 lifted = clip_from_stage * vec4(stage_position + (part_lift + fade.y) * pixel * to_eye, 1.0);
   gl_Position.z = lifted.z * place.w / lifted.w;
 
   vec3 across_axis = towards_eye - dot(side_axis, towards_eye) * side_axis;

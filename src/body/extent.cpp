@@ -41,13 +41,12 @@ struct Support {
     return at_height(std::copysign(c.length / 2.0, direction.z())) + c.radius * direction;
   }
   Vector3d operator()(const Mesh& m) const {
-    return *std::ranges::max_element(
-        m.surface->vertices, {}, [&](const Vector3d& vertex) { return direction.dot(vertex); });
+    return *std::ranges::max_element(m.surface->vertices, {},
+                                     [&](const Vector3d& vertex) { return direction.dot(vertex); });
   }
 
   Vector3d of_cylinder(double radius, double length) const {
-    return beside_axis(radius, direction) +
-           at_height(std::copysign(length / 2.0, direction.z()));
+    return beside_axis(radius, direction) + at_height(std::copysign(length / 2.0, direction.z()));
   }
 };
 

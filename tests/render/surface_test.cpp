@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "gl/test_context.h"
+#include "image/compare.h"
+#include "render/body/meshes.h"
 #include "render/pose_renderer.h"
 #include "render/t_wrench.h"
 
@@ -91,6 +93,65 @@ TEST_F(Surface, OfABodyOfRevolutionIsMarked) {
       EXPECT_GT(difference(renderer.draw(X), renderer.draw(so3::exp(0.3 * axis) * X)), 3);
     }
   }
+}
+
+/// The mean colour of the pixels that the body covers on one side of the picture.
+Eigen::Vector3d mean_color(const image::Image& image, bool on_the_left) {
+  Eigen::Vector3d sum = Vector3d::Zero();
+  double count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    const bool is_left = static_cast<int>(i / 4) % image.width < image.width / 2;
+    if (image.pixels[i + 3] < 255 || is_left != on_the_left) continue;
+    sum += Vector3d(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+    ++count;
+  }
+  return sum / count;
+}
+
+// Red on the left, blue on the right.
+void expect_two_colors(const image::Image& image) {
+  const Vector3d left = mean_color(image, true), right = mean_color(image, false);
+  EXPECT_GT(left[0], 2 * left[2]);
+  EXPECT_GT(right[2], 2 * right[0]);
+}
+
+TEST_F(Surface, HasTheColourOfEachPart) {
+  scene::Scene scene = transparent(
+      {cylinder(1, 2, {-2, 0, 0}, Vector3d::UnitX()), cylinder(1, 2, {2, 0, 0}, Vector3d::UnitX())},
+      320, 180);
+  scene.look.metallic = 0;
+  scene.body.descriptions.resize(2);
+  scene.body.descriptions[0].look.color = scene::Color{220, 20, 20};
+  scene.body.descriptions[1].look.color = scene::Color{20, 20, 220};
+  for (const int samples : {1, 4}) {
+    scene.look.samples = samples;
+    expect_two_colors(PoseRenderer(*context, scene).draw(Matrix3d::Identity()));
+  }
+}
+
+TEST_F(Surface, HasTheColoursOfAMeshsVertices) {
+  body::TriangleMesh ball = ball_of_triangles(1, 40);
+  for (const Vector3d& vertex : ball.vertices) {
+    ball.colors.push_back(vertex.x() < 0 ? std::array{0.9F, 0.1F, 0.1F}
+                                         : std::array{0.1F, 0.1F, 0.9F});
+  }
+  for (const double metallic : {0.0, 1.0}) {
+    scene::Scene scene = transparent({part_of(ball)}, 320, 180);
+    scene.look.metallic = metallic;
+    expect_two_colors(PoseRenderer(*context, scene).draw(Matrix3d::Identity()));
+  }
+}
+
+// A mesh is as good as the shape that it approximates.
+TEST_F(Surface, OfAFineMeshLooksLikeTheShapes) {
+  const body::Part box{body::Box{{0.4, 0.4, 0.4}}, 1, {1.5, 0, 0}, Matrix3d::Identity()};
+  const body::Part ball{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()};
+  const auto drawn = [&](const body::Part& part) {
+    return PoseRenderer(*context, transparent({part, box}, 320, 180)).draw(so3::exp({0.4, 0.3, 0}));
+  };
+  const image::Image exact = drawn(ball), mesh = drawn(part_of(ball_of_triangles(1, 90)));
+  EXPECT_LT(difference(exact, mesh), 3);
+  EXPECT_LT(image::compare(exact, mesh, 48)->share, 0.006) << "of 255: along the outline";
 }
 
 // Facets of a sphere must not be seen to turn at its outline.

@@ -110,16 +110,16 @@ Eigen::Vector3d centroid(const Shape& shape);
 /// shapes but meshes.
 Eigen::Matrix3d central_inertia(const Shape& shape, double mass);
 
-/// Returns the bounding radius in cm: that of the smallest sphere about `centre`, in the shape's own
-/// frame, which contains it; of an ellipsoid that is not a sphere, a bound on it.
+/// Returns the bounding radius in cm: that of the smallest sphere about `centre`, in the shape's
+/// own frame, which contains it; of an ellipsoid that is not a sphere, a bound on it.
 double bounding_radius(const Shape& shape, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
-/// Returns a point of the shape that lies farthest along `direction` (of any nonzero length), in cm,
-/// in the shape's own frame.
+/// Returns a point of the shape that lies farthest along `direction` (of any nonzero length), in
+/// cm, in the shape's own frame.
 Eigen::Vector3d support(const Shape& shape, const Eigen::Vector3d& direction);
 
-/// Returns the smallest box with edges along the axes of the shape's own frame which contains it, in
-/// cm.
+/// Returns the smallest box with edges along the axes of the shape's own frame which contains it,
+/// in cm.
 Eigen::AlignedBox3d bounding_box(const Shape& shape);
 
 /// Returns a proper rotation whose third column is `axis` (of any nonzero length); exact for the

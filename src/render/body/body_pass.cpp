@@ -141,10 +141,11 @@ std::vector<glm::vec4> tints(const Mesh& mesh, std::span<const Material> materia
   for (std::size_t i = 0; i < materials.size(); ++i) {
     glm::vec3 color = materials[i].diffuse + materials[i].reflectance;
     if (mesh.is_colored[i] != 0) {
-      color = std::accumulate(mesh.colors.begin() + static_cast<std::ptrdiff_t>(begin),
-                              mesh.colors.begin() + static_cast<std::ptrdiff_t>(mesh.vertex_ends[i]),
-                              glm::vec3(0)) /
-              static_cast<float>(mesh.vertex_ends[i] - begin);
+      color =
+          std::accumulate(mesh.colors.begin() + static_cast<std::ptrdiff_t>(begin),
+                          mesh.colors.begin() + static_cast<std::ptrdiff_t>(mesh.vertex_ends[i]),
+                          glm::vec3(0)) /
+          static_cast<float>(mesh.vertex_ends[i] - begin);
     }
     result.emplace_back(color, 1);
     begin = mesh.vertex_ends[i];
@@ -212,7 +213,8 @@ BodyPass::BodyPass(const gl::Functions& gl, std::span<const body::Part> parts, M
   gl::set_attributes(gl, sizeof(EdgeQuadVertex),
                      {{position_attribute, 3, offsetof(EdgeQuadVertex, position)},
                       {normal_attribute, 3, offsetof(EdgeQuadVertex, normal)},
-                      {shift_attribute, 4, offsetof(EdgeQuadVertex, shift)}});
+                      {shift_attribute, 4, offsetof(EdgeQuadVertex, shift)},
+                      {fade_attribute, 2, offsetof(EdgeQuadVertex, transparency)}});
   if (!mesh_.colors.empty()) add_colors();
 }
 
@@ -272,7 +274,8 @@ void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const image:
   gl::upload(*gl_, GL_ELEMENT_ARRAY_BUFFER, seen.indices, GL_STREAM_DRAW);
   gl_->BindBuffer(GL_ARRAY_BUFFER, shifts_.id());
   gl::upload(*gl_, GL_ARRAY_BUFFER, silhouette_->shifts(), GL_STREAM_DRAW);
-  set_stage(camera, X, Affine3d::Identity(), {0.5F * pane.width, 0.5F * pane.height, 0.5F});
+  set_stage(camera, X, Affine3d::Identity(),
+            glm_from_eigen(Vector3d(0.5 * pane.width, 0.5 * pane.height, 0.5)));
   gl_->FrontFace(GL_CCW);
   draw_parts(array_, visible_indices_, {seen.side_begins, seen.part_ends},
              stage_from_body(camera, X), lift_);

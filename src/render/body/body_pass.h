@@ -22,7 +22,8 @@ enum BodyAttribute : GLuint {
   position_attribute = 0,
   normal_attribute = 1,
   shift_attribute = 2,
-  color_attribute = 3
+  color_attribute = 3,
+  fade_attribute = 4
 };
 
 /// Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and

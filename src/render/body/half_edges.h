@@ -26,7 +26,8 @@ inline std::uint32_t next_half_edge(std::uint32_t half_edge) {
 std::vector<std::uint32_t> opposite_half_edges(std::span<const std::uint32_t> corners,
                                                std::size_t count);
 
-/// Returns for each of `count` elements the first one that is equal to it; `less(i, j)` orders them.
+/// Returns for each of `count` elements the first one that is equal to it; `less(i, j)` orders
+/// them.
 template <typename Less>
 std::vector<std::uint32_t> first_equal(std::size_t count, const Less& less) {
   std::vector<std::uint32_t> order(count), first(count);

@@ -23,15 +23,15 @@ struct SurfaceSample {
   Vector3d normal;  ///< Outward unit normal; 0 on a wall, which has no inside.
 };
 
-struct Corners {
+struct SurfaceTriangle {
   Vector3d a, b, c;
 
   /// Along the normal, with the area as its length.
   Vector3d area() const { return (b - a).cross(c - a) / 2; }
 };
 
-std::vector<Corners> triangles_of(const body::Part& part) {
-  std::vector<Corners> result;
+std::vector<SurfaceTriangle> triangles_of(const body::Part& part) {
+  std::vector<SurfaceTriangle> result;
   if (const auto* const mesh = std::get_if<body::Mesh>(&part.shape)) {
     const auto place = [&](std::uint32_t i) -> Vector3d {
       return part.position + part.body_from_part * mesh->surface->vertices[i];
@@ -55,13 +55,13 @@ std::vector<Corners> triangles_of(const body::Part& part) {
 
 /// Points spread evenly over triangles, in each by a sequence of low discrepancy (Roberts, "The
 /// Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-std::vector<SurfaceSample> samples_of(std::span<const Corners> triangles, bool is_wall) {
+std::vector<SurfaceSample> samples_of(std::span<const SurfaceTriangle> triangles, bool is_wall) {
   constexpr double count = 2000;
   double whole = 0;
-  for (const Corners& triangle : triangles) whole += triangle.area().norm();
+  for (const SurfaceTriangle& triangle : triangles) whole += triangle.area().norm();
   std::vector<SurfaceSample> samples;
   double due = 0.5;
-  for (const Corners& triangle : triangles) {
+  for (const SurfaceTriangle& triangle : triangles) {
     const Vector3d area = triangle.area();
     for (due += count * area.norm() / whole; due >= 1; --due) {
       const auto number = static_cast<double>(samples.size());

@@ -122,7 +122,7 @@ struct PartMesher {
   double tolerance, crease_angle;
 
   Mesh operator()(const body::Mesh& mesh) const {
-    return triangle_surface(mesh, part.position, part.body_from_part, crease_angle);
+    return triangle_surface(mesh, part.position, part.body_from_part, tolerance, crease_angle);
   }
   Mesh operator()(const auto& shape) const {
     return surface_of_rings(part, rings_of(shape, tolerance));

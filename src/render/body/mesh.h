@@ -18,8 +18,8 @@ struct Vertex {
   glm::vec3 normal;    ///< Outward unit normal.
 };
 
-/// The side of a cylinder, a capsule or a tube between its bevels: strips of two triangles, each between two vertices of
-/// the lower ring and the two above them in the upper one.
+/// The side of a cylinder, a capsule or a tube between its bevels: strips of two triangles, each
+/// between two vertices of the lower ring and the two above them in the upper one.
 struct CylinderSide {
   std::uint32_t low, high;  ///< First vertex of each ring, counter-clockwise as seen from the top.
   std::uint32_t count;      ///< Number of vertices of a ring, and of strips.
@@ -60,8 +60,10 @@ struct Mesh {
 /// dimension, or 12 tolerances but at most 12 %, because a narrower line would look dashed. All
 /// other vertices lie on the exact shape, and the facets between them deviate from it by at most
 /// `tolerance` cm. Much finer facets are expensive: thin triangles rasterise poorly. A mesh has its
-/// own triangles, smooth where adjacent ones meet at no more than `crease_angle` rad.
-Mesh part_mesh(const body::Part& part, double tolerance, double crease_angle = scene::PartLook().crease_angle);
+/// own triangles, see triangle_surface(), smooth where adjacent ones meet at no more than
+/// `crease_angle` rad.
+Mesh part_mesh(const body::Part& part, double tolerance,
+               double crease_angle = scene::PartLook().crease_angle);
 
 /// Returns the meshes of all parts merged into one. `looks` are those of the parts, in their order,
 /// as far as they are given.

@@ -24,8 +24,8 @@ struct Capsule {
 /// ends inset by half a radius.
 Capsule capsule_of(const body::Part& part);
 
-/// Returns the capsules that approximate a part for soft shading: one, or several for a ring, a tube
-/// or a mesh.
+/// Returns the capsules that approximate a part for soft shading: one, or several for a ring, a
+/// tube or a mesh.
 std::vector<Capsule> capsules_of(const body::Part& part);
 
 /// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are

@@ -36,6 +36,13 @@ double rim_bevel(double radius, double length, double tolerance) {
   return bevel_of(std::min(radius, length / 2), rim_share, tolerance);
 }
 
+/// The rims of a wall are close together, and rounded more than others.
+double wall_bevel(double wall, double length, double tolerance) {
+  constexpr double share = 0.16, widest_share = 0.9;
+  const double half = std::min(wall, length) / 2;
+  return std::max(share * half, std::min(2 * least_bevel * tolerance, widest_share * half));
+}
+
 Vector3d on_unit_sphere(double longitude, double latitude) {
   return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
           std::sin(latitude)};
@@ -61,6 +68,15 @@ struct Arc {
   std::vector<double> latitudes;  ///< Of its points, the directions of their normals.
 };
 
+/// How many of the widest circle's points a circle has as one: where the outline comes close to the
+/// axis, facets would be slivers.
+int points_in_one(double radius, double widest, int around) {
+  constexpr int least = 16;  // on a circle
+  int step = 1;
+  while (2 * step * radius < widest && around / (2 * step) >= least) step *= 2;
+  return step;
+}
+
 /// Rotates an outline about the z axis; it goes upwards on the outside.
 Rings lathed(const std::vector<Arc>& outline, double widest, double tolerance) {
   const int around = 4 * chords_of_quarter(widest, tolerance, least_of_body);
@@ -68,8 +84,10 @@ Rings lathed(const std::vector<Arc>& outline, double widest, double tolerance) {
   for (const Arc& arc : outline) {
     for (const double latitude : arc.latitudes) {
       auto& ring = result.rings.emplace_back();
+      const double radius = arc.centre.x() + arc.radius * std::cos(latitude);
+      const int step = points_in_one(radius, widest, around);
       for (int i = 0; i < around; ++i) {
-        const double longitude = 4 * quarter * i / around;
+        const double longitude = 4 * quarter * (i - i % step) / around;
         const Vector3d normal = on_unit_sphere(longitude, latitude);
         const Vector3d inner = arc.centre.x() * on_unit_sphere(longitude, 0);
         ring.push_back({inner + Vector3d(0, 0, arc.centre.y()) + arc.radius * normal, normal});
@@ -140,8 +158,15 @@ Rings rings_of(const body::Cone& cone, double tolerance) {
   const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
   const Arc top = has_tip ? rounded_tip(half, slant, bevel, chords)
                           : rounded_end(cone.top_radius, 1, half, slant, bevel, chords);
-  return lathed({rounded_end(cone.radius, -1, half, slant, bevel, chords), top},
-                std::max(cone.radius, cone.top_radius), tolerance);
+  std::vector<Arc> outline{rounded_end(cone.radius, -1, half, slant, bevel, chords)};
+  // Rings where the side is half as wide, a quarter, and so on, so that its facets stay wide.
+  for (double radius = cone.radius / 2; radius > std::max(2 * top.centre.x(), 2 * top.radius);
+       radius /= 2) {
+    const double share = (cone.radius - radius) / (cone.radius - cone.top_radius);
+    outline.push_back({{radius, (share - 0.5) * cone.length}, 0, {slant}});
+  }
+  outline.push_back(top);
+  return lathed(outline, std::max(cone.radius, cone.top_radius), tolerance);
 }
 
 Rings rings_of(const body::Torus& torus, double tolerance) {
@@ -156,7 +181,7 @@ Rings rings_of(const body::Torus& torus, double tolerance) {
 
 Rings rings_of(const body::Tube& tube, double tolerance) {
   const double wall = tube.radius - tube.inner_radius;
-  const double bevel = rim_bevel(wall / 2, tube.length, tolerance);
+  const double bevel = wall_bevel(wall, tube.length, tolerance);
   const int chords = chords_of_quarter(bevel, tolerance, least_of_bevel);
   const double height = tube.length / 2 - bevel;
   const double outside = tube.radius - bevel, inside = tube.inner_radius + bevel;

@@ -57,7 +57,7 @@ void Silhouette::add_planes() {
   faces_eye_.resize(planes_.x.size());
 }
 
-/// The edges of a part; those in hollows are left out.
+/// The edges of a part; those in smooth hollows are left out.
 void Silhouette::add_edges(const Part& begin, const Part& part) {
   std::vector<std::uint32_t> places;
   places.reserve(3 * (part.triangle_end - begin.triangle_end));
@@ -69,22 +69,35 @@ void Silhouette::add_edges(const Part& begin, const Part& part) {
   const auto first = static_cast<std::uint32_t>(3 * begin.triangle_end);
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
     if (opposite[i] == no_half_edge || opposite[i] > i) continue;
-    const Edge edge{first + i, first + opposite[i]};
-    if (!part.has_creases || !is_hollow(edge)) edges_.push_back(edge);
+    const std::uint32_t half_edge = first + i, other = first + opposite[i];
+    const bool hollow = part.has_creases && is_hollow(half_edge, other);
+    const bool crease = part.has_creases && is_crease(half_edge, other);
+    if (!hollow || crease) edges_.push_back({half_edge, other, hollow, crease});
   }
+}
+
+glm::vec3 Silhouette::normal_of(std::uint32_t half_edge) const {
+  const std::uint32_t triangle = half_edge / 3;
+  return {planes_.normal_x[triangle], planes_.normal_y[triangle], planes_.normal_z[triangle]};
 }
 
 /// Whether the two triangles face each other: what turns away is then in front of what does not,
 /// and the edge is hidden wherever it is on the silhouette.
-bool Silhouette::is_hollow(const Edge& edge) const {
-  const std::uint32_t triangle = edge.half_edge / 3;
-  const glm::vec3 normal(planes_.normal_x[triangle], planes_.normal_y[triangle],
-                         planes_.normal_z[triangle]);
-  const std::uint32_t apex = next_half_edge(next_half_edge(edge.other));
+bool Silhouette::is_hollow(std::uint32_t half_edge, std::uint32_t other) const {
+  const glm::vec3 normal = normal_of(half_edge);
+  const std::uint32_t apex = next_half_edge(next_half_edge(other));
   const glm::vec3 across =
-      vertices_[corners_[apex]].position - vertices_[corners_[edge.half_edge]].position;
+      vertices_[corners_[apex]].position - vertices_[corners_[half_edge]].position;
   constexpr float round_off = 1e-5F;
   return glm::dot(normal, across) > round_off * glm::length(normal) * glm::length(across);
+}
+
+/// Whether their shading differs visibly along the edge.
+bool Silhouette::is_crease(std::uint32_t half_edge, std::uint32_t other) const {
+  const glm::vec3 one = normal_of(half_edge), two = normal_of(other);
+  constexpr float least_cosine = 0.97F;
+  return corners_[half_edge] != corners_[next_half_edge(other)] &&
+         glm::dot(one, two) < least_cosine * glm::length(one) * glm::length(two);
 }
 
 void Silhouette::find(const glm::vec3& eye, float scale) {
@@ -102,6 +115,10 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
       for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i].offset = 0;
     }
     for (const Edge& edge : outline_) add_edge_quad(edge);
+    for (const Edge& edge : creases_) {
+      add_crease_quad(edge.half_edge, eye);
+      add_crease_quad(edge.other, eye);
+    }
     part_ends_.push_back(indices_.size());
     shrink(begin, part, eye, scale);
     begin = part;
@@ -111,17 +128,22 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
 void Silhouette::face(const glm::vec3& eye) {
   const auto& [x, y, z, normal_x, normal_y, normal_z] = planes_;
   for (std::size_t i = 0; i < faces_eye_.size(); ++i) {
-    const float towards = normal_x[i] * (eye.x - x[i]) + normal_y[i] * (eye.y - y[i]) +
-                          normal_z[i] * (eye.z - z[i]);
+    const float towards =
+        normal_x[i] * (eye.x - x[i]) + normal_y[i] * (eye.y - y[i]) + normal_z[i] * (eye.z - z[i]);
     faces_eye_[i] = towards > 0 ? 1 : 0;
   }
 }
 
 void Silhouette::find_outline(const Part& begin, const Part& part) {
   outline_.clear();
+  creases_.clear();
   for (std::size_t i = begin.edge_end; i < part.edge_end; ++i) {
     const Edge& edge = edges_[i];
-    if (is_seen(edge.half_edge) == is_seen(edge.other)) continue;
+    if (is_seen(edge.half_edge) == is_seen(edge.other)) {
+      if (edge.is_crease && is_seen(edge.other)) creases_.push_back(edge);
+      continue;
+    }
+    if (edge.is_hollow) continue;
     outline_.push_back(edge);
     on_it_[place(edge.half_edge)] = 1;
     on_it_[place(edge.other)] = 1;
@@ -132,8 +154,8 @@ void Silhouette::find_outline(const Part& begin, const Part& part) {
 /// edges meet in a mitre.
 void Silhouette::point_outward(const Part& begin, const Part& part, const glm::vec3& eye) {
   for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i] = {glm::vec3(0), 0};
-  for (const auto& [half_edge, other] : outline_) {
-    const std::uint32_t seen = is_seen(half_edge) ? half_edge : other;
+  for (const Edge& edge : outline_) {
+    const std::uint32_t seen = is_seen(edge.half_edge) ? edge.half_edge : edge.other;
     const std::uint32_t from = place(seen), to = place(next_half_edge(seen));
     const glm::vec3 outward = glm::cross(vertices_[from].position - eye,
                                          vertices_[to].position - vertices_[from].position);
@@ -161,19 +183,40 @@ void Silhouette::point_outward(const Part& begin, const Part& part, const glm::v
 }
 
 void Silhouette::add_edge_quad(const Edge& edge) {
-  const auto first = static_cast<std::uint32_t>(edge_quads_.size());
   const bool is_first = is_seen(edge.half_edge);
-  const std::uint32_t seen = is_first ? edge.half_edge : next_half_edge(edge.other);
-  const std::uint32_t next = is_first ? next_half_edge(edge.half_edge) : edge.other;
-  for (const std::uint32_t end : {seen, next}) {
-    const std::uint32_t corner = corners_[end];
-    const auto& [position, normal] = vertices_[corner];
-    const glm::vec3 color = colors_.empty() ? glm::vec3(0) : colors_[corner];
-    const glm::vec3 direction = shifts_[place(end)].direction;
-    for (const float side : {-1.0F, 1.0F}) {
-      edge_quads_.push_back({position, normal, {direction, side}, color});
-    }
-  }
+  const std::uint32_t from = is_first ? edge.half_edge : next_half_edge(edge.other);
+  const std::uint32_t to = is_first ? next_half_edge(edge.half_edge) : edge.other;
+  const auto corner = [&](std::uint32_t end, float side) {
+    return quad_vertex(corners_[end], {shifts_[place(end)].direction, side}, std::max(side, 0.0F),
+                       0);
+  };
+  add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});
+}
+
+/// Lets a triangle fade out beyond one of its edges.
+void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) {
+  const std::uint32_t from = corners_[half_edge], to = corners_[next_half_edge(half_edge)];
+  const glm::vec3 outward =
+      glm::cross(vertices_[from].position - eye, vertices_[to].position - vertices_[from].position);
+  const float length = glm::length(outward);
+  if (length == 0) return;
+  constexpr float lift = 1;  // over the other triangle, where that rises towards the eye
+  const auto corner = [&](std::uint32_t end, float side) {
+    return quad_vertex(end, {outward / length, side}, 0.5F + 0.5F * side, lift);
+  };
+  add_quad({corner(from, 0), corner(from, 1), corner(to, 0), corner(to, 1)});
+}
+
+EdgeQuadVertex Silhouette::quad_vertex(std::uint32_t vertex, const Shift& shift, float transparency,
+                                       float lift) const {
+  const auto& [position, normal] = vertices_[vertex];
+  const glm::vec3 color = colors_.empty() ? glm::vec3(0) : colors_[vertex];
+  return {position, normal, shift, transparency, lift, color};
+}
+
+void Silhouette::add_quad(const std::array<EdgeQuadVertex, 4>& corners) {
+  const auto first = static_cast<std::uint32_t>(edge_quads_.size());
+  edge_quads_.insert(edge_quads_.end(), corners.begin(), corners.end());
   indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
 }
 

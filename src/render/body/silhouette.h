@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -24,6 +25,10 @@ struct EdgeQuadVertex {
   /// Unit surface normal there.
   glm::vec3 normal;
   Shift shift;
+  /// 0 on the body to 1 outside of it.
+  float transparency;
+  /// Depth offset towards the eye in pixels.
+  float lift;
   /// Linear colour; only for a mesh with colours.
   glm::vec3 color;
 };
@@ -31,7 +36,9 @@ struct EdgeQuadVertex {
 /// The silhouette of a closed mesh: the edges between a front-facing and a back-facing triangle. It
 /// gives antialiased edges at the cost of one sample per pixel: the body is shrunk by half a pixel
 /// along its silhouette, and edge quads one pixel wide, whose coverage falls from 1 to 0, are drawn
-/// over it (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001).
+/// over it (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001). A crease
+/// between two triangles that both face the eye gets two quads of half a pixel, by which each of
+/// them fades out over the other.
 class Silhouette {
  public:
   explicit Silhouette(const Mesh& mesh);
@@ -40,7 +47,7 @@ class Silhouette {
   void find(const glm::vec3& eye, float scale);
 
   /// Return the edge quads as vertices and indices: two triangles, six indices, per edge of the
-  /// silhouette.
+  /// silhouette, and twice that per crease.
   const std::vector<EdgeQuadVertex>& edge_quads() const { return edge_quads_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
@@ -63,6 +70,7 @@ class Silhouette {
   /// An edge, by its half-edges in the two triangles.
   struct Edge {
     std::uint32_t half_edge, other;
+    bool is_hollow, is_crease;
   };
   /// The ends of a part's triangles, edges and vertices.
   struct Part {
@@ -72,11 +80,17 @@ class Silhouette {
 
   void add_planes();
   void add_edges(const Part& begin, const Part& part);
-  bool is_hollow(const Edge& edge) const;
+  glm::vec3 normal_of(std::uint32_t half_edge) const;
+  bool is_hollow(std::uint32_t half_edge, std::uint32_t other) const;
+  bool is_crease(std::uint32_t half_edge, std::uint32_t other) const;
   void face(const glm::vec3& eye);
   void find_outline(const Part& begin, const Part& part);
   void point_outward(const Part& begin, const Part& part, const glm::vec3& eye);
   void add_edge_quad(const Edge& edge);
+  void add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye);
+  EdgeQuadVertex quad_vertex(std::uint32_t vertex, const Shift& shift, float transparency,
+                             float lift) const;
+  void add_quad(const std::array<EdgeQuadVertex, 4>& corners);
   void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);
   std::uint32_t place(std::size_t half_edge) const { return first_at_[corners_[half_edge]]; }
   bool is_seen(std::uint32_t half_edge) const { return faces_eye_[half_edge / 3] != 0; }
@@ -89,8 +103,8 @@ class Silhouette {
   std::vector<Edge> edges_;
   std::vector<Part> parts_;
   std::vector<char> faces_eye_;
-  std::vector<char> on_it_;   ///< For each vertex.
-  std::vector<Edge> outline_;  ///< Of the part in progress.
+  std::vector<char> on_it_;              ///< For each vertex.
+  std::vector<Edge> outline_, creases_;  ///< Of the part in progress.
   std::vector<EdgeQuadVertex> edge_quads_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::size_t> part_ends_;

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "render/body/decimation.h"
 #include "render/body/half_edges.h"
 #include "render/look/material.h"
 #include "render/space/glm_from_eigen.h"
@@ -89,8 +90,8 @@ void sort_by_place(Triangles& triangles) {
     const Eigen::Array3i at = ((middle - box.min()) / cell).array().cast<int>();
     std::uint32_t key = 0;
     for (const int axis : {0, 1, 2}) key |= spread(static_cast<std::uint32_t>(at[axis])) << axis;
-    keyed.emplace_back(key, std::array{triangles.corners[i], triangles.corners[i + 1],
-                                       triangles.corners[i + 2]});
+    keyed.emplace_back(
+        key, std::array{triangles.corners[i], triangles.corners[i + 1], triangles.corners[i + 2]});
   }
   std::ranges::stable_sort(keyed, {}, [](const auto& each) { return each.first; });
   auto out = triangles.corners.begin();
@@ -225,10 +226,11 @@ std::vector<Cluster> clusters_of(const Mesh& mesh) {
 }  // namespace
 
 Mesh triangle_surface(const body::Mesh& mesh, const Vector3d& position,
-                      const Matrix3d& body_from_part, double crease_angle) {
+                      const Matrix3d& body_from_part, double tolerance, double crease_angle) {
   Triangles triangles = placed(*mesh.surface, position, body_from_part);
   sort_by_place(triangles);
   Mesh result = with_normals(triangles, crease_angle, linear_colors(*mesh.surface));
+  decimate(result, tolerance);
   if (mesh.shell > 0) add_other_side(result);
   result.vertex_ends = {result.vertices.size()};
   result.part_ends = {result.indices.size()};

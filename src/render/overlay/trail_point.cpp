@@ -27,8 +27,8 @@ struct EndDirections {
 
 /// The ends of a shape in its own frame: where it ends along a line through its centre of mass.
 std::vector<Vector3d> ends_of(const body::Shape& shape) {
-  const Eigen::Matrix3Xd directions = std::visit(
-      [](const auto& s) -> Eigen::Matrix3Xd { return EndDirections()(s); }, shape);
+  const Eigen::Matrix3Xd directions =
+      std::visit([](const auto& s) -> Eigen::Matrix3Xd { return EndDirections()(s); }, shape);
   const Vector3d centre = body::centroid(shape);
   std::vector<Vector3d> ends;
   for (const auto& axis : directions.colwise()) {

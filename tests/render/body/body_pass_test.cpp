@@ -49,17 +49,19 @@ class Reflection {
   GLuint program_;
 };
 
+BodyPass wrench_pass(const gl::Functions& gl, double tolerance, const Material& material,
+                     const Studio& studio) {
+  const std::vector<body::Part> parts = close_gaps(t_wrench().body.parts);
+  return {gl, parts, body_mesh(parts, tolerance), 4.5, std::vector(parts.size(), material), studio};
+}
+
 /// A metal, and a body with a diffuse term: two shaders.
 class BodyPassTest : public testing::TestWithParam<float> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
   gl::Functions gl{*context};
-  BodyPass pass{gl,
-                t_wrench().body.parts,
-                0.01,
-                4.5,
-                Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0.2F, 0.3F},
-                dark_studio()};
+  BodyPass pass = wrench_pass(gl, 0.01, {glm::vec3(GetParam()), glm::vec3(0.5F), 0.2F, 0.3F, 1.0F},
+                              dark_studio());
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(0.0F, 0.5F), [](const auto& param) {
@@ -67,11 +69,11 @@ INSTANTIATE_TEST_SUITE_P(Of, BodyPassTest, testing::Values(0.0F, 0.5F), [](const
 });
 
 TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
-  EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "position"), position_attribute);
-  EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "normal"), normal_attribute);
-  EXPECT_EQ(gl.GetAttribLocation(pass.program().id(), "offset"), offset_attribute);
+  EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "position"), position_attribute);
+  EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "normal"), normal_attribute);
+  EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "shift"), shift_attribute);
   GLint count = 0;
-  gl.GetProgramiv(pass.program().id(), GL_ACTIVE_ATTRIBUTES, &count);
+  gl.GetProgramiv(pass.programs().front().id(), GL_ACTIVE_ATTRIBUTES, &count);
   EXPECT_EQ(count, 3);
 }
 
@@ -81,7 +83,7 @@ TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   framebuffer.draw_within({0, 0, 16, 16}, {0, 0, 16, 16});
   pass.draw_shrunk(frame_sphere({{0, 5, 20}, 0.55, 1.5, 4.5}), Eigen::Matrix3d::Identity(),
                    {0, 0, 16, 16});
-  const GLuint program = pass.program().id();
+  const GLuint program = pass.programs().front().id();
   const Reflection reflection(*context, program);
   GLint count = 0;
   gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -122,8 +124,8 @@ TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
   const gl::Framebuffer framebuffer(gl, side, side, 1, gl::ReadMode::at_once);
   const Camera camera = frame_sphere({{0, 5, 20}, 0.55, 1, 4.5});
   const auto picture = [&](double tolerance, const Eigen::Matrix3d& X) {
-    BodyPass body(gl, close_gaps(t_wrench().body.parts), tolerance, 4.5,
-                  Material{glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F}, white_studio());
+    BodyPass body = wrench_pass(gl, tolerance, {glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F, 1},
+                                white_studio());
     framebuffer.clear({&all, 1});
     framebuffer.draw_within(all, all);
     body.draw_shrunk(camera, X, {0, 0, side, side});

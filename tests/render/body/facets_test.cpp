@@ -38,6 +38,14 @@ bool faces(const Mesh& mesh, const std::uint32_t* corners, const glm::vec3& eye)
                   eye - a) > 0;
 }
 
+Facets facets_seen_from(const Mesh& mesh, const glm::vec3& eye) {
+  std::vector<char> seen;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    seen.push_back(faces(mesh, &mesh.indices[i], eye) ? 1 : 0);
+  }
+  return visible_facets(mesh, eye, seen);
+}
+
 /// The directed edges of triangles that have no partner.
 std::set<Edge> borders(const std::vector<std::uint32_t>& indices) {
   std::set<Edge> result;
@@ -64,7 +72,7 @@ TEST(Facets, HaveNoGapButWhereTheSideIsTurnedAway) {
         }
       }
     }
-    for (const auto& [from, to] : borders(visible_facets(mesh, eye).indices)) {
+    for (const auto& [from, to] : borders(facets_seen_from(mesh, eye).indices)) {
       EXPECT_TRUE(of_unseen.contains({to, from}));
     }
   }
@@ -74,7 +82,7 @@ TEST(Facets, AreFewerOnTheSideAndTheSameAtTheOutline) {
   const Mesh mesh = upright_cylinder();
   const CylinderSide& side = *mesh.sides[0];
   const glm::vec3 eye(3, -20, 5);
-  const Facets facets = visible_facets(mesh, eye);
+  const Facets facets = facets_seen_from(mesh, eye);
   EXPECT_TRUE(std::equal(mesh.indices.begin(),
                          mesh.indices.begin() + static_cast<std::ptrdiff_t>(side.begin),
                          facets.indices.begin()));
@@ -104,12 +112,12 @@ TEST(Facets, AreFewerOnTheSideAndTheSameAtTheOutline) {
 TEST(Facets, TellHowDeepTheyLie) {
   const Mesh mesh = upright_cylinder();
   const double half_angle = 4 * std::numbers::pi / mesh.sides[0]->count;
-  EXPECT_NEAR(visible_facets(mesh, {0, 20, 0}).depth, 1 - std::cos(half_angle), 1e-6);
+  EXPECT_NEAR(facets_seen_from(mesh, {0, 20, 0}).depth, 1 - std::cos(half_angle), 1e-6);
 }
 
 TEST(Facets, HaveNoSideForAnEyeAtTheEnd) {
   const Mesh mesh = upright_cylinder();
-  const Facets facets = visible_facets(mesh, {0.5F, 0, 20});
+  const Facets facets = facets_seen_from(mesh, {0.5F, 0, 20});
   EXPECT_EQ(facets.indices.size(), mesh.sides[0]->begin);
   EXPECT_EQ(facets.depth, 0);
 }
@@ -119,7 +127,7 @@ TEST(Facets, OfOtherShapesAreTheMeshs) {
       std::array{body::Part{body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Eigen::Matrix3d::Identity()},
                  body::Part{body::Ellipsoid{{1, 2, 3}}, 1, {4, 0, 0}, Eigen::Matrix3d::Identity()}},
       facet_tolerance);
-  const Facets facets = visible_facets(mesh, facet_viewpoints[1]);
+  const Facets facets = facets_seen_from(mesh, facet_viewpoints[1]);
   EXPECT_EQ(facets.indices, mesh.indices);
   EXPECT_EQ(facets.part_ends, mesh.part_ends);
 }

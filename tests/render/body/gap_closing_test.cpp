@@ -61,5 +61,18 @@ TEST(JoinedParts, LeavesADiscThatIsWiderThanTheRodItSitsOn) {
   EXPECT_NEAR(length_of(parts[0]), 8.5, 1e-12);  // the rod extends into the disc instead
 }
 
+TEST(JoinedParts, CarriesARodIntoRoundShapes) {
+  const Eigen::Matrix3d upright = body::frame_with_z_along(Vector3d::UnitY());
+  const auto length_into = [&](const body::Shape& shape) {
+    const std::vector<body::Part> parts{cylinder(0.1, 4, {4, 0, 0}, Vector3d::UnitX()),
+                                        {shape, 1, {0, 0, 0}, upright}};
+    return std::get<body::Cylinder>(close_gaps(parts)[0].shape).length;
+  };
+  EXPECT_NEAR(length_into(body::Capsule{2, 3}), 6, 1e-9) << "up to the axis";
+  EXPECT_NEAR(length_into(body::Cone{3, 4, 1}), 6, 1e-9);
+  EXPECT_NEAR(length_into(body::Tube{2, 1.4, 3}), 4.3, 1e-9) << "up to the middle of the wall";
+  EXPECT_NEAR(length_into(body::Torus{1.6, 0.4}), 4.4, 1e-9);
+}
+
 }  // namespace
 }  // namespace twrench::render

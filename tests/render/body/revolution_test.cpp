@@ -37,6 +37,15 @@ TEST(AxisOfRevolution, IsSharedByAllParts) {
   expect_axis({ellipsoid({1, 1, 1}, 3 * slanted), ellipsoid({2, 2, 2}, -slanted)});
 }
 
+TEST(AxisOfRevolution, IsThatOfEachSolidOfRevolution) {
+  const Matrix3d turn = body::frame_with_z_along(slanted);
+  for (const body::Shape& shape :
+       {body::Shape{body::Cone{2, 3, 1}}, body::Shape{body::Torus{3, 1}},
+        body::Shape{body::Capsule{1, 4}}, body::Shape{body::Tube{2, 1, 3}}}) {
+    expect_axis({{shape, 1, 2 * slanted, turn}});
+  }
+}
+
 TEST(AxisOfRevolution, IsNotThereForBodiesThatShowHowTheyTurn) {
   const std::vector<std::vector<body::Part>> bodies{
       t_wrench().body.parts,
