@@ -26,9 +26,12 @@ void main() {
   // Between the vertices of a facet the interpolated normal is shorter than 1. In a cylinder of
   // radius 1 it is the position across the axis, as deep as the facet; the visible surface is where
   // its length is 1 again, t further towards the eye. Other surfaces stay where they are.
-  float along = dot(stage_normal, bulge.xyz);
-  float t = sqrt(max(along * along + 1.0 - dot(stage_normal, stage_normal), 0.0)) - along;
-  vec3 n = stage_normal + t * bulge.xyz;
+  // In triangles much narrower than a pixel, it may come out longer by far than at any vertex.
+  float square = dot(stage_normal, stage_normal);
+  vec3 inside = stage_normal * inversesqrt(max(0.9 * square, 1.0));
+  float along = dot(inside, bulge.xyz);
+  float t = sqrt(max(along * along + 1.0 - square, 0.0)) - along;
+  vec3 n = inside + t * bulge.xyz;
   vec3 brushed = around * inversesqrt(max(dot(around, around), 1e-12));
   n += 0.3 * brushing * scratch() * brushed;
   vec3 place = stage_position + t * bulge.w * towards_eye;

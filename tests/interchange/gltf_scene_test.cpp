@@ -5,6 +5,7 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/rotating_frame.h>
 
+#include <algorithm>
 #include <random>
 
 #include "interchange/glb_reader.h"
@@ -85,6 +86,39 @@ TEST(GltfScene, IsTheBodyWithItsAxesTheArrowsAndTheCamera) {
   EXPECT_THAT(glb.json["nodes"][6]["children"], ElementsAre(1, 2, 3, 4, 5));
   EXPECT_THAT(glb.json["scenes"][0]["nodes"], ElementsAre(0, 6, 7, 8));
   EXPECT_FALSE(glb.json.contains("extensionsUsed"));
+}
+
+// Parts that look the same share a material.
+TEST(GltfScene, HasAMaterialForEachLookOfAPart) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.body.parts.push_back(scene.body.parts.back());
+  scene.body.descriptions.resize(3);
+  scene.body.descriptions[1].look.color = scene::Color{255, 0, 0};
+  scene.body.descriptions[1].look.metallic = 0;
+  const GlbReader glb = read(scene);
+  const auto material = [&](std::size_t mesh) -> std::size_t {
+    return glb.json["meshes"][mesh]["primitives"][0]["material"];
+  };
+  EXPECT_EQ(material(0), material(2));
+  const auto& red = glb.json["materials"][material(1)]["pbrMetallicRoughness"];
+  EXPECT_EQ(red["baseColorFactor"], (std::vector<double>{1, 0, 0, 1}));
+  EXPECT_EQ(red["metallicFactor"], 0);
+}
+
+TEST(GltfScene, HasTheTrianglesAndColoursOfAMesh) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  const body::TriangleMesh triangles{{{-1, -2, -1}, {3, -1, -1}, {0, 3, -1}, {0, 0, 4}},
+                                     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                                     {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}};
+  scene.body.parts[0].shape = body::make_mesh(triangles);
+  const GlbReader glb = read(scene);
+  const auto& primitive = glb.json["meshes"][0]["primitives"][0];
+  const std::vector<float> colors = glb.floats(primitive["attributes"]["COLOR_0"]);
+  EXPECT_EQ(colors.size(), 3U * 12) << "each triangle has normals of its own";
+  EXPECT_EQ(std::count(colors.begin(), colors.end(), 1.0F), 3 * (1 + 1 + 1 + 3));
+  const auto& material = glb.json["materials"][primitive["material"].get<std::size_t>()];
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], (std::vector<double>{1, 1, 1, 1}));
+  EXPECT_FALSE(glb.json["meshes"][1]["primitives"][0]["attributes"].contains("COLOR_0"));
 }
 
 TEST(GltfScene, HasTheMaterialOfTheScene) {
