@@ -1,6 +1,7 @@
 #include "mesh/crossings.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -74,14 +75,41 @@ std::optional<Vector3d> crossing_of(const Plane& a, const Plane& b, double touch
   return b.point_of_passage(a, from_b, touch);
 }
 
+/// Whether both boxes are flat and in the same plane, so that nothing in them passes through the
+/// other. The ends of a cylinder are such, of which many triangles are close to all others.
+bool are_in_one_plane(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (a.min()[i] == a.max()[i] && b.min()[i] == b.max()[i] && a.min()[i] == b.min()[i]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How many pairs of leaves may yet be compared, by all threads. Whether they suffice does not
+/// depend on the order in which they are used up.
+class Allowance {
+ public:
+  explicit Allowance(std::size_t pairs) : left_(static_cast<std::ptrdiff_t>(pairs)) {}
+
+  void take(std::ptrdiff_t pairs) { left_ -= pairs; }
+  bool is_used_up() const { return left_ < 0; }
+
+ private:
+  std::atomic<std::ptrdiff_t> left_;
+};
+
 /// Finds the crossings between nodes of the tree.
 class Search {
  public:
-  Search(const TriangleTree& tree, double touch) : tree_(&tree), touch_(touch) {}
+  Search(const TriangleTree& tree, double touch, Allowance& allowance)
+      : tree_(&tree), touch_(touch), allowance_(&allowance) {}
 
   /// Between the triangles of two nodes on the same level, or within one.
   void run(std::size_t a, std::size_t b) {
     if (!tree_->box(a).intersects(tree_->box(b))) return;
+    if (are_in_one_plane(tree_->box(a), tree_->box(b))) return;
+    if (allowance_->is_used_up()) return;
     if (tree_->is_leaf(a)) return compare_leaves(a, b);
     run(2 * a, 2 * b);
     run(2 * a, 2 * b + 1);
@@ -93,6 +121,8 @@ class Search {
 
  private:
   void compare_leaves(std::size_t a, std::size_t b) {
+    constexpr std::ptrdiff_t some = 1024;  // so that threads seldom wait for each other
+    if (++compared_ % some == 0) allowance_->take(some);
     for (const auto& [box, one] : tree_->items(a)) {
       if (!box.intersects(tree_->box(b))) continue;
       for (const auto& [other_box, other] : tree_->items(b)) {
@@ -115,6 +145,8 @@ class Search {
 
   const TriangleTree* tree_;
   double touch_;
+  Allowance* allowance_;
+  std::ptrdiff_t compared_ = 0;
 };
 
 }  // namespace
@@ -128,11 +160,14 @@ Crossings find_crossings(const TriangleTree& tree) {
       if (tree.box(a).intersects(tree.box(b))) tasks.emplace_back(a, b);
     }
   }
-  std::vector<Search> searches(tasks.size(), Search(tree, touch));
+  // A leaf has seven to nine others near it, whatever the mesh; the constant is half a second.
+  Allowance allowance(32 * tree.first_leaf() + 500'000);
+  std::vector<Search> searches(tasks.size(), Search(tree, touch, allowance));
   for_each_part(tasks.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) searches[i].run(tasks[i].first, tasks[i].second);
   });
   Crossings all;
+  if (allowance.is_used_up()) return {.given_up = true, .examples = {}};
   for (const Search& search : searches) {
     all.count += search.found.count;
     all.examples.insert(all.examples.end(), search.found.examples.begin(),

@@ -87,6 +87,11 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
                     overlap.crossings, text_of(overlap.point)),
         "unite the parts that overlap, or make each a mesh of its own");
   }
+  if (overlap.given_up) {
+    notes.emplace_back(
+        "it was not searched for triangles that cross, because too many of them are "
+        "long and close to each other");
+  }
   if (overlap.crossings > 0) {
     notes.push_back(
         fmt::format("{} pairs of triangles cross or touch, the first near {}, which "

@@ -98,8 +98,8 @@ double largest_gap(const body::TriangleMesh& mesh, const std::vector<DirectedEdg
 std::optional<double> closing_tolerance(const body::TriangleMesh& mesh, double gap, double scale) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
-  // The ends that are to be one may be a few gaps apart.
-  for (double tolerance = gap; tolerance > 0.0 && tolerance < 0.01 * box.diagonal().norm();
+  // The ends that are to be one may be a few gaps apart. What is more is no gap, but a hole.
+  for (double tolerance = gap; tolerance > 0.0 && tolerance < 0.004 * box.diagonal().norm();
        tolerance *= 4.0) {
     const double round = rounded_up(tolerance * scale);
     if (closes(mesh, round / scale)) return round;

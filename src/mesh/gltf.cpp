@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/binary.h"
 #include "mesh/gltf_buffers.h"
+#include "mesh/gltf_chunks.h"
 #include "mesh/gltf_json.h"
 
 namespace twrench::mesh {
@@ -252,42 +252,10 @@ class GltfReader {
   bool has_targets_ = false;
 };
 
-/// The chunks of a .glb file.
-struct Chunks {
-  std::string_view json;
-  std::optional<std::string_view> binary;
-};
-
-Chunks chunks_of(const Source& source) {
-  constexpr std::size_t header = 12, chunk_header = 8;
-  constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
-  const std::string what = "cannot read " + source.name;
-  std::string_view rest = source.bytes;
-  if (rest.size() < header) throw system::FileError(what, "it is cut off in its header");
-  const auto length = number_at<std::uint32_t>(rest, 8);
-  if (length > rest.size()) {
-    throw system::FileError(
-        what, fmt::format("it is cut off: it has {} bytes of {}", rest.size(), length));
-  }
-  Chunks chunks;
-  rest = rest.substr(header, std::max<std::size_t>(length, header) - header);
-  while (rest.size() >= chunk_header) {
-    const auto size = number_at<std::uint32_t>(rest, 0), type = number_at<std::uint32_t>(rest, 4);
-    rest.remove_prefix(chunk_header);
-    if (size > rest.size())
-      throw system::FileError(what, "it is damaged: a chunk goes beyond its end");
-    if (type == json_type && chunks.json.empty()) chunks.json = rest.substr(0, size);
-    if (type == binary_type && !chunks.binary) chunks.binary = rest.substr(0, size);
-    rest.remove_prefix(size);
-  }
-  return chunks;
-}
-
 }  // namespace
 
 Content read_gltf(const Source& source) {
-  Chunks chunks{source.bytes, {}};
-  if (source.bytes.starts_with("glTF")) chunks = chunks_of(source);
+  const GltfChunks chunks = gltf_chunks(source);
   try {
     const nlohmann::json json = nlohmann::json::parse(chunks.json);
     return GltfReader(source, GltfValue(source.name, json), chunks.binary).read();

@@ -4,6 +4,7 @@
 #include <twrench/base/nearest.h>
 #include <twrench/base/require.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -112,13 +113,33 @@ void add_notes_of(const Welded& welded, double tolerance, std::vector<std::strin
   }
 }
 
+/// Joins vertices. Throws OutOfRange where the tolerance is no longer small.
+Welded weld_within(body::TriangleMesh& mesh, double tolerance, double scale) {
+  Welded welded = weld(mesh, 0.0);
+  if (tolerance == 0.0) return welded;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  const double most = 0.01 * scale * box.diagonal().norm();
+  if (tolerance > most) {
+    throw OutOfRange("weld",
+                     fmt::format("is {} cm, but may be at most {:.3g}, a hundredth of the size of "
+                                 "the mesh",
+                                 tolerance, most),
+                     {tolerance, 0.0, most});
+  }
+  const std::size_t removed = welded.removed_triangles;
+  welded = weld(mesh, tolerance / scale);
+  welded.removed_triangles += removed;
+  return welded;
+}
+
 /// Makes what was read a body, in cm.
 MeshFile finish(const std::string& name, Content content, const ReadOptions& options) {
   const double scale = scale_of(name, content, options);
   body::TriangleMesh& mesh = content.mesh;
   MeshFile file;
   file.notes = std::move(content.notes);
-  add_notes_of(weld(mesh, options.weld / scale), options.weld, file.notes);
+  add_notes_of(weld_within(mesh, options.weld, scale), options.weld, file.notes);
   if (mesh.triangles.empty()) throw InvalidArgument(name, "it has no triangles");
   const Topology edges = topology(mesh);
   file.open_edges = edges.unbalanced;

@@ -50,7 +50,7 @@ double wrong_volume(const TriangleTree& tree, const AlignedBox3d& box, int sampl
 
 Overlap find_overlap(const TriangleTree& tree, bool is_inside_out) {
   const Crossings crossings = find_crossings(tree);
-  if (crossings.count == 0) return {};
+  if (crossings.count == 0) return {.given_up = crossings.given_up};
   const int turn = is_inside_out ? -1 : 1;
   AlignedBox3d all;
   double near_crossings = 0.0;
@@ -64,8 +64,9 @@ Overlap find_overlap(const TriangleTree& tree, bool is_inside_out) {
   }
   // Small triangles may cross at the rim of a large overlap, large ones in a corner of theirs.
   const double wrong = std::max(near_crossings, wrong_volume(tree, all, 2048, turn));
-  return {crossings.count, crossings.examples.front().point,
-          wrong > 1e-6 * std::abs(signed_volume(tree.mesh()))};
+  return {.crossings = crossings.count,
+          .point = crossings.examples.front().point,
+          .is_real = wrong > 1e-6 * std::abs(signed_volume(tree.mesh()))};
 }
 
 }  // namespace twrench::mesh

@@ -10,6 +10,7 @@ namespace twrench::mesh {
 struct Overlap {
   std::size_t crossings = 0;                        ///< Pairs of triangles that cross.
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< Where one of them does.
+  bool given_up = false;  ///< Whether that is not known, as the search would take too long.
   /// Whether there is a volume that the surface winds around twice or more, or the wrong way, which
   /// is more than a millionth of all.
   bool is_real = false;

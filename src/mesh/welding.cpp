@@ -140,7 +140,14 @@ std::size_t join(TriangleMesh& mesh, DisjointSets&& sets) {
 Welded weld(TriangleMesh& mesh, double tolerance) {
   join_equal(mesh);
   Welded result;
-  if (tolerance > 0.0) result.joined_vertices = join(mesh, near_ones(mesh, tolerance));
+  // Vertices that are closer than their own rounding coincide.
+  double greatest = 0.0;
+  for (const Vector3d& vertex : mesh.vertices) {
+    greatest = std::max(greatest, vertex.cwiseAbs().maxCoeff());
+  }
+  if (tolerance > 1e-16 * greatest) {
+    result.joined_vertices = join(mesh, near_ones(mesh, tolerance));
+  }
   result.removed_triangles = std::erase_if(
       mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   return result;

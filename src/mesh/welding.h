@@ -14,7 +14,8 @@ struct Welded {
 
 /// Joins the vertices that coincide, and those that are no farther apart than `tolerance`, directly
 /// or from one to the next; each group becomes its first vertex. Takes out the triangles that lose
-/// a corner by it, and the vertices of no triangle.
+/// a corner by it, and the vertices of no triangle. The time it takes grows with the number of
+/// vertices within the tolerance of one.
 Welded weld(body::TriangleMesh& mesh, double tolerance);
 
 }  // namespace twrench::mesh

@@ -134,6 +134,35 @@ TEST(Diagnosis, OfASurfaceThatPassesThroughItself) {
   EXPECT_THAT(refused(folded), HasSubstr("it intersects itself"));
 }
 
+/// A cylinder with a fan of very long triangles at each end.
+TriangleMesh cylinder(std::uint32_t sides) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+    mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 1);
+    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+    if (i == 0 || i + 1 == sides) continue;
+    mesh.triangles.push_back({0, b, a});
+    mesh.triangles.push_back({1, a + 1, b + 1});
+  }
+  return mesh;
+}
+
+TEST(Diagnosis, IsNotStoppedByAFan) {
+  EXPECT_THAT(read(cylinder(25'000)).notes, IsEmpty()) << "all in one plane";
+  TriangleMesh oblique = cylinder(400);
+  for (Vector3d& v : oblique.vertices) v.z() += v.x() / 3 + v.y() / 7;
+  EXPECT_THAT(read(oblique).notes, IsEmpty());
+  TriangleMesh large = cylinder(8000);
+  for (Vector3d& v : large.vertices) v.z() += v.x() / 3 + v.y() / 7;
+  const MeshFile file = read(large);
+  EXPECT_THAT(file.notes, ElementsAre(HasSubstr("not searched for triangles that cross")));
+  EXPECT_NEAR(file.shape.integrals.volume, std::numbers::pi, 1e-6);
+}
+
 TEST(Diagnosis, LetsPartsTouch) {
   EXPECT_EQ(read(joined(cube({0, 0, 0}, 1), cube({1, 0.25, 0.25}, 1))).shape.integrals.volume, 2);
   EXPECT_EQ(read(joined(cube({0, 0, 0}, 1), cube({1, 1, 1}, 1))).shape.integrals.volume, 2);

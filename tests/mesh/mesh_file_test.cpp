@@ -77,7 +77,9 @@ TEST(MeshFile, RefusesOptionsThatCannotBe) {
               HasSubstr("its inertia in g cm^2 is beyond"));
   EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1e-100}),
               HasSubstr("its inertia in g cm^2 is beyond"));
-  EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1.0, .weld = 3.0}), HasSubstr("no triangles"));
+  EXPECT_EQ(refusal(cube_obj(), "a.obj", {.scale = 2.0, .weld = 0.04}),
+            "2 weld: is 0.04 cm, but may be at most 0.0346, a hundredth of the size of the mesh");
+  EXPECT_EQ(refusal(cube_obj(), "a.obj", {.scale = 1.0, .weld = 5e-324}), "nothing");
 }
 
 TEST(MeshFile, KnowsItsUnits) {
