@@ -75,13 +75,13 @@ std::optional<Vector3d> crossing_of(const Plane& a, const Plane& b, double touch
   return b.point_of_passage(a, from_b, touch);
 }
 
-/// Whether both boxes are flat and in the same plane, so that nothing in them passes through the
-/// other. The ends of a cylinder are such, of which many triangles are close to all others.
-bool are_in_one_plane(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
+/// Whether a box is flat, and the other one lies on one side of it, so that nothing in it passes
+/// through what is in the other. The ends of a cylinder are such: many of their triangles are close
+/// to all others.
+bool is_beside(const Eigen::AlignedBox3f& flat, const Eigen::AlignedBox3f& other) {
   for (Eigen::Index i = 0; i < 3; ++i) {
-    if (a.min()[i] == a.max()[i] && b.min()[i] == b.max()[i] && a.min()[i] == b.min()[i]) {
-      return true;
-    }
+    const float place = flat.min()[i];
+    if (flat.max()[i] == place && (other.min()[i] >= place || other.max()[i] <= place)) return true;
   }
   return false;
 }
@@ -108,7 +108,7 @@ class Search {
   /// Between the triangles of two nodes on the same level, or within one.
   void run(std::size_t a, std::size_t b) {
     if (!tree_->box(a).intersects(tree_->box(b))) return;
-    if (are_in_one_plane(tree_->box(a), tree_->box(b))) return;
+    if (is_beside(tree_->box(a), tree_->box(b)) || is_beside(tree_->box(b), tree_->box(a))) return;
     if (allowance_->is_used_up()) return;
     if (tree_->is_leaf(a)) return compare_leaves(a, b);
     run(2 * a, 2 * b);
