@@ -107,6 +107,9 @@ ExactMotion::ExactMotion(const FreeBody& body)
   // Below the smallest normal number D2 has no digits left.
   constexpr double nothing = std::numeric_limits<double>::min();
   if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
+  // A symmetric body has no separatrix: D2 = 0 is spin about any axis of its equator. Products of
+  // inertia that are lost in the moments may still tilt L by a rounding error.
+  if (D2 == 0 && I[1] == I[2]) return;
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   orbit_.omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();

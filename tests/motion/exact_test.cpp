@@ -240,6 +240,16 @@ TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
 }
 
 // Where the product of two small differences underflowed, the phase became infinite.
+// The sum over parts leaves such products, which are lost beside the moments.
+TEST(ExactMotion, SpinsAboutTheEquatorOfASymmetricBodyWhoseAxesAreTurnedByLessThanARounding) {
+  Matrix3d inertia = Vector3d(64, 1, 64).asDiagonal();
+  inertia(0, 1) = inertia(1, 0) = -7e-15;
+  const Vector3d omega(1.25, 0, 0);
+  const Sample sample = ExactMotion(FreeBody(inertia, omega)).at(2);
+  EXPECT_LT((sample.X - so3::exp(2 * omega)).norm(), tight);
+  EXPECT_EQ(sample.omega, omega);
+}
+
 TEST(ExactMotion, NothingUnderflowsOfASmallBodyThatIsNearlyASphere) {
   for (const double mass : {1e-300, 1e-44, 1.0, 1e44, 1e300}) {
     const Vector3d moments = mass * Vector3d(1, 1.000000001055, 1.0000000005274);
