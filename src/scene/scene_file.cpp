@@ -57,8 +57,9 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 std::vector<std::string> builtin_scene_names() {
-  return {"dzhanibekov", "calm",     "stable-y", "stable-z",
-          "sphere",      "tao-disk", "explain",  "explain-nb"};
+  return {"dzhanibekov", "calm",       "stable-y", "stable-z",  "sphere",        "tao-disk",
+          "explain",     "explain-nb", "t-handle", "wing-nut",  "tennis-racket", "phone",
+          "book",        "hammer",     "toutatis", "explorer-1"};
 }
 
 Scene load_scene(const std::string& name_or_path) {

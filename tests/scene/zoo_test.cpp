@@ -1,0 +1,110 @@
+// That the bodies of the zoo are and move as their files say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/scene.h"
+
+namespace twrench::scene {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double day = 86400.0;
+
+motion::FreeBody free_body(const Scene& scene) {
+  return motion::FreeBody(mass_properties(scene.body).inertia, scene.motion.omega);
+}
+
+/// The mean period in s with which a body axis goes round the angular momentum, over `duration`.
+double precession_period(const Scene& scene, const Vector3d& axis, double duration) {
+  const motion::ExactMotion exact(free_body(scene));
+  const Vector3d L = mass_properties(scene.body).inertia * scene.motion.omega;
+  const Eigen::Matrix3d frame = body::frame_with_z_along(L);
+  const auto azimuth = [&](double t) {
+    const Vector3d seen = frame.transpose() * (exact.at(t).X * axis);
+    return std::atan2(seen.y(), seen.x());
+  };
+  constexpr int steps = 2000;
+  double turned = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    turned += std::remainder(azimuth(duration * (i + 1) / steps) - azimuth(duration * i / steps),
+                             2.0 * pi);
+  }
+  return 2.0 * pi * duration / turned;
+}
+
+class Flipping : public testing::TestWithParam<const char*> {};
+
+TEST_P(Flipping, TurnsOverAtLeastThreeTimesInAFilmOfSixteenSeconds) {
+  const Scene scene = load_scene(GetParam());
+  const motion::ExactMotion exact(free_body(scene));
+  EXPECT_TRUE(exact.flips()->turns_over());
+  EXPECT_GE(exact.flip_times(scene.motion.duration).size(), 3U);
+  EXPECT_NEAR(scene.video_length(), 16.0, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Zoo, Flipping,
+                         testing::Values("t-handle", "wing-nut", "tennis-racket", "phone", "book",
+                                         "hammer", "tao-disk"),
+                         [](const auto& param) {
+                           std::string name(param.param);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(Zoo, TheRacketIsLikeMeasuredOnes) {
+  const body::MassProperties racket = mass_properties(load_scene("tennis-racket").body);
+  EXPECT_NEAR(racket.mass, 311.0, 1e-9);
+  const double balance = racket.centre_of_mass.y();
+  EXPECT_NEAR(balance, 33.5, 0.05);
+  EXPECT_NEAR(racket.inertia(0, 0) + racket.mass * std::pow(balance - 10.0, 2), 304e3, 500.0);
+  EXPECT_NEAR(racket.moments[0], 14.6e3, 50.0);
+  EXPECT_NEAR(racket.moments[1], 132e3, 500.0);
+  EXPECT_NEAR(racket.moments[2], 147e3, 500.0);
+}
+
+TEST(Zoo, ToutatisHasThePeriodsAndTheMomentsOfTheAsteroid) {
+  const Scene scene = load_scene("toutatis");
+  const body::MassProperties asteroid = mass_properties(scene.body);
+  EXPECT_LT(asteroid.centre_of_mass.norm(), 1e-6);
+  EXPECT_NEAR(asteroid.moments[1] / asteroid.moments[0], 3.134, 1e-3);
+  EXPECT_NEAR(asteroid.moments[2] / asteroid.moments[0], 3.286, 1e-3);
+  const body::MassProperties shape = mass_properties({{scene.body.parts[0]}, {}});
+  EXPECT_NEAR(shape.moments[1] / shape.moments[0], 3.013, 5e-4);
+  EXPECT_NEAR(shape.moments[2] / shape.moments[0], 3.190, 5e-4);
+  EXPECT_NEAR(asteroid.mass / body::volume(scene.body.parts[0].shape), 2.1, 0.02);
+  const motion::ExactMotion exact(free_body(scene));
+  EXPECT_EQ(exact.kind(), motion::ExactMotion::Kind::about_least);
+  const double rotation = 2.0 * exact.flips()->interval;
+  EXPECT_NEAR(rotation / day, 5.41, 1e-5);
+  EXPECT_NEAR(precession_period(scene, Vector3d::UnitY(), 10.0 * rotation) / day, 7.35, 1e-4);
+}
+
+TEST(Zoo, ExplorerKeepsItsMomentumFromShotToShotAndLosesEnergy) {
+  const Scene film = load_scene("explorer-1");
+  ASSERT_EQ(film.shots.size(), 3U);
+  Vector3d before = Vector3d::Zero();
+  double energy = std::numeric_limits<double>::infinity();
+  for (const Shot& shot : film.shots) {
+    const body::MassProperties satellite = mass_properties(shot.scene.body);
+    EXPECT_NEAR(satellite.mass, 13970.0, 1e-6);
+    EXPECT_NEAR(satellite.moments[2] / satellite.moments[1], 1.0, 1e-12);
+    const Vector3d L = satellite.inertia * shot.scene.motion.omega;
+    EXPECT_NEAR(L.normalized().x(), 1.0, 1e-8);
+    if (!before.isZero()) EXPECT_LT((L - before).norm(), 1e-6 * L.norm());
+    EXPECT_LT(L.dot(shot.scene.motion.omega), 0.9 * energy);
+    before = L;
+    energy = L.dot(shot.scene.motion.omega);
+  }
+  const double turns_a_minute = before.x() / mass_properties(film.body).moments[0] * 30.0 / pi;
+  EXPECT_NEAR(turns_a_minute, 750.0, 0.1);
+  EXPECT_NEAR(2.0 * pi / film.shots[2].scene.motion.omega.x(), 5.1, 0.05);
+}
+
+}  // namespace
+}  // namespace twrench::scene
