@@ -221,7 +221,8 @@ def book_case():
     """Two boards of 2.6 mm, joints, and a round spine, 210 mm high."""
     board = [(76.0 - 126.0 * i / 2, 14.1) for i in range(3)]
     joint = [(-50.0 - 2.0 * i, 14.1 - 0.7 * math.sin(math.pi * i / 8) ** 2) for i in range(1, 9)]
-    spine = [(-67.5 - 11.5 * math.cos(a), 14.1 * math.sin(a)) for a in (math.pi / 2 * (1 - i / 12) for i in range(1, 13))]
+    angles = [math.pi / 2.0 * (1.0 - i / 12) for i in range(1, 13)]
+    spine = [(-67.5 - 11.5 * math.cos(a), 14.1 * math.sin(a)) for a in angles]
     half = board + joint + spine
     path = [(x, 0.0, z) for x, z in half + [(x, -z) for x, z in half[-2::-1]]]
     section = [(1.3, 105.0), (-1.3, 105.0), (-1.3, -105.0), (1.3, -105.0)]
@@ -229,19 +230,19 @@ def book_case():
 
 
 def satellite_payload():
-    """The front of Explorer 1, along x: a round nose and the instruments, with two gaps between the antennas' halves."""
+    """The front of Explorer 1, along x: a round nose and the instruments, and the gaps of two antennas."""
     nose = [(1016.0 - 300.0 * (1.0 - math.cos(a)), 2.0 + 74.2 * math.sin(a))
             for a in (math.pi / 2.0 * i / 20 for i in range(21))]
     gaps = [(x + dx, r) for x in (690.0, 330.0) for dx, r in ((8.0, 76.2), (7.0, 74.0), (-7.0, 74.0), (-8.0, 76.2))]
-    rows = round_rows(nose + gaps + [(70.0, 76.2)], 96)
-    return [revolved(rows)]
+    return [revolved(round_rows(nose + gaps + [(70.0, 76.2)], 96))]
 
 
 def satellite_stage():
     """The last stage of Explorer 1, along x: case, dome and nozzle."""
-    dome = [(-850.0 - 60.0 * math.sin(a), 20.0 + 56.2 * math.cos(a)) for a in (math.pi / 2.2 * i / 10 for i in range(11))]
-    rows = round_rows([(70.0, 75.0), (60.0, 76.2), *dome, (-925.0, 21.0), (-1016.0, 50.0), (-1016.0, 47.0), (-930.0, 18.0)], 96)
-    return [revolved(rows)]
+    angles = [math.pi / 2.2 * i / 10 for i in range(11)]
+    dome = [(-850.0 - 60.0 * math.sin(a), 20.0 + 56.2 * math.cos(a)) for a in angles]
+    nozzle = [(-925.0, 21.0), (-1016.0, 50.0), (-1016.0, 47.0), (-930.0, 18.0)]
+    return [revolved(round_rows([(70.0, 75.0), (60.0, 76.2), *dome, *nozzle], 96))]
 
 
 def satellite_stripes():
@@ -257,14 +258,15 @@ def satellite_whips():
     """Its four whip antennas, 560 mm long, and tapered."""
     def whip(y, z):
         stations = [(72.0, 3.2), (350.0, 2.6), (632.0, 1.6)]
-        return loft([[(90.0 + u, y * r - z * v, z * r + y * v) for u, v in ellipse(thick, thick, 10)] for r, thick in stations])
+        return loft([[(90.0 + u, y * r - z * v, z * r + y * v) for u, v in ellipse(thick, thick, 10)]
+                     for r, thick in stations])
     return [whip(y, z) for y, z in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))]
 
 
 MESHES = [
     t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_strings, phone,
-    book, hammer_head, hammer_claws, hammer_handle, satellite_payload, satellite_stage,
-    satellite_stripes, satellite_whips,
+    book, hammer_head, hammer_claws, hammer_handle, satellite_payload, satellite_stage, satellite_stripes,
+    satellite_whips,
 ]
 
 

@@ -1,8 +1,8 @@
 """Closed surfaces made of polygons, and their OBJ files. Lengths in mm.
 
-A surface is a list of solids; a solid is a list of polygons, each a list of points (x, y, z) or, if it is painted, (x, y,
-z, red, green, blue). Points that agree to 0.01 mm are one vertex, so that solids are closed by points that coincide;
-`indexed` checks that they are.
+A surface is a list of solids; a solid is a list of polygons, each a list of points (x, y, z) or, if it is
+painted, (x, y, z, red, green, blue). Points that agree to 0.01 mm are one vertex, so that solids are closed
+by points that coincide; `indexed` checks that they are.
 """
 import math
 
@@ -130,7 +130,7 @@ def painted(color, polygons):
 
 
 def indexed(solid):
-    """The vertices and the faces of a solid, outward. Raises ValueError unless it is closed and its volume is positive."""
+    """The vertices and the faces of a solid, outward. Raises ValueError unless it is a closed manifold."""
     numbers, faces = {}, []
     for polygon in solid:
         ids = [numbers.setdefault(tuple(round(c, DIGITS) + 0.0 for c in p), len(numbers)) for p in polygon]
