@@ -52,15 +52,28 @@ std::string line_of(std::vector<std::string> words, const std::vector<std::strin
   return system::shell_command(words);
 }
 
+report::Commands commands_of(const scene::Scene& scene, const std::string& source,
+                             const CLI::App& command) {
+  const std::string body = line_of({source}, given(command, {"--inertia"}));
+  const std::string motion =
+      line_of({source}, given(command, {"--inertia", "--omega", "--duration"}));
+  const motion::StepControl& control = scene.motion.control;
+  return {.inertia = "twrench inertia " + body,
+          .constants = "twrench study " + motion + " --methods exact",
+          .components =
+              "twrench plot " + motion + " --method exact -o components-" + scene.name + ".svg",
+          .own_method = fmt::format("twrench study {} --method {} --step {} --tolerance {}", motion,
+                                    scene.motion.method, control.step, control.tolerance),
+          .methods = "twrench study " + motion,
+          .diagrams = "twrench study " + motion + " --plot methods.svg"};
+}
+
 std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
   std::vector<report::Experiment> experiments;
-  const std::vector<std::string> body = given(options.command, {"--inertia"});
-  const std::vector<std::string> motion =
-      given(options.command, {"--inertia", "--omega", "--duration"});
   std::size_t i = 0;
   for (const scene::Scene& scene : options.scenes.scenes()) {
     const std::string& source = options.scenes.sources()[i++];
-    experiments.push_back({scene, line_of({source}, motion), line_of({source}, body)});
+    experiments.push_back({scene, commands_of(scene, source, options.command)});
   }
   return experiments;
 }
@@ -101,10 +114,12 @@ void write_report(const ReportOptions& options) {
   const bool interactive = !markdown && !options.is_static;
   const std::string empty = interactive ? page_template({}) : std::string();
   const std::vector<report::Experiment> experiments = experiments_of(options);
-  const report::Document document{
-      experiments.front().scene.title.empty() ? experiments.front().scene.name
-                                              : experiments.front().scene.title,
-      command_of(options), std::string("twrench ") + version, report::results(experiments)};
+  const scene::Scene& first = experiments.front().scene;
+  const report::Document document{experiments.size() > 1 ? "The motion of a free rigid body"
+                                  : first.title.empty()  ? first.name
+                                                         : first.title,
+                                  command_of(options), std::string("twrench ") + version,
+                                  report::results(experiments)};
   std::optional<report::Viewer> viewer;
   if (interactive) {
     viewer = viewer_of(empty, experiments.front(), options.scenes.sources().front());

@@ -72,7 +72,8 @@ render::Mesh surface_of(std::span<const body::Part> parts, double radius) {
 ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
   ordered_json json = ordered_json::array();
   for (const auto& [from, to, radius, meets] : capsules) {
-    json.push_back({{"from", numbers(from)}, {"to", numbers(to)}, {"radius", radius}, {"meets", meets}});
+    json.push_back(
+        {{"from", numbers(from)}, {"to", numbers(to)}, {"radius", radius}, {"meets", meets}});
   }
   return json;
 }

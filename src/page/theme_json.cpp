@@ -42,8 +42,9 @@ ordered_json theme_json(scene::Look look, scene::Theme theme) {
   look.theme = theme;
   const render::ThemeStyle& style = render::style_of(theme);
   const render::Material material = render::material(look);
-  return {{"constants", render::shader_constants(material, style.studio)},
-          {"metal", material.diffuse == glm::vec3(0)},
+  ordered_json own{{"constants", render::shader_constants(material, style.studio)},
+                   {"metal", material.diffuse == glm::vec3(0)}};
+  return {{"materials", ordered_json::array({std::move(own)})},
           {"backdrop", backdrop_json(style.backdrop)},
           {"floor", floor_json(style.floor)},
           {"overlay", overlay_json(style.overlay)}};

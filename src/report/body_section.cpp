@@ -59,7 +59,7 @@ Table axes_table(const body::MassProperties& body, const std::string& command) {
 
 Section body_section(const Experiment& experiment) {
   const body::MassProperties body = scene::mass_properties(experiment.scene.body);
-  const std::string command = "twrench inertia " + experiment.body;
+  const std::string& command = experiment.commands.inertia;
   Section section{.heading = "The body", .content = {}};
   if (std::isfinite(body.mass)) section.content.emplace_back(mass_table(body, command));
   section.content.emplace_back(inertia_table(body, command));

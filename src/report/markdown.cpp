@@ -26,7 +26,7 @@ std::string command_markdown(std::string command) {
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line = "|";
-  for (const std::string& cell : cells) line += " " + markdown(cell) + " |";
+  for (const std::string& cell : cells) line.append(" ").append(markdown(cell)).append(" |");
   return line + "\n";
 }
 

@@ -80,7 +80,7 @@ Table ladder_table(const study::Study& study, const std::string& command) {
 
 Section methods_section(const Experiment& experiment) {
   const study::Study study = study_of_all(experiment.scene);
-  const std::string command = "twrench study " + experiment.words;
+  const std::string& command = experiment.commands.methods;
   Table table{.caption = fmt::format("Each method at the middle of its ladder of steps or "
                                      "tolerances, {} s of {}",
                                      digits(study.duration), experiment.scene.name),
@@ -96,7 +96,7 @@ Section methods_section(const Experiment& experiment) {
       .caption = fmt::format("Order (error at {:.4g} s), work and precision (error at {} s), "
                              "and energy drift of the methods",
                              study.early, digits(study.duration)),
-      .command = command + " --plot methods.svg",
+      .command = experiment.commands.diagrams,
       .plot = plot::study_plot(study)});
   section.content.emplace_back(ladder_table(study, command));
   return section;
@@ -109,7 +109,8 @@ Section references() {
       "C. G. J. Jacobi, Sur la rotation d'un corps, J. reine angew. Math. 39 (1849), 293-350.",
       "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. (2006)."};
   for (const motion::Method& method : motion::methods()) {
-    items.push_back(fmt::format("{}: {}.", method.name, method.source));
+    const std::string_view source = method.source.substr(0, method.source.find("; docs/"));
+    items.push_back(fmt::format("{}: {}.", method.name, source));
   }
   return {.heading = "References", .content = {List{std::move(items)}}};
 }

@@ -36,7 +36,7 @@ Table constants_table(const Experiment& experiment, const motion::FreeBody& body
                       const motion::ExactMotion& exact) {
   Table table{
       .caption = "The motion",
-      .command = "twrench study " + experiment.words + " --methods exact",
+      .command = experiment.commands.constants,
       .header = {"Quantity", "Value", "Unit"},
       .rows = {{"ω at t = 0, body axes", triple(body.omega()), "rad/s"},
                {"L, space axes", triple(body.momentum()), "g cm²/s"},
@@ -44,7 +44,9 @@ Table constants_table(const Experiment& experiment, const motion::FreeBody& body
                {"Kind", name_of(exact.kind()), ""},
                {"Duration", digits(experiment.scene.motion.duration), "s"}}};
   if (const auto flips = exact.flips()) {
-    table.rows.push_back({"Time between flips, 2K/|λ|", digits(flips->interval), "s"});
+    table.rows.push_back(
+        {flips->turns_over() ? "Time between flips, 2K/|λ|" : "Time of half a wobble, 2K/|λ|",
+         digits(flips->interval), "s"});
     table.rows.push_back(
         {"Its approximation near the separatrix", digits(flips->asymptotic_interval), "s"});
     table.rows.push_back({"Swing of the intermediate axis",
@@ -72,12 +74,11 @@ Figure components_figure(const Experiment& experiment, const motion::ExactMotion
   if (flips && flips->turns_over() && scene.motion.duration / flips->interval < 100) {
     curve.flips = exact.flip_times(scene.motion.duration);
   }
-  return {
-      .name = "components-" + scene.name,
-      .caption = "The nine components of X against time" +
-                 std::string(curve.flips.empty() ? "" : ", with the flips"),
-      .command = "twrench plot " + experiment.words + " --method exact -o " + scene.name + ".svg",
-      .plot = plot::nine_panels({{curve}})};
+  return {.name = "components-" + scene.name,
+          .caption = "The nine components of X against time" +
+                     std::string(curve.flips.empty() ? "" : ", with the flips"),
+          .command = experiment.commands.components,
+          .plot = plot::nine_panels({{curve}})};
 }
 
 /// The scene's own method on it.
@@ -93,18 +94,12 @@ study::Study study_of(const Experiment& experiment, const motion::FreeBody& body
   return study::run_study(body, plan);
 }
 
-std::string study_command(const Experiment& experiment) {
-  const scene::Motion& motion = experiment.scene.motion;
-  return fmt::format("twrench study {} --method {} --step {} --tolerance {}", experiment.words,
-                     motion.method, motion.control.step, motion.control.tolerance);
-}
-
 Table flips_table(const study::Study& study, const study::StudyRun& run,
                   const Experiment& experiment) {
   const std::string method(study.methods.front().method->name);
   Table table{.caption = fmt::format("Flips: {} predicted, {} seen in the solution of {}",
                                      study.flip_times.size(), run.flips.size(), method),
-              .command = study_command(experiment),
+              .command = experiment.commands.own_method,
               .header = {"Flip", "Predicted, s", "Seen, s", "Difference, s"},
               .rows = {}};
   const std::size_t rows = std::max(study.flip_times.size(), run.flips.size());
@@ -125,7 +120,7 @@ Table drift_table(const study::Study& study, const study::StudyRun& run,
   return {.caption = fmt::format(
               "How far {} drifts in {} s: the largest value of all steps, and the error at the end",
               method, digits(study.duration)),
-          .command = study_command(experiment),
+          .command = experiment.commands.own_method,
           .header = {"Quantity", "Value"},
           .rows = {{adaptive ? "Tolerance" : "Step, s",
                     digits(adaptive ? motion.control.tolerance : motion.control.step)},
@@ -151,7 +146,8 @@ Section motion_section(const Experiment& experiment) {
     throw motion::MotionError("report " + scene.name, run.failure,
                               motion::MotionError::Reason::step_too_long);
   }
-  if (!study.flip_times.empty() || !run.flips.empty()) {
+  // Else it wobbles about a stable axis, and turns nothing over.
+  if (study.flips && study.flips->turns_over()) {
     section.content.emplace_back(flips_table(study, run, experiment));
   }
   section.content.emplace_back(drift_table(study, run, experiment));

@@ -9,11 +9,20 @@
 
 namespace twrench::report {
 
+/// What makes the numbers and figures of an experiment, as a reader can repeat it.
+struct Commands {
+  std::string inertia;     ///< The mass properties.
+  std::string constants;   ///< What the exact motion is.
+  std::string components;  ///< The nine components of X.
+  std::string own_method;  ///< The flips and drifts of the scene's method.
+  std::string methods;     ///< All methods.
+  std::string diagrams;    ///< Their order and work.
+};
+
 /// A scene whose motion is reported.
 struct Experiment {
   scene::Scene scene;
-  std::string words;  ///< It and the options of its motion, as in "stable-y --duration 20".
-  std::string body;   ///< It and the options of its body, as in "stable-y --inertia 1,2,3".
+  Commands commands;
 };
 
 /// Returns the results of the experiments: the bodies, the equations, each motion, the methods on

@@ -51,7 +51,7 @@ std::string offered(const std::string& words) {
 }
 
 TEST(Completions, OfBashOfferWhatFits) {
-  EXPECT_EQ(offered("twrench re"), "render\n");
+  EXPECT_EQ(offered("twrench re"), "render report\n");
   EXPECT_EQ(offered("twrench render --th"), "--theme\n");
   EXPECT_EQ(offered("twrench render --theme \"\""), "studio paper space\n");
   EXPECT_EQ(offered("twrench render --theme = p"), "paper\n");
