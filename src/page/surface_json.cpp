@@ -96,6 +96,7 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
     json.push_back(
         {{"side_begin", side ? side->begin : mesh.part_ends[i]},
          {"end", mesh.part_ends[i]},
+         {"material", 0},
          {"radii", {thickness, is_round ? thickness : 0, side ? side->bevel / radius : 0}},
          {"axis", numbers(axis)},
          {"across", std::move(rows)},

@@ -104,8 +104,10 @@ TEST(PageJson, GivesEachThemeTheLookOfTheScene) {
     const ordered_json themes = page_json(scene).at("themes");
     for (const char* const name : {"studio", "paper", "space"}) {
       const ordered_json& theme = themes.at(name);
-      EXPECT_EQ(theme.at("metal"), metallic == 1);
-      EXPECT_NE(theme.at("constants").get<std::string>().find("light_radiance"), std::string::npos);
+      const ordered_json& material = theme.at("materials").at(0);
+      EXPECT_EQ(material.at("metal"), metallic == 1);
+      EXPECT_NE(material.at("constants").get<std::string>().find("light_radiance"),
+                std::string::npos);
       EXPECT_EQ(theme.at("floor").is_null(), std::string_view(name) == "space");
       EXPECT_EQ(theme.at("overlay").at("curve").size(), 9U);
     }

@@ -14,10 +14,11 @@ import tone from '../../shaders/tone.glsl';
 import unmarked from '../../shaders/unmarked.glsl';
 import unoccluded_frag from '../../shaders/unoccluded.glsl';
 import unoccluded_vert from '../../shaders/unoccluded.vert';
-import { cofactors, product, scale, times } from '../math/linear.js';
+import { add, cofactors, product, scale, times } from '../math/linear.js';
 import { Program, setAttributes } from './program.js';
 
 /** @typedef {import("./surface.js").Surface} Surface */
+/** As GLSL, see src/page/theme_json.h. @typedef {{constants: string, metal: boolean}} Material */
 /** @typedef {import("../math/camera.js").Camera} Camera */
 /** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
@@ -25,7 +26,7 @@ const offsetLocation = 2;
 
 /**
  * @param {WebGL2RenderingContext} gl @param {Surface} surface
- * @param {{constants: string, metal: boolean}} material
+ * @param {Material} material
  */
 function programOf(gl, surface, material) {
   const count = Math.max(...surface.parts.map((part) => part.occluders.length));
@@ -50,12 +51,12 @@ function programOf(gl, surface, material) {
 export class BodyPass {
   /**
    * @param {WebGL2RenderingContext} gl @param {Surface} surface
-   * @param {{constants: string, metal: boolean}} material of a theme, see page_json
+   * @param {Material[]} materials of a theme, to which parts refer by their index
    */
-  constructor(gl, surface, material) {
+  constructor(gl, surface, materials) {
     this.gl = gl;
     this.surface = surface;
-    this.program = programOf(gl, surface, material);
+    this.programs = materials.map((material) => programOf(gl, surface, material));
     this.array = gl.createVertexArray();
     this.vertices = gl.createBuffer();
     this.indices = gl.createBuffer();
@@ -113,17 +114,19 @@ export class BodyPass {
 
   /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror @param {Size} size */
   #begin(camera, X, mirrorHeight, { width, height }) {
-    const { gl, program } = this;
+    const { gl } = this;
     const { radius } = this.surface;
     const seen = seenFromStage(camera, mirrorHeight / radius);
     const cameraFromBody = product(camera.attitude, X);
-    program.use();
-    const eye = times(seen.turn, [0, 0, camera.distance / radius]);
-    program.set('eye', [eye[0] + seen.shift[0], eye[1] + seen.shift[1], eye[2] + seen.shift[2]]);
-    program.setMatrix('clip_from_stage', clipFromStage(camera, radius, seen));
-    program.setMatrix('stage_from_body', scale9(1 / radius, cameraFromBody));
-    program.setMatrix('stage_normal_from_body', cofactors(cameraFromBody));
-    program.set('picture', [width / 2, height / 2, 0.5]);
+    const eye = add(times(seen.turn, [0, 0, camera.distance / radius]), seen.shift);
+    for (const program of this.programs) {
+      program.use();
+      program.set('eye', eye);
+      program.setMatrix('clip_from_stage', clipFromStage(camera, radius, seen));
+      program.setMatrix('stage_from_body', scale9(1 / radius, cameraFromBody));
+      program.setMatrix('stage_normal_from_body', cofactors(cameraFromBody));
+      program.set('picture', [width / 2, height / 2, 0.5]);
+    }
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
@@ -132,11 +135,15 @@ export class BodyPass {
 
   /** @param {Camera} camera @param {number[]} X @param {boolean} lifts whether parts are lifted over those that they touch */
   #drawParts(camera, X, lifts) {
-    const { gl, program, surface } = this;
+    const { gl, surface } = this;
     const stageFromBody = scale9(1 / surface.radius, product(camera.attitude, X));
     gl.bindVertexArray(this.array);
     let begin = 0;
-    const drawTo = (/** @type {number} */ end, /** @type {number[]} */ axis) => {
+    const drawTo = (
+      /** @type {Program} */ program,
+      /** @type {number} */ end,
+      /** @type {number[]} */ axis,
+    ) => {
       if (end > begin) {
         program.set('side_axis', scale(surface.radius, times(stageFromBody, axis)));
         gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
@@ -144,20 +151,22 @@ export class BodyPass {
       begin = end;
     };
     for (const part of surface.parts) {
-      this.#setOccluders(part.occluders, stageFromBody, lifts);
+      const program = this.programs[part.material];
+      program.use();
+      this.#setOccluders(program, part.occluders, stageFromBody, lifts);
       program.set('part_lift', lifts && part.occluders.some(({ meets }) => meets) ? 1 : 0);
       program.set('part_radii', part.radii);
       program.set('across_from_body', part.across);
-      drawTo(part.side_begin, [0, 0, 0]);
-      drawTo(part.end, part.axis);
+      drawTo(program, part.side_begin, [0, 0, 0]);
+      drawTo(program, part.end, part.axis);
     }
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
     gl.bindVertexArray(null);
   }
 
-  /** @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody @param {boolean} lifts */
-  #setOccluders(capsules, stageFromBody, lifts) {
+  /** @param {Program} program @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody @param {boolean} lifts */
+  #setOccluders(program, capsules, stageFromBody, lifts) {
     const count = Math.max(...this.surface.parts.map((part) => part.occluders.length));
     if (count === 0) return;
     const from = [],
@@ -176,8 +185,8 @@ export class BodyPass {
           : [0, 1, -1e4, 0]),
       );
     }
-    this.program.set('occluders_from', from);
-    this.program.set('occluders_to', to);
+    program.set('occluders_from', from);
+    program.set('occluders_to', to);
   }
 
   free() {
@@ -185,7 +194,7 @@ export class BodyPass {
     gl.deleteVertexArray(this.array);
     gl.deleteBuffer(this.vertices);
     gl.deleteBuffer(this.indices);
-    gl.deleteProgram(this.program.program);
+    for (const { program } of this.programs) gl.deleteProgram(program);
   }
 }
 

@@ -10,6 +10,7 @@ import { add, scale } from '../math/linear.js';
  * @typedef {object} SurfacePart
  * @property {number} side_begin In indices, where the side of a cylinder begins; else `end`.
  * @property {number} end
+ * @property {number} material Index in the materials of a theme.
  * @property {number[]} radii
  * @property {number[]} axis Of a cylinder, else 0.
  * @property {number[]} across Two vec4.
@@ -80,6 +81,7 @@ export function boxSurface(moments) {
   const part = {
     side_begin: indices.length,
     end: indices.length,
+    material: 0,
     axis: [0, 0, 0],
     occluders: [],
     radii: [capsuleRadius / radius, 0, 0],

@@ -65,7 +65,7 @@ export class BodyView extends CanvasView {
     this.surface = surface;
     this.theme = theme;
     this.body?.free();
-    this.body = new BodyPass(this.gl, surface, theme);
+    this.body = new BodyPass(this.gl, surface, theme.materials);
     this.overlay = null;
   }
 
