@@ -54,7 +54,7 @@ export async function openOnDisplay(scale, file) {
  * Opens a page and waits until it is ready. Errors of the console and requests are collected in
  * `trouble`: a test that does not expect any calls quiet().
  */
-export async function open(file, { hash = '', width = 1280, height = 800, features } = {}) {
+export async function open(file, { hash = '', width = 900, height = 600, features } = {}) {
   const page = await browser.newPage();
   await page.setViewport({ width, height });
   if (features) await page.emulateMediaFeatures(features);

@@ -152,9 +152,9 @@ const tests = {
     const { page, quiet } = await open(flip);
     for (const theme of ['studio', 'paper', 'space']) {
       const frames = join(folder, theme);
-      twrench('render', '--method', 'exact', '--size', '960x540', '--theme', theme, '--no-video', '--frames', '0,125,500',
+      twrench('render', '--method', 'exact', '--size', '960x540', '--theme', theme, '--no-video', '--frames', '125,500',
         '--bare', '--show', 'floor,momentum,omega,trail', '--frames-dir', frames, '--progress', 'none');
-      for (const frame of [0, 125, 500]) {
+      for (const frame of [125, 500]) {
         const shown = { width: 960, height: 540, t: frame / 10, theme, show: ['floor', 'momentum', 'omega', 'trail'] };
         const url = await page.evaluate((options) => globalThis.twrench.picture(options), shown);
         const picture = join(folder, 'picture.png');
@@ -224,6 +224,36 @@ omega = [0.1, 2.0, 0.1]
     assert.equal(await page.title(), hostile);
     assert.equal(await page.evaluate(() => globalThis.broken), undefined);
     quiet();
+  },
+
+  async 'a report has the page at its top, formulas and figures, and prints without'() {
+    const report = join(folder, 'report.html');
+    twrench('report', '--duration', '30', '-o', report);
+    const page = await browser.newPage();
+    const trouble = watch(page, report);
+    await page.goto(`file://${report}`);
+    const viewer = page.frames()[1];
+    await viewer.waitForFunction(() => globalThis.twrench);
+    await viewer.evaluate(() => globalThis.twrench.ready);
+    const { X } = await viewer.evaluate(() => globalThis.twrench.sample(20));
+    assert.deepEqual(X, simulated('--method', 'exact', '--times', '20')[0].X);
+    assert.equal((await page.$$('math')).length, 4);
+    assert.equal((await page.$$('figure svg')).length, 4);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    await page.emulateMediaType('print');
+    assert.equal(await page.$eval('.viewer iframe', (frame) => getComputedStyle(frame).display), 'none');
+    assert.notEqual(await page.$eval('.viewer img', (image) => getComputedStyle(image).display), 'none');
+    // What may not be cut must fit a page: the smaller of A4 and Letter, less its margins, is 912 points of 1/96 inch.
+    await page.setViewport({ width: 670, height: 900 });
+    for (const box of await page.$$eval('figure', (all) => all.map((figure) => figure.getBoundingClientRect().height))) {
+      assert.ok(box <= 912, `${box} high`);
+    }
+    for (const format of ['A4', 'Letter']) {
+      const pdf = Buffer.from(await page.pdf({ format })).toString('latin1');
+      const pages = pdf.match(/\/Type\s*\/Page\b/g).length;
+      assert.ok(pages >= 6 && pages <= 12, `${pages} pages of ${format}`);
+    }
+    assert.deepEqual(trouble, []);
   },
 
   async 'without scripts it says what it would do, with a picture'() {
