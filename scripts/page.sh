@@ -21,7 +21,7 @@ out=$PWD/build/page
 clang_version() {
   local version
   for version in 19 22 21 20 18; do
-    command -v "clang++-$version" "wasm-ld-$version" >/dev/null || continue
+    command -v "clang++-$version" >/dev/null && command -v "wasm-ld-$version" >/dev/null || continue
     [[ ! -e /usr/lib/llvm-$version/lib/wasm32-wasi/libc++abi.a ]] || { echo "$version" && return; }
   done
   die "there is no Clang that makes WebAssembly" "scripts/setup.sh page"
@@ -99,10 +99,13 @@ build_template() {
 
 # check_types: as the comments of the scripts say them.
 check_types() {
-  if ! command -v npm >/dev/null; then scripts/setup.sh interchange; fi
+  # A Node.js that is not Debian's serves as well.
+  command -v npm >/dev/null || scripts/setup.sh node
   mkdir -p "$out/npm"
-  cp web/package.json web/package-lock.json "$out/npm"
-  npm ci --prefix "$out/npm" --ignore-scripts --loglevel=error >&2
+  if ! cmp -s web/package-lock.json "$out/npm/package-lock.json" || [[ ! -d $out/npm/node_modules ]]; then
+    cp web/{package.json,package-lock.json,.npmrc} "$out/npm"
+    npm ci --prefix "$out/npm" --ignore-scripts --loglevel=error >&2
+  fi
   "$out/npm/node_modules/.bin/tsc" --noEmit -p web
 }
 

@@ -5,8 +5,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-# A Node.js that is not Debian's serves as well.
-if ! command -v node npm chromium >/dev/null; then scripts/setup.sh browser; fi
+scripts/setup.sh browser
 scripts/page.sh --check
 scripts/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json

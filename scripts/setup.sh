@@ -14,6 +14,7 @@
 #   setup.sh interchange running other programs on what is exported
 #   setup.sh page     building what pages are written from
 #   setup.sh browser  testing pages in a browser
+#   setup.sh node     running the programs of npm
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
 # nothing and calls neither apt nor sudo.
@@ -112,8 +113,8 @@ page     | Boost's headers               | libboost-dev
 page     | the bundler of scripts        | esbuild
 page     | OpenSSL's program             | openssl
 browser  | Chromium                      | chromium chromium-browser
-browser  | Node.js                       | nodejs
-browser  | npm                           | npm
+node     | Node.js                       | nodejs
+node     | npm                           | npm
 browser  | ImageMagick, for its pictures | imagemagick
 arm64    | CMake                         | cmake
 arm64    | Ninja                         | ninja-build
@@ -148,7 +149,7 @@ END
 }
 
 case "${1-}" in
-  render | arm64 | page | distros) uses=("$1") ;;
+  render | arm64 | page | node | distros) uses=("$1") ;;
   python) uses=(render python) ;;
   bench | foreign) uses=(render "$1") ;;
   test | interchange) uses=(render python "$1") ;;
@@ -156,7 +157,7 @@ case "${1-}" in
   browser) uses=(render page browser) ;;
   check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|node|distros" >&2
     exit 2
     ;;
 esac
