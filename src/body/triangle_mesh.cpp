@@ -70,7 +70,7 @@ ExactVector difference(const std::array<double, 3>& a, const std::array<double, 
 
 /// Six times the signed volume of the tetrahedron of the corners and the origin.
 DoubleDouble six_volumes(const Corners& corners) {
-  const auto& [a, b, c] = corners;
+  const auto &a = corners[0], &b = corners[1], &c = corners[2];
   const auto minor = [&](std::size_t i, std::size_t j) {
     return exact_product(b[i], c[j]) - exact_product(b[j], c[i]);
   };
