@@ -207,15 +207,17 @@ SolidIntegrals shell_integrals(const TriangleMesh& mesh, double thickness) {
 }
 
 double surface_area(const TriangleMesh& mesh) {
-  std::vector<double> parts((mesh.triangles.size() + grain - 1) / grain);
+  std::vector<DoubleDouble> parts((mesh.triangles.size() + grain - 1) / grain);
   for_each_part(mesh.triangles.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+    DoubleDouble& sum = parts[begin / grain];
     for (std::size_t i = begin; i < end; ++i) {
-      parts[begin / grain] += two_areas(corners_of(mesh, mesh.triangles[i], Vector3d::Zero()));
+      const Corners corners = corners_of(mesh, mesh.triangles[i], Vector3d::Zero());
+      sum = sum + DoubleDouble{two_areas(corners)};
     }
   });
-  DoubleDouble sum;
-  for (const double part : parts) sum = sum + DoubleDouble{part};
-  return sum.high / 2.0;
+  DoubleDouble all;
+  for (const DoubleDouble& part : parts) all = all + part;
+  return all.high / 2.0;
 }
 
 Mesh make_mesh(TriangleMesh surface, double shell) {
