@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
-#include <algorithm>
+#include <Eigen/Geometry>
 
 namespace twrench::scene {
 namespace {

@@ -190,8 +190,9 @@ TEST_F(CompareFolders, UpdateLeavesWhatIsMissing) {
   add("b.png", 100, 130);
   EXPECT_EQ(compare("--update").code, 1);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "golden/a.png"));
-  EXPECT_THAT(compare().out, HasSubstr("different: 0 of 1 frames differ, 1 are identical files; not "
-                                       "compared: 1 missing\n"));
+  EXPECT_THAT(compare().out,
+              HasSubstr("different: 0 of 1 frames differ, 1 are identical files; not "
+                        "compared: 1 missing\n"));
 }
 
 TEST_F(CompareFolders, UpdateMakesTheFirstGoldenFrames) {
