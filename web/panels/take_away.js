@@ -17,13 +17,13 @@ import { word } from '../words/words.js';
 async function copy(text) {
   const box = byId('copied');
   box.hidden = false;
+  box.textContent = text;
   let done = true;
   try {
     await navigator.clipboard.writeText(text);
   } catch {
     done = false; // not allowed in a frame, or on a page from a file in some browsers
   }
-  box.textContent = text;
   byId('announce').textContent = word(done ? 'copied' : 'notCopied');
   if (!done) getSelection()?.selectAllChildren(box);
 }
