@@ -30,12 +30,13 @@ ordered_json page_json(const scene::Scene& scene) {
   for (const auto row : properties.inertia.rowwise()) {
     for (const double value : row) inertia.push_back(value);
   }
+  const Materials materials = materials_of(scene.body);
   scene::Scene alone = scene;
   alone.shots.clear();
   return {{"scene", scene::scene_json(alone)},
           {"inertia", std::move(inertia)},
-          {"surface", surface_json(scene)},
-          {"themes", themes_json(scene.look)},
+          {"surface", surface_json(scene, materials)},
+          {"themes", themes_json(scene.look, materials)},
           {"limits", limits_json()}};
 }
 

@@ -1,5 +1,6 @@
 #include "page/surface_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -58,35 +59,74 @@ std::string packed_indices(const render::Mesh& mesh, bool wide) {
   return packed(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()));
 }
 
+std::string packed_colors(const render::Mesh& mesh) {
+  std::vector<std::uint16_t> integers;
+  for (const glm::vec3& color : mesh.colors) {
+    for (const float x : {color.x, color.y, color.z}) {
+      integers.push_back(
+          static_cast<std::uint16_t>(std::lround(65535 * std::clamp(x, 0.0F, 1.0F))));
+    }
+  }
+  return packed(integers);
+}
+
+/// The mean colour of the vertices of a part.
+ordered_json tint_json(const render::Mesh& mesh, std::size_t part) {
+  const std::size_t begin = part == 0 ? 0 : mesh.vertex_ends[part - 1];
+  glm::vec3 sum(0);
+  for (std::size_t i = begin; i < mesh.vertex_ends[part]; ++i) sum += mesh.colors[i];
+  sum /= static_cast<float>(mesh.vertex_ends[part] - begin);
+  return {sum.x, sum.y, sum.z};
+}
+
 /// As fine as a page may be large.
-render::Mesh surface_of(std::span<const body::Part> parts, double radius) {
+render::Mesh surface_of(std::span<const body::Part> parts, std::span<const scene::PartLook> looks,
+                        double radius) {
   double tolerance = finest * radius;
-  render::Mesh mesh = render::body_mesh(parts, tolerance);
+  render::Mesh mesh = render::body_mesh(parts, tolerance, looks);
   while (mesh.vertices.size() > most_vertices && tolerance < coarsest * radius) {
     tolerance *= 1.5;
-    mesh = render::body_mesh(parts, tolerance);
+    mesh = render::body_mesh(parts, tolerance, looks);
   }
   return mesh;
 }
 
 ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
   ordered_json json = ordered_json::array();
-  for (const auto& [from, to, radius, meets] : capsules) {
-    json.push_back(
-        {{"from", numbers(from)}, {"to", numbers(to)}, {"radius", radius}, {"meets", meets}});
+  for (const auto& [from, to, radius, meets, part] : capsules) {
+    json.push_back({{"from", numbers(from)},
+                    {"to", numbers(to)},
+                    {"radius", radius},
+                    {"meets", meets},
+                    {"part", part}});
   }
   return json;
 }
 
+/// The radius of curvature of a part near its silhouette, cm.
+double outline_radius(const body::Part& part) {
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.tube_radius; }) {
+          return shape.tube_radius;
+        } else if constexpr (requires { shape.radius; }) {
+          return shape.radius;
+        } else {
+          return render::capsule_of(part).radius;
+        }
+      },
+      part.shape);
+}
+
 /// The uniforms of each part; see render/body/body_pass.cpp.
 ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& mesh,
-                        double radius) {
+                        const Materials& materials, double radius) {
   const auto occluders = render::find_occluders(parts, most_occluders);
   const auto across = render::across_from_body(parts);
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto& side = mesh.sides[i];
-    const double thickness = render::capsule_of(parts[i]).radius / radius;
+    const double thickness = outline_radius(parts[i]) / radius;
     const bool is_round = std::holds_alternative<body::Ellipsoid>(parts[i].shape);
     const Vector3d axis = side ? Vector3d(parts[i].body_from_part.col(2)) : Vector3d::Zero();
     ordered_json rows = ordered_json::array();
@@ -96,11 +136,12 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
     json.push_back(
         {{"side_begin", side ? side->begin : mesh.part_ends[i]},
          {"end", mesh.part_ends[i]},
-         {"material", 0},
+         {"material", materials.of_part[i]},
          {"radii", {thickness, is_round ? thickness : 0, side ? side->bevel / radius : 0}},
          {"axis", numbers(axis)},
          {"across", std::move(rows)},
          {"occluders", capsules_json(occluders[i])}});
+    if (mesh.is_colored[i] != 0) json.back()["tint"] = tint_json(mesh, i);
   }
   return json;
 }
@@ -109,12 +150,15 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
 ordered_json balls_json(std::span<const body::Part> parts) {
   ordered_json json = ordered_json::array();
   for (const body::Part& part : parts) {
-    const auto [from, to, radius, meets] = render::capsule_of(part);
-    const double apart = std::numbers::pi / 2 * radius;
-    const int gaps = static_cast<int>(std::lround(std::min((to - from).norm() / apart, most_gaps)));
-    for (int i = 0; i <= gaps; ++i) {
-      const Vector3d centre = from + (gaps > 0 ? double(i) / gaps : 0.5) * (to - from);
-      json.push_back({{"centre", numbers(centre)}, {"radius", radius}});
+    for (const render::Capsule& capsule : render::capsules_of(part)) {
+      const Vector3d along = capsule.to - capsule.from;
+      const double apart = std::numbers::pi / 2 * capsule.radius;
+      const int gaps = static_cast<int>(std::lround(std::min(along.norm() / apart, most_gaps)));
+      for (int i = 0; i <= gaps; ++i) {
+        const double share = gaps > 0 ? double(i) / gaps : 0.5;
+        json.push_back(
+            {{"centre", numbers(capsule.from + share * along)}, {"radius", capsule.radius}});
+      }
     }
   }
   return json;
@@ -122,20 +166,26 @@ ordered_json balls_json(std::span<const body::Part> parts) {
 
 }  // namespace
 
-ordered_json surface_json(const scene::Scene& scene) {
+ordered_json surface_json(const scene::Scene& scene, const Materials& materials) {
   const std::vector<body::Part> visible = scene::visible_parts(scene.body);
   const std::vector<body::Part> parts = render::close_gaps(visible);
   const double radius = render::bounding_radius(visible);
-  const render::Mesh mesh = surface_of(parts, radius);
+  std::vector<scene::PartLook> looks;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    looks.push_back(scene::description(scene.body, i).look);
+  }
+  const render::Mesh mesh = surface_of(parts, looks, radius);
   const bool wide = mesh.vertices.size() > 65536;
-  return {{"radius", radius},
-          {"trail_point", numbers(render::trail_point(scene))},
-          {"marked", render::axis_of_revolution(parts).has_value()},
-          {"vertices", packed_vertices(mesh, radius)},
-          {"wide_indices", wide},
-          {"indices", packed_indices(mesh, wide)},
-          {"parts", parts_json(parts, mesh, radius)},
-          {"balls", balls_json(visible)}};
+  ordered_json json{{"radius", radius},
+                    {"trail_point", numbers(render::trail_point(scene))},
+                    {"marked", render::axis_of_revolution(parts).has_value()},
+                    {"vertices", packed_vertices(mesh, radius)},
+                    {"wide_indices", wide},
+                    {"indices", packed_indices(mesh, wide)},
+                    {"parts", parts_json(parts, mesh, materials, radius)},
+                    {"balls", balls_json(visible)}};
+  if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
+  return json;
 }
 
 }  // namespace twrench::page

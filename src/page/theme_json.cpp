@@ -38,13 +38,23 @@ ordered_json overlay_json(const render::OverlayColors& colors) {
           {"plane", color_json(colors.plane)}, {"curve", std::move(curve)}};
 }
 
-ordered_json theme_json(scene::Look look, scene::Theme theme) {
+ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
+  const render::Material material = render::material(look, part.look);
+  const glm::vec3 tint = material.diffuse + material.reflectance;
+  const bool is_metal =
+      part.is_colored ? material.metalness == 1 : material.diffuse == glm::vec3(0);
+  return {{"constants", render::shader_constants(material, render::style_of(look.theme).studio)},
+          {"metal", is_metal},
+          {"colored", part.is_colored},
+          {"tint", {tint.x, tint.y, tint.z}}};
+}
+
+ordered_json theme_json(scene::Look look, const Materials& materials, scene::Theme theme) {
   look.theme = theme;
   const render::ThemeStyle& style = render::style_of(theme);
-  const render::Material material = render::material(look);
-  ordered_json own{{"constants", render::shader_constants(material, style.studio)},
-                   {"metal", material.diffuse == glm::vec3(0)}};
-  return {{"materials", ordered_json::array({std::move(own)})},
+  ordered_json kinds = ordered_json::array();
+  for (const PartMaterial& part : materials.kinds) kinds.push_back(material_json(look, part));
+  return {{"materials", std::move(kinds)},
           {"backdrop", backdrop_json(style.backdrop)},
           {"floor", floor_json(style.floor)},
           {"overlay", overlay_json(style.overlay)}};
@@ -52,11 +62,11 @@ ordered_json theme_json(scene::Look look, scene::Theme theme) {
 
 }  // namespace
 
-ordered_json themes_json(const scene::Look& look) {
+ordered_json themes_json(const scene::Look& look, const Materials& materials) {
   using enum scene::Theme;
-  return {{"studio", theme_json(look, studio)},
-          {"paper", theme_json(look, paper)},
-          {"space", theme_json(look, space)}};
+  return {{"studio", theme_json(look, materials, studio)},
+          {"paper", theme_json(look, materials, paper)},
+          {"space", theme_json(look, materials, space)}};
 }
 
 }  // namespace twrench::page

@@ -4,11 +4,15 @@
 import body_frag from '../../shaders/body.frag';
 import body_vert from '../../shaders/body.vert';
 import brush from '../../shaders/brush.glsl';
+import colored_frag from '../../shaders/colored.glsl';
+import colored_vert from '../../shaders/colored.vert';
 import marked from '../../shaders/marked.glsl';
 import matte from '../../shaders/matte.glsl';
 import metal from '../../shaders/metal.glsl';
 import occluders_frag from '../../shaders/occluders.glsl';
 import occluders_vert from '../../shaders/occluders.vert';
+import plain_frag from '../../shaders/plain.glsl';
+import plain_vert from '../../shaders/plain.vert';
 import studio from '../../shaders/studio.glsl';
 import tone from '../../shaders/tone.glsl';
 import unmarked from '../../shaders/unmarked.glsl';
@@ -18,26 +22,40 @@ import { add, cofactors, product, scale, times } from '../math/linear.js';
 import { Program, setAttributes } from './program.js';
 
 /** @typedef {import("./surface.js").Surface} Surface */
-/** As GLSL, see src/page/theme_json.h. @typedef {{constants: string, metal: boolean}} Material */
+/**
+ * As GLSL, see src/page/theme_json.h; whether vertices have colours, and the colour of what it reflects.
+ * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material
+ */
 /** @typedef {import("../math/camera.js").Camera} Camera */
 /** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
-const offsetLocation = 2;
+// Attributes that only edge quads need, and the colours of vertices.
+const shiftLocation = 2,
+  colorLocation = 3,
+  fadeLocation = 4;
 
 /**
  * @param {WebGL2RenderingContext} gl @param {Surface} surface
- * @param {Material} material
+ * @param {Material} material @param {boolean} ofOneMaterial
  */
-function programOf(gl, surface, material) {
+function programOf(gl, surface, material, ofOneMaterial) {
   const count = Math.max(...surface.parts.map((part) => part.occluders.length));
-  const constants = `${material.constants}const int occluder_count = ${count};\n`;
+  const constants = `${material.constants}const int occluder_count = ${count};
+const bool is_of_one_material = ${ofOneMaterial};
+`;
   const alone = count === 0;
   return new Program(
     gl,
-    [constants, alone ? unoccluded_vert : occluders_vert, body_vert],
+    [
+      constants,
+      alone ? unoccluded_vert : occluders_vert,
+      material.colored ? colored_vert : plain_vert,
+      body_vert,
+    ],
     [
       constants,
       studio,
+      material.colored ? colored_frag : plain_frag,
       alone ? unoccluded_frag : occluders_frag,
       tone,
       brush,
@@ -56,7 +74,9 @@ export class BodyPass {
   constructor(gl, surface, materials) {
     this.gl = gl;
     this.surface = surface;
-    this.programs = materials.map((material) => programOf(gl, surface, material));
+    this.materials = materials;
+    this.ofOneMaterial = materials.length === 1 && !materials[0].colored;
+    this.programs = materials.map((material) => programOf(gl, surface, material, this.ofOneMaterial));
     this.array = gl.createVertexArray();
     this.vertices = gl.createBuffer();
     this.indices = gl.createBuffer();
@@ -64,8 +84,17 @@ export class BodyPass {
     gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
     gl.bufferData(gl.ARRAY_BUFFER, surface.vertices, gl.STATIC_DRAW);
     setAttributes(gl, [3, 3]);
-    gl.disableVertexAttribArray(offsetLocation);
-    gl.vertexAttrib1f(offsetLocation, 0);
+    for (const location of [shiftLocation, fadeLocation]) {
+      gl.disableVertexAttribArray(location);
+      gl.vertexAttrib4f(location, 0, 0, 0, 0);
+    }
+    this.colors = gl.createBuffer();
+    if (surface.colors) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, this.colors);
+      gl.bufferData(gl.ARRAY_BUFFER, surface.colors, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(colorLocation);
+      gl.vertexAttribPointer(colorLocation, 3, gl.UNSIGNED_SHORT, true, 6, 0);
+    }
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, surface.indices, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
@@ -187,6 +216,15 @@ export class BodyPass {
     }
     program.set('occluders_from', from);
     program.set('occluders_to', to);
+    if (this.ofOneMaterial) return;
+    const tint = (/** @type {number} */ i) => (capsules[i] ? this.#tint(capsules[i].part) : [1, 1, 1]);
+    program.set('occluder_tints', Array.from({ length: count }, (_, i) => [...tint(i), 1]).flat());
+  }
+
+  /** The colour of the light that a part reflects. @param {number} part */
+  #tint(part) {
+    const { material, tint } = this.surface.parts[part];
+    return tint ?? this.materials[material].tint;
   }
 
   free() {
@@ -194,6 +232,7 @@ export class BodyPass {
     gl.deleteVertexArray(this.array);
     gl.deleteBuffer(this.vertices);
     gl.deleteBuffer(this.indices);
+    gl.deleteBuffer(this.colors);
     for (const { program } of this.programs) gl.deleteProgram(program);
   }
 }

@@ -2,7 +2,7 @@
 // body that is given by its moments.
 import { add, scale } from '../math/linear.js';
 
-/** `meets` if it is a cylinder drawn before, which the part touches. @typedef {{from: number[], to: number[], radius: number, meets: boolean}} Capsule */
+/** `meets` if it is a cylinder drawn before, which the part touches. @typedef {{from: number[], to: number[], radius: number, meets: boolean, part: number}} Capsule */
 /** @typedef {{centre: number[], radius: number}} Ball  casts shadow; body axes, cm */
 
 /**
@@ -10,6 +10,7 @@ import { add, scale } from '../math/linear.js';
  * @typedef {object} SurfacePart
  * @property {number} side_begin In indices, where the side of a cylinder begins; else `end`.
  * @property {number} end
+ * @property {number[]} [tint] The mean colour of its vertices, if they have colours.
  * @property {number} material Index in the materials of a theme.
  * @property {number[]} radii
  * @property {number[]} axis Of a cylinder, else 0.
@@ -21,6 +22,7 @@ import { add, scale } from '../math/linear.js';
  * @typedef {object} Surface
  * @property {Float32Array} vertices Positions in body axes, cm, each with its normal.
  * @property {Uint32Array} indices
+ * @property {Uint16Array | null} colors Linear, of the vertices, if a part has colours of its own.
  * @property {SurfacePart[]} parts
  * @property {boolean} marked Whether a stripe shows how a body of revolution turns.
  * @property {number} radius Bounding radius, cm.
@@ -49,7 +51,8 @@ export function surfaceOf(json) {
   }
   const buffer = bytesOf(json.indices).buffer;
   const indices = json.wide_indices ? new Uint32Array(buffer) : Uint32Array.from(new Uint16Array(buffer));
-  return { ...json, vertices, indices };
+  const colors = json.colors ? new Uint16Array(bytesOf(json.colors).buffer) : null;
+  return { ...json, vertices, indices, colors };
 }
 
 const edgeShare = 0.08; // of the smallest half size: the radius of the rounded edges
@@ -92,6 +95,7 @@ export function boxSurface(moments) {
   return {
     vertices,
     indices,
+    colors: null,
     parts: [part],
     marked: false,
     radius,
