@@ -72,9 +72,10 @@ TEST_P(BodyPassTest, AgreesWithTheShaderOnTheAttributes) {
   EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "position"), position_attribute);
   EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "normal"), normal_attribute);
   EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "shift"), shift_attribute);
+  EXPECT_EQ(gl.GetAttribLocation(pass.programs().front().id(), "fade"), fade_attribute);
   GLint count = 0;
   gl.GetProgramiv(pass.programs().front().id(), GL_ACTIVE_ATTRIBUTES, &count);
-  EXPECT_EQ(count, 3);
+  EXPECT_EQ(count, 4);
 }
 
 // Program::set itself checks that each uniform set by C++ exists in the shader.
