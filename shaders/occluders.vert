@@ -15,7 +15,7 @@ flat out vec3 neighbour_tint[occluder_count];
 void pass_on_neighbours() {
   for (int i = 0; i < occluder_count; ++i) {
     vec3 axis = occluders_to[i].xyz - occluders_from[i].xyz;
-    float square = dot(axis, axis);
+    float square = max(dot(axis, axis), 1e-8);  // a sphere's axis has no length
     neighbour_end[i] = occluders_from[i];
     neighbour_axis[i] = vec4(axis, occluders_to[i].w);
     neighbour_size[i] = vec3(square, 1.0 / square, 1.0 / occluders_from[i].w);
