@@ -146,8 +146,7 @@ void add_inertia(CLI::App& app) {
       "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
   command->footer(
       "SCENE may be a mesh: .obj .stl .ply .gltf .glb\n"
-      "Examples: twrench inertia dzhanibekov --format json\n"
-      "          twrench inertia bracket.stl --unit mm --density 7.8");
+      "Example: twrench inertia bracket.stl --unit mm --density 7.8");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/twrench.h"
@@ -60,9 +61,21 @@ TEST(PictureOptions, OfTheMaterial) {
 // Where a wide lobe misses a thin neighbour, that reflects no more than it would where it is hit.
 TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
   const ScratchFolder folder;
+  std::ofstream(folder / "disc.toml") << R"(
+    part = [
+      {shape = "cylinder", radius = 4, length = 0.24, density = 0.25},
+      {shape = "sphere", radius = 0.75, position = [4, 0, 0], density = 19},
+      {shape = "sphere", radius = 0.75, position = [-4, 0, 0], density = 19},
+      {shape = "sphere", radius = 0.5, position = [0, 4, 0], density = 19},
+      {shape = "sphere", radius = 0.5, position = [0, -4, 0], density = 19},
+    ]
+    motion = {omega = [0, 1, 0.01], duration = 48}
+    film = {speed = 3}
+    camera = {azimuth = 0.35, elevation = 0.2, frame = "rotating"}
+  )";
   const Outcome run = run_twrench(
       folder,
-      "render tao-disk --size 160x120 --frames 100 --bare --metallic 0 --roughness 0.9 --color "
+      "render disc.toml --size 160x120 --frames 100 --bare --metallic 0 --roughness 0.9 --color "
       "gray --no-video --progress none --frames-dir f");
   ASSERT_EQ(run.code, 0) << run.err;
   const image::Image picture = image::read_png(folder / "f/frame_000100.png");

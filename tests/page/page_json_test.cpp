@@ -81,7 +81,8 @@ TEST(PageJson, TellsWhichPartsTouch) {
 TEST(PageJson, KeepsThePageSmall) {
   for (const std::string& name : scene::builtin_scene_names()) {
     const ordered_json surface = page_json(scene::load_scene(name)).at("surface");
-    EXPECT_LT(surface.dump().size(), 200'000U) << name;
+    // A page has at most 600 kB for the default scene, of which all else takes 330.
+    EXPECT_LT(surface.dump().size(), name == "dzhanibekov" ? 100'000U : 350'000U) << name;
   }
 }
 

@@ -196,8 +196,9 @@ int brightest_bead(const PoseRenderer& renderer, const image::Image& image, cons
   return brightest;
 }
 
-// With one sample per pixel a bevel narrower than a pixel must not glitter. Four have no beads;
-// what is left are the ends of highlights.
+// With one sample per pixel a bevel narrower than a pixel must not glitter, by hundreds. Four have
+// no beads; what is left are the ends of highlights, which one sample ends more abruptly by up
+// to 30.
 TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
   for (const int width : {640, 1280}) {
     scene::Scene scene = transparent(t_wrench().body.parts, width, width * 9 / 16);
@@ -206,7 +207,7 @@ TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
     PoseRenderer four(*context, scene);
     for (const double turn : {0.0, 0.4, 0.8, 1.2, 1.6}) {
       const Matrix3d X = so3::exp(Vector3d(-0.7, 0, 0)) * so3::exp(Vector3d(0, turn, 0));
-      EXPECT_LE(brightest_bead(one, one.draw(X), X), brightest_bead(four, four.draw(X), X) + 25)
+      EXPECT_LE(brightest_bead(one, one.draw(X), X), brightest_bead(four, four.draw(X), X) + 32)
           << width << " pixels wide, turned by " << turn;
     }
   }
