@@ -41,8 +41,8 @@ inline body::TriangleMesh ball_of_triangles(double radius, std::uint32_t n) {
   }
   for (std::uint32_t ring = 0; ring < n; ++ring) {
     for (std::uint32_t i = 0; i < around; ++i) {
-      const std::uint32_t a = vertex(ring, i), b = vertex(ring + 1, i),
-                          c = vertex(ring + 1, i + 1), d = vertex(ring, i + 1);
+      const std::uint32_t a = vertex(ring, i), b = vertex(ring + 1, i), c = vertex(ring + 1, i + 1),
+                          d = vertex(ring, i + 1);
       if (ring > 0) mesh.triangles.push_back({a, c, d});
       if (ring + 1 < n) mesh.triangles.push_back({a, b, c});
     }
