@@ -86,22 +86,24 @@ TEST(Zoo, ToutatisHasThePeriodsAndTheMomentsOfTheAsteroid) {
 }
 
 TEST(Zoo, ExplorerKeepsItsMomentumFromShotToShotAndLosesEnergy) {
-  const Scene film = load_scene("explorer-1");
-  ASSERT_EQ(film.shots.size(), 3U);
+  const Scene explorer = load_scene("explorer-1");
+  ASSERT_EQ(explorer.shots.size(), 3U);
   Vector3d before = Vector3d::Zero();
   double energy = std::numeric_limits<double>::infinity();
-  for (const Shot& shot : film.shots) {
+  for (const Shot& shot : explorer.shots) {
     const body::MassProperties satellite = mass_properties(shot.scene.body);
     EXPECT_NEAR(satellite.mass, 13970.0, 1e-6);
     EXPECT_NEAR(satellite.moments[2] / satellite.moments[1], 1.0, 1e-12);
     const Vector3d L = satellite.inertia * shot.scene.motion.omega;
     EXPECT_NEAR(L.normalized().x(), 1.0, 1e-8);
-    if (!before.isZero()) EXPECT_LT((L - before).norm(), 1e-6 * L.norm());
+    if (!before.isZero()) {
+      EXPECT_LT((L - before).norm(), 1e-6 * L.norm());
+    }
     EXPECT_LT(L.dot(shot.scene.motion.omega), 0.9 * energy);
     before = L;
     energy = L.dot(shot.scene.motion.omega);
   }
-  const double turns_a_minute = before.x() / mass_properties(film.body).moments[0] * 30.0 / pi;
+  const double turns_a_minute = before.x() / mass_properties(explorer.body).moments[0] * 30.0 / pi;
   EXPECT_NEAR(turns_a_minute, 750.0, 0.1);
   EXPECT_NEAR(2.0 * pi / film.shots[2].scene.motion.omega.x(), 5.1, 0.05);
 }
