@@ -31,7 +31,7 @@ export_and_check dzhanibekov 1e-4 1 96
 export_and_check fine 1e-5 6 96
 export_and_check coarse 0.1 1 96 dzhanibekov
 export_and_check long 1e-4 1 10000
-for scene in stable-y stable-z sphere calm tao-disk explain; do export_and_check "$scene" 1e-4 1 30 "$scene"; done
+for scene in stable-y stable-z sphere calm tao-disk tennis-racket explain; do export_and_check "$scene" 1e-4 1 30 "$scene"; done
 export_and_check moments 1e-4 1 20 --inertia 1,2,3 --omega 0.1,3,0.2
 export_and_check rest 1e-4 1 20 --omega 0,0,0
 "$TWRENCH" export --orbit 0.3 --frame rotating -o "$out/camera.glb"

@@ -98,8 +98,10 @@ void CurvePanel::label_flips(const std::vector<double>& times) {
   const double bottom = plot.area.y + plot.area.height;
   const double tick = std::max(1.0, 0.1 * size_);
   const auto text = [&](double time) {
-    return canvas::typeset(
-        font_, time < 1000 ? fmt::format("{:.3g} s", time) : fmt::format("{:.0f} s", time));
+    constexpr double day = 86400;
+    return canvas::typeset(font_, time < 1000  ? fmt::format("{:.3g} s", time)
+                                  : time < day ? fmt::format("{:.0f} s", time)
+                                               : fmt::format("{:.3g} d", time / day));
   };
   const double widest = (text(times.back()).width + flip_label_gap) * size_;
   const double covered = plot.x(times.back() / duration_) - plot.x(times.front() / duration_);
@@ -119,7 +121,7 @@ void CurvePanel::label_flips(const std::vector<double>& times) {
     if (centre - half < free) continue;  // at an end of the plot
     canvas.text(line, size_, {centre, bottom + 1.15 * size_}, {colors_.dim},
                 canvas::Canvas::Align::centre);
-    free = centre + half;
+    free = centre + half + flip_label_gap * size_ / 2;
   }
 }
 
