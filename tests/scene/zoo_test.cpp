@@ -105,7 +105,7 @@ TEST(Zoo, ExplorerKeepsItsMomentumFromShotToShotAndLosesEnergy) {
   }
   const double turns_a_minute = before.x() / mass_properties(explorer.body).moments[0] * 30.0 / pi;
   EXPECT_NEAR(turns_a_minute, 750.0, 0.1);
-  EXPECT_NEAR(2.0 * pi / film.shots[2].scene.motion.omega.x(), 5.1, 0.05);
+  EXPECT_NEAR(2.0 * pi / explorer.shots[2].scene.motion.omega.x(), 5.1, 0.05);
 }
 
 }  // namespace
