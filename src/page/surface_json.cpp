@@ -9,6 +9,7 @@
 #include "render/body/gap_closing.h"
 #include "render/body/mesh.h"
 #include "render/body/occluders.h"
+#include "render/body/outline_radii.h"
 #include "render/body/revolution.h"
 #include "render/overlay/trail_point.h"
 #include "system/base64.h"
@@ -103,21 +104,6 @@ ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
   return json;
 }
 
-/// The radius of curvature of a part near its silhouette, cm.
-double outline_radius(const body::Part& part) {
-  return std::visit(
-      [&](const auto& shape) {
-        if constexpr (requires { shape.tube_radius; }) {
-          return shape.tube_radius;
-        } else if constexpr (requires { shape.radius; }) {
-          return shape.radius;
-        } else {
-          return render::capsule_of(part).radius;
-        }
-      },
-      part.shape);
-}
-
 /// The uniforms of each part; see render/body/body_pass.cpp.
 ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& mesh,
                         const Materials& materials, double radius) {
@@ -126,8 +112,7 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto& side = mesh.sides[i];
-    const double thickness = outline_radius(parts[i]) / radius;
-    const bool is_round = std::holds_alternative<body::Ellipsoid>(parts[i].shape);
+    const render::OutlineRadii outline = render::outline_radii(parts[i].shape);
     const Vector3d axis = side ? Vector3d(parts[i].body_from_part.col(2)) : Vector3d::Zero();
     ordered_json rows = ordered_json::array();
     for (const glm::vec4& row : across[i]) {
@@ -137,7 +122,8 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
         {{"side_begin", side ? side->begin : mesh.part_ends[i]},
          {"end", mesh.part_ends[i]},
          {"material", materials.of_part[i]},
-         {"radii", {thickness, is_round ? thickness : 0, side ? side->bevel / radius : 0}},
+         {"radii",
+          {outline.radius / radius, outline.round / radius, side ? side->bevel / radius : 0}},
          {"axis", numbers(axis)},
          {"across", std::move(rows)},
          {"occluders", capsules_json(occluders[i])}});

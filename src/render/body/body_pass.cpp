@@ -14,6 +14,7 @@
 #include "embedded/shaders.h"
 #include "gl/vertices.h"
 #include "render/body/facets.h"
+#include "render/body/outline_radii.h"
 #include "render/body/shader_constants.h"
 #include "render/space/glm_from_eigen.h"
 
@@ -34,37 +35,12 @@ std::size_t most_of_any(const std::vector<std::vector<Capsule>>& neighbours) {
   return most;
 }
 
-/// The radius of curvature of a shape near its silhouette, and the same for one with a round
-/// outline, else 0; cm.
-struct OutlineRadii {
-  std::pair<double, double> operator()(const body::Cylinder& c) const { return {c.radius, 0}; }
-  std::pair<double, double> operator()(const body::Tube& t) const { return {t.radius, 0}; }
-  std::pair<double, double> operator()(const body::Cone& c) const {
-    return {(c.radius + c.top_radius) / 2, 0};
-  }
-  std::pair<double, double> operator()(const body::Capsule& c) const {
-    return {c.radius, c.radius};
-  }
-  std::pair<double, double> operator()(const body::Torus& t) const {
-    return {t.tube_radius, t.tube_radius};
-  }
-  std::pair<double, double> operator()(const body::Ellipsoid& e) const {
-    const double radius = mean_radius(e);
-    return {radius, radius};
-  }
-  std::pair<double, double> operator()(const auto& shape) const { return {mean_radius(shape), 0}; }
-
-  static double mean_radius(const body::Shape& shape) {
-    return capsule_of({shape, 1, Vector3d::Zero(), Matrix3d::Identity()}).radius;
-  }
-};
-
 /// See the uniform part_radii in body.vert.
 std::vector<glm::vec3> part_radii(std::span<const body::Part> parts, const Mesh& mesh,
                                   double unit) {
   std::vector<glm::vec3> radii;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto [radius, round] = std::visit(OutlineRadii(), parts[i].shape);
+    const auto [radius, round] = outline_radii(parts[i].shape);
     const double rim = mesh.sides[i] ? mesh.sides[i]->bevel : 0;
     radii.push_back(glm_from_eigen((Vector3d(radius, round, rim) / unit).eval()));
   }
