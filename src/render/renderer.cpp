@@ -40,8 +40,8 @@ image::Image empty_picture(const scene::Scene& scene) {
 
 PendingLayer dimmed(PendingLayer pending) {
   return std::async(std::launch::deferred, [pending = std::move(pending)]() mutable {
-    Layer layer = pending.get();
-    scale_opacity(layer, dimmed_opacity);
+    AnyLayer layer = pending.get();
+    std::visit([](auto& any) { scale_opacity(any, dimmed_opacity); }, layer);
     return layer;
   });
 }
@@ -69,9 +69,11 @@ class Composition {
 
  private:
   void composite_first() {
-    const Layer layer = layers_.front().get();
+    const AnyLayer layer = layers_.front().get();
     layers_.pop_front();
-    frame_.damage.push_back(composite_over(frame_.image, layer));
+    std::ranges::move(
+        std::visit([&](const auto& any) { return composite_over(frame_.image, any); }, layer),
+        std::back_inserter(frame_.damage));
   }
 
   image::Frame frame_;

@@ -18,7 +18,9 @@ using Eigen::Matrix3f;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int rows_of_grid = 180;
+constexpr int rows_of_grid = 120;
+// Of 255: so much less shadow is cast everywhere, which nobody sees, so that it ends somewhere.
+constexpr float least_shadow = 2;
 constexpr double floor_gap =
     0.06;                     // between the floor and the space that the body sweeps, in radii
 constexpr double pool = 0.8;  // in radii: half its width, where the light has fallen to a quarter
@@ -65,23 +67,18 @@ double ramp(double distance) {
   return share * share * (3 - 2 * share);
 }
 
-/// A position between the centres of two cells of a line.
-struct Between {
-  int first, second;
-  float share;  ///< of the second
-};
-
-/// `place` is in cells from the start of the line.
-Between between(double place, int count) {
-  const double within = std::clamp(place - 0.5, 0.0, count - 1.0);
-  const int first = static_cast<int>(within);
-  return {first, std::min(first + 1, count - 1), static_cast<float>(within - first)};
-}
-
-void write(const Eigen::Array4f& color, int x, int y, std::uint8_t* out) {
-  if (color[3] < 0.25F) return;
-  const Eigen::Array4f rounded = (color + 0.5F + dither(x, y)).max(0).min(255);
-  for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint8_t>(rounded[c]);
+/// Returns the pixels of a picture as cells, blurred.
+std::vector<SoftLayer::Cell> blurred(const image::Image& image) {
+  std::vector<SoftLayer::Cell> cells(image.pixels.size() / 4);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::uint8_t* p = &image.pixels[4 * i];
+    cells[i] = SoftLayer::Cell(p[0], p[1], p[2], p[3]);
+  }
+  for (int y = 0; y < image.height; ++y) {
+    blur_line(cells.data() + std::ptrdiff_t{y} * image.width, image.width, 1);
+  }
+  for (int x = 0; x < image.width; ++x) blur_line(cells.data() + x, image.height, image.width);
+  return cells;
 }
 
 }  // namespace
@@ -98,8 +95,7 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
       columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
       rows_(std::min(rows_of_grid, pane.height)),
       framebuffer_(gl, columns_, rows_, 4, mode),
-      balls_(balls_of(parts)),
-      grid_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+      balls_(balls_of(parts)) {}
 
 /// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
 /// capsule.
@@ -163,14 +159,6 @@ Layer Floor::light(const Camera& camera) const {
   return layer;
 }
 
-const Floor::Cell* Floor::row_of(int row, int width) const {
-  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
-}
-
-Floor::Cell* Floor::row_of(int row, int width) {
-  return grid_.data() + static_cast<std::ptrdiff_t>(row) * width;
-}
-
 /// The cells of the grid in which the body's shadow may be visible.
 image::Area Floor::seen(const Camera& camera) const {
   ScreenArea screen({0, 0, columns_, rows_}, rows_);
@@ -194,22 +182,11 @@ gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, co
   return framebuffer_.begin_read(rectangle);
 }
 
-void Floor::set_reflection(const image::Image& image) {
-  grid_.resize(image.pixels.size() / 4);
-  for (std::size_t i = 0; i < grid_.size(); ++i) {
-    const std::uint8_t* p = &image.pixels[4 * i];
-    grid_[i] = Cell(p[0], p[1], p[2], p[3]);
-  }
-  for (int pass = 0; pass < 2; ++pass) {
-    for (int y = 0; y < image.height; ++y) blur_line(row_of(y, image.width), image.width, 1);
-    for (int x = 0; x < image.width; ++x) blur_line(grid_.data() + x, image.height, image.width);
-  }
-}
-
 /// Adds the fraction of the light from above, a cos^4 lobe about the vertical, that the spheres
 /// block at each point: for a sphere seen under the half angle a at theta from the vertical,
 /// approximately 5 cos^4(theta) (1 - cos a).
-void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Area& area) {
+void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Area& area,
+                       std::vector<Cell>& cells) const {
   const Matrix3f floor_from_cell = floor_from_grid(camera, columns_, rows_).cast<float>();
   const ArrayXf column =
       static_cast<float>(area.x) +
@@ -237,10 +214,10 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Are
     const ArrayXf reflected = static_cast<float>(style_.reflection) * near;
     ArrayXf left = ArrayXf::Ones(area.width);
     if (style_.clouds > 0) left -= static_cast<float>(style_.clouds) * near * clouds(x, z);
-    Cell* cell = row_of(y, area.width);
+    Cell* cell = cells.data() + std::ptrdiff_t{y} * area.width;
     for (int i = 0; i < area.width; ++i) {
       const float lit = 1 - static_cast<float>(style_.shadow) * (1 - open[i]);
-      const float shadow = 255 * (1 - left[i] * lit);
+      const float shadow = std::max(255 * (1 - left[i] * lit) - least_shadow, 0.0F);
       cell[i] *= reflected[i];
       cell[i][3] += (1 - cell[i][3] / 255) * shadow;
       cell[i] *= fade((area.x + i + 0.5) / columns_, (area.y + y + 0.5) / rows_);
@@ -252,44 +229,26 @@ PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass
   const image::Area area = seen(camera);
   return made_of(begin_reflection(camera, X, body, area),
                  [=, this](const image::Image& reflection) {
-                   set_reflection(reflection);
-                   add_shadow(camera, X, area);
-                   return enlarged(area);
+                   std::vector<Cell> cells = blurred(reflection);
+                   add_shadow(camera, X, area, cells);
+                   return over_pane(area, std::move(cells));
                  });
 }
 
-/// Interpolates the cells' colours between their centres over the pixels of `area`.
-Layer Floor::enlarged(const image::Area& area) const {
-  const double across = static_cast<double>(pane_.width) / columns_;
-  const double down = static_cast<double>(pane_.height) / rows_;
-  const auto pixel = [](double place) { return static_cast<int>(std::floor(place)); };
-  const int left = pixel(area.x * across);
-  const int top = pixel(area.y * down);
-  Layer layer{
-      {pixel((area.x + area.width) * across) - left, pixel((area.y + area.height) * down) - top, 4},
-      pane_.x + left,
-      pane_.y + top};
-  std::vector<Between> columns;
-  columns.reserve(static_cast<std::size_t>(layer.image.width));
-  for (int x = 0; x < layer.image.width; ++x) {
-    columns.push_back(between((left + x + 0.5) / across - area.x, area.width));
-  }
-  std::vector<Cell> line(static_cast<std::size_t>(area.width));
-  std::uint8_t* out = layer.image.pixels.data();
-  for (int y = 0; y < layer.image.height; ++y) {
-    const Between row = between((top + y + 0.5) / down - area.y, area.height);
-    const Cell* upper = row_of(row.first, area.width);
-    const Cell* lower = row_of(row.second, area.width);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      line[i] = upper[i] + row.share * (lower[i] - upper[i]);
-    }
-    for (int x = 0; x < layer.image.width; ++x, out += 4) {
-      const auto& [first, second, share] = columns[static_cast<std::size_t>(x)];
-      const Cell& cell = line[static_cast<std::size_t>(first)];
-      write(cell + share * (line[static_cast<std::size_t>(second)] - cell), x, y, out);
-    }
-  }
-  return layer;
+/// Returns the cells in `area` of the grid as a layer over that part of the pane.
+SoftLayer Floor::over_pane(const image::Area& area, std::vector<Cell> cells) const {
+  const Eigen::Array2d cell(static_cast<double>(pane_.width) / columns_,
+                            static_cast<double>(pane_.height) / rows_);
+  const Eigen::Array2d first = cell * Eigen::Array2d(area.x, area.y);
+  const Eigen::Array2i from = first.floor().cast<int>();
+  const Eigen::Array2i to =
+      (first + cell * Eigen::Array2d(area.width, area.height)).floor().cast<int>();
+  return {area.width,
+          area.height,
+          std::move(cells),
+          first + Eigen::Array2d(pane_.x, pane_.y),
+          cell,
+          {pane_.x + from.x(), pane_.y + from.y(), (to - from).x(), (to - from).y()}};
 }
 
 }  // namespace twrench::render

@@ -15,8 +15,7 @@ namespace twrench::render {
 
 /// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
 /// the point below its centre that fades out before the horizon, with the body's shadow and a faint
-/// reflection. Shadow and reflection are computed at about a sixth of the picture's resolution,
-/// because they are soft.
+/// reflection. Both are computed at 120 rows for the height of the picture, because they are soft.
 class Floor {
  public:
   /// The floor fills the pane of a picture of that size, below parts with that bounding radius
@@ -46,8 +45,7 @@ class Floor {
     bool left, right, top, bottom;
   };
 
-  /// Premultiplied red, green, blue and alpha of a grid cell, 0 to 255.
-  using Cell = Eigen::Array4f;
+  using Cell = SoftLayer::Cell;
 
   static std::vector<Ball> balls_of(std::span<const body::Part> parts);
   Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
@@ -55,11 +53,9 @@ class Floor {
   float fade(double x, double y) const;
   gl::Readback begin_reflection(const Camera& camera, const Eigen::Matrix3d& X,
                                 const BodyPass& body, const image::Area& area);
-  void set_reflection(const image::Image& image);
-  void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const image::Area& area);
-  const Cell* row_of(int row, int width) const;
-  Cell* row_of(int row, int width);
-  Layer enlarged(const image::Area& area) const;
+  void add_shadow(const Camera& camera, const Eigen::Matrix3d& X, const image::Area& area,
+                  std::vector<Cell>& cells) const;
+  SoftLayer over_pane(const image::Area& area, std::vector<Cell> cells) const;
 
   FloorStyle style_;
   image::Area pane_;
@@ -69,7 +65,6 @@ class Floor {
   int columns_, rows_;
   gl::Framebuffer framebuffer_;  ///< Of the grid's size.
   std::vector<Ball> balls_;
-  std::vector<Cell> grid_;  ///< The layer in progress, row by row from the top left.
 };
 
 }  // namespace twrench::render

@@ -57,7 +57,7 @@ void scale_opacity(Layer& layer, double factor) {
   }
 }
 
-image::Area composite_over(image::Image& image, const Layer& layer) {
+std::vector<image::Area> composite_over(image::Image& image, const Layer& layer) {
   const image::Area area = image::common(layer.area(), {0, 0, image.width, image.height});
   assert(area == layer.area() && "a layer leaves the picture");
   const auto lay_row = image.channels == 4 ? lay_row_over<4> : lay_row_over<3>;
@@ -66,7 +66,7 @@ image::Area composite_over(image::Image& image, const Layer& layer) {
             layer.image.pixels.data() + offset(layer.image, area.x - layer.x, y - layer.y),
             area.width);
   }
-  return area;
+  return {area};
 }
 
 void unpremultiply(image::Image& image, const image::Area& area) {

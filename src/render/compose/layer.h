@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "image/area.h"
 #include "image/image.h"
 
@@ -25,8 +27,8 @@ void copy_area(const Layer& from, Layer& to, const image::Area& area);
 void scale_opacity(Layer& layer, double factor);
 
 /// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
-/// inside; what does not is a bug of the caller and is clipped. Returns the affected area.
-image::Area composite_over(image::Image& image, const Layer& layer);
+/// inside; what does not is a bug of the caller and is clipped. Returns the affected areas.
+std::vector<image::Area> composite_over(image::Image& image, const Layer& layer);
 
 /// Converts premultiplied to unpremultiplied alpha in `area`.
 void unpremultiply(image::Image& image, const image::Area& area);

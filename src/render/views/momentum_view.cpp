@@ -125,7 +125,7 @@ std::vector<Layer> MomentumView::static_layers() {
   pad_.begin(camera(0));
   add_sphere();
   std::vector<Layer> layers;
-  layers.push_back(pad_.layer().get());
+  layers.push_back(std::get<Layer>(pad_.layer().get()));
   return layers;
 }
 

@@ -49,7 +49,7 @@ TEST(LayOver, AddsUpCoverage) {
 TEST(LayOver, SaysWhereTheLayerLies) {
   image::Image image(4, 2, 3);
   EXPECT_EQ(composite_over(image, layer_of(std::vector<std::uint8_t>(8), 2, 1)),
-            (image::Area{2, 1, 2, 1}));
+            (std::vector{image::Area{2, 1, 2, 1}}));
 }
 
 TEST(LayerAround, EndsAtThePicturesEdges) {
