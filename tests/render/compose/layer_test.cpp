@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
 namespace twrench::render {
 namespace {
@@ -28,13 +30,40 @@ TEST(LayOver, CoversBlendsAndLeaves) {
   EXPECT_THAT(low, ElementsAre(100, 100, 100, 200, 10, 0, 150, 55, 50, 100, 100, 100));
 }
 
+// In rows of several lengths, since long ones are composited several pixels at a time.
 TEST(LayOver, RoundsToTheNearest) {
-  for (int alpha = 0; alpha <= 255; ++alpha) {
-    for (int below = 0; below <= 255; ++below) {
-      image::Image image(1, 1, 3);
-      image.pixels.assign(3, static_cast<std::uint8_t>(below));
-      composite_over(image, layer_of({0, 0, 0, static_cast<std::uint8_t>(alpha)}));
-      ASSERT_EQ(image.pixels[0], std::lround(below * (255 - alpha) / 255.0));
+  for (const int width : {1, 5, 6, 23}) {
+    const auto pixels = static_cast<std::size_t>(width);
+    for (int alpha = 0; alpha <= 255; ++alpha) {
+      for (int below = 0; below <= 255; ++below) {
+        image::Image image(width, 1, 3);
+        image.pixels.assign(3 * pixels, static_cast<std::uint8_t>(below));
+        std::vector<std::uint8_t> rgba(4 * pixels);
+        for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = static_cast<std::uint8_t>(alpha);
+        composite_over(image, layer_of(rgba));
+        ASSERT_THAT(image.pixels, Each(std::lround(below * (255 - alpha) / 255.0)));
+      }
+    }
+  }
+}
+
+TEST(LayOver, BlendsEachPixelOfARow) {
+  std::mt19937 random(1);
+  for (int width = 1; width < 40; ++width) {
+    image::Image image(width, 1, 3);
+    for (std::uint8_t& value : image.pixels) value = static_cast<std::uint8_t>(random() % 256);
+    std::vector<std::uint8_t> rgba;
+    for (int x = 0; x < width; ++x) {
+      const auto alpha = std::array{0U, 255U, static_cast<unsigned>(random() % 256)}[random() % 3];
+      for (int c = 0; c < 3; ++c) rgba.push_back(static_cast<std::uint8_t>(random() % (alpha + 1)));
+      rgba.push_back(static_cast<std::uint8_t>(alpha));
+    }
+    const std::vector<std::uint8_t> before = image.pixels;
+    composite_over(image, layer_of(rgba));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const std::size_t pixel = 4 * (i / 3);
+      const long below = std::lround(before[i] * (255 - rgba[pixel + 3]) / 255.0);
+      ASSERT_EQ(image.pixels[i], std::min(rgba[pixel + i % 3] + below, 255L)) << width << " " << i;
     }
   }
 }
