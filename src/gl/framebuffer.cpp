@@ -54,11 +54,12 @@ void check_complete(const Functions& gl, int width, int height, int samples) {
       "choose a smaller size or fewer samples");
 }
 
-/// Draws one triangle that covers everything, at the far plane.
+/// Draws one triangle that covers everything, at the same depth in device coordinates.
 Program clear_program(const Functions& gl) {
   static constexpr std::array vertex{ShaderFile{"clear.vert",
-                                                "void main() { gl_Position = vec4(4 * (gl_VertexID "
-                                                "% 2) - 1, 4 * (gl_VertexID / 2) - 1, 1, 1); }"}};
+                                                "uniform float depth; void main() { gl_Position = "
+                                                "vec4(4 * (gl_VertexID % 2) - 1, "
+                                                "4 * (gl_VertexID / 2) - 1, depth, 1); }"}};
   static constexpr std::array fragment{
       ShaderFile{"clear.frag", "out vec4 color; void main() { color = vec4(0); }"}};
   return {gl, vertex, fragment};
@@ -94,8 +95,13 @@ Framebuffer::Framebuffer(const Functions& gl, int width, int height, int samples
   check_complete(gl, width, height, samples);
 }
 
-void Framebuffer::clear(std::span<const Rectangle> areas) const {
+void Framebuffer::clear(std::span<const Rectangle> areas) const { fill(areas, 1); }
+
+void Framebuffer::block(std::span<const Rectangle> areas) const { fill(areas, -1); }
+
+void Framebuffer::fill(std::span<const Rectangle> areas, float depth) const {
   clear_program_.use();
+  clear_program_.set("depth", depth);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->Disable(GL_CULL_FACE);
   gl_->Enable(GL_DEPTH_TEST);

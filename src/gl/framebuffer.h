@@ -25,6 +25,10 @@ class Framebuffer {
   /// scissor Mesa draws a quad too, whose colour llvmpipe fetches for each pixel.
   void clear(std::span<const Rectangle> areas) const;
 
+  /// Clears the areas to transparent black and the near depth, so that nothing is drawn there; a
+  /// software rasteriser does not even shade it.
+  void block(std::span<const Rectangle> areas) const;
+
   /// Directs drawing here, restricted to `area`; device coordinates span `viewport`.
   void draw_within(const Rectangle& area, const Rectangle& viewport) const;
 
@@ -33,6 +37,8 @@ class Framebuffer {
   Readback begin_read(const Rectangle& area) const;
 
  private:
+  void fill(std::span<const Rectangle> areas, float depth) const;
+
   const Functions* gl_;
   int width_;
   int height_;

@@ -7,18 +7,18 @@ namespace {
 
 long size(const Area& area) { return static_cast<long>(area.width) * area.height; }
 
-Area around(const Area& a, const Area& b) {
-  const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-  return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-          std::max(a.y + a.height, b.y + b.height) - top};
-}
-
 }  // namespace
 
 Area common(const Area& a, const Area& b) {
   const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
   return {x, y, std::max(std::min(a.x + a.width, b.x + b.width) - x, 0),
           std::max(std::min(a.y + a.height, b.y + b.height) - y, 0)};
+}
+
+Area around(const Area& a, const Area& b) {
+  const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+  return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+          std::max(a.y + a.height, b.y + b.height) - top};
 }
 
 std::vector<Area> merged(std::vector<Area> areas) {

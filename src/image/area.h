@@ -14,6 +14,9 @@ struct Area {
 /// Returns the intersection; if it is empty, its width and height are 0.
 Area common(const Area& a, const Area& b);
 
+/// Returns the smallest area that contains both.
+Area around(const Area& a, const Area& b);
+
 /// Returns areas that cover all of `areas`, in which two overlapping ones are merged if their
 /// bounding rectangle is no larger than both together.
 std::vector<Area> merged(std::vector<Area> areas);

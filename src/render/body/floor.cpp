@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/look/dither.h"
+#include "image/dither.h"
 #include "render/space/screen_area.h"
 
 namespace twrench::render {
@@ -152,7 +152,7 @@ Layer Floor::light(const Camera& camera) const {
       const double share = falloff(distance / (pool * place.z())) *
                            fade((x + 0.5) / pane_.width, (y + 0.5) / pane_.height);
       for (int c = 0; c < 3; ++c) {
-        out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + dither(x, y));
+        out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + image::dither(x, y));
       }
     }
   }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "render/look/dither.h"
+#include "image/dither.h"
 
 namespace twrench::render {
 namespace {
@@ -107,7 +107,7 @@ class Enlarger {
     for (int y = 0; y < 2; ++y) {
       std::vector<std::int16_t>& rounding = rounding_[static_cast<std::size_t>(y)];
       for (int x = 0; x < area.width; ++x) {
-        const float step = 0.5F + dither(area.x + x, y);
+        const float step = 0.5F + image::dither(area.x + x, y);
         rounding.insert(rounding.end(), 3, static_cast<std::int16_t>(step * (1 << level_bits)));
       }
     }

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "render/look/dither.h"
+#include "image/dither.h"
 #include "render/look/theme.h"
 
 namespace twrench::render {
@@ -91,7 +91,7 @@ image::Image background(const scene::Look& look, int width, int height, bool sti
       const ColumnTerms& column = columns[static_cast<std::size_t>(x)];
       const double depth = smooth_step(0.15, 0.85, v - column.droop);
       const Array3d color = above + depth * (below - above);
-      const double offset = 0.5 + static_cast<double>(dither(x, y));
+      const double offset = 0.5 + static_cast<double>(image::dither(x, y));
       const double darker = column.darkening * color[1];  // the same in all channels
       for (const double value : color) *out++ = static_cast<std::uint8_t>(value - darker + offset);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 #include "render/body/bounding_radius.h"
 #include "render/body/gap_closing.h"
@@ -76,10 +77,34 @@ BodyPass body_pass(const gl::Functions& gl, const scene::Scene& scene, double to
           radius, materials, style_of(scene.look.theme).studio};
 }
 
+std::vector<gl::Rectangle> rectangles_of(std::span<const image::Area> areas,
+                                         const ScreenArea& screen) {
+  std::vector<gl::Rectangle> rectangles;
+  rectangles.reserve(areas.size());
+  for (const image::Area& area : areas) rectangles.push_back(screen.rectangle(area));
+  return rectangles;
+}
+
 /// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
 /// for each rectangle.
 int band_height(const gl::Framebuffer& framebuffer) {
   return framebuffer.read_mode() == gl::ReadMode::at_once ? 32 : framebuffer.height();
+}
+
+// Size in pixels of the areas of a blurred picture, each drawn in as many poses as it needs.
+constexpr int tile_width = 160, tile_height = 64;
+
+/// Cuts the areas into ones that are at most so wide.
+std::vector<image::Area> cut_to_width(const std::vector<image::Area>& areas, int width) {
+  std::vector<image::Area> result;
+  for (const image::Area& area : areas) {
+    const int count = (area.width + width - 1) / width;
+    for (int i = 0; i < count; ++i) {
+      const int left = area.width * i / count, right = area.width * (i + 1) / count;
+      result.push_back({area.x + left, area.y, right - left, area.height});
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -101,6 +126,9 @@ BodyView::BodyView(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
       body_(body_pass(gl, scene, tolerance(camera(0), pane.area.height), radius_)),
       multisampled_(scene.look.samples > 1),
       draw_list_pass_(gl) {
+  if (scene.look.motion_blur > 1) {
+    sampling_.emplace(scene::visible_parts(scene.body), body_.mesh(), radius_);
+  }
   if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(gl, scene);
 }
 
@@ -191,11 +219,10 @@ ScreenArea BodyView::covered(const Camera& camera, std::span<const Matrix3d> pos
 std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d& X,
                                             const ScreenArea& screen,
                                             std::span<const image::Area> areas) {
-  std::vector<gl::Rectangle> rectangles;
-  rectangles.reserve(areas.size());
-  for (const image::Area& area : areas) rectangles.push_back(screen.rectangle(area));
+  const std::vector<gl::Rectangle> rectangles = rectangles_of(areas, screen);
   framebuffer_.clear(rectangles);
-  framebuffer_.draw_within(screen.rectangle(screen.bounds()), screen.viewport());
+  const image::Area all = std::accumulate(areas.begin(), areas.end(), areas.front(), image::around);
+  framebuffer_.draw_within(screen.rectangle(all), screen.viewport());
   if (multisampled_) {
     body_.draw(camera, X);
     draw_list_pass_.draw_ghosts(opaque_);
@@ -224,16 +251,32 @@ void BodyView::draw_sharp(const Camera& camera, const Matrix3d& X,
   }
 }
 
+/// Draws each area in as many of the poses as the motion there calls for.
 void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> poses,
                             std::vector<PendingLayer>& layers) {
   const ScreenArea screen = covered(camera, poses);
-  const std::vector<image::Area> areas = screen.bands(band_height_);
+  const std::vector<image::Area> areas = cut_to_width(screen.bands(tile_height), tile_width);
+  const std::vector<int> counts = sampling_->counts(areas, camera, pane_.area, poses);
   std::vector<PendingExposure> exposures;
   exposures.reserve(areas.size());
   for (const image::Area& area : areas) exposures.emplace_back(area.width, area.height);
-  for (const Matrix3d& X : poses) {
-    std::vector<gl::Readback> pixels = picture(camera, X, screen, areas);
-    for (std::size_t i = 0; i < areas.size(); ++i) exposures[i].add(std::move(pixels[i]));
+  std::vector<char> is_blocked(areas.size());
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    std::vector<std::size_t> drawn;
+    std::vector<image::Area> drawn_areas, left_out;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      if (is_in_exposure(static_cast<int>(pose), counts[i], static_cast<int>(poses.size()))) {
+        drawn.push_back(i);
+        drawn_areas.push_back(areas[i]);
+      } else if (is_blocked[i] == 0) {
+        left_out.push_back(areas[i]);
+      }
+      is_blocked[i] = drawn.empty() || drawn.back() != i;
+    }
+    if (drawn.empty()) continue;
+    framebuffer_.block(rectangles_of(left_out, screen));
+    std::vector<gl::Readback> pixels = picture(camera, poses[pose], screen, drawn_areas);
+    for (std::size_t i = 0; i < drawn.size(); ++i) exposures[drawn[i]].add(std::move(pixels[i]));
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
     layers.push_back(made_of(std::move(exposures[i]), areas[i].x, areas[i].y));

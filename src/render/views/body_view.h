@@ -11,6 +11,7 @@
 #include "render/overlay/force_arrows.h"
 #include "render/space/camera.h"
 #include "render/space/screen_area.h"
+#include "render/views/blur_sampling.h"
 
 namespace twrench::render {
 
@@ -58,9 +59,10 @@ class BodyView final : public SpaceView {
   BodyPass body_;
   bool multisampled_;  ///< Otherwise edges are antialiased analytically.
   DrawListPass draw_list_pass_;
-  DrawList opaque_, translucent_;    ///< Draw lists of the overlay in the current frame.
-  std::optional<Floor> floor_;       ///< For a camera at rest in space; otherwise
-  std::optional<FixedStars> stars_;  ///< these show how the world turns.
+  std::optional<BlurSampling> sampling_;  ///< With motion blur.
+  DrawList opaque_, translucent_;         ///< Draw lists of the overlay in the current frame.
+  std::optional<Floor> floor_;            ///< For a camera at rest in space; otherwise
+  std::optional<FixedStars> stars_;       ///< these show how the world turns.
   bool floor_lit_ = false;  ///< Whether the floor is lit; a flat background keeps its colour.
 };
 

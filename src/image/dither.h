@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace twrench::render {
+namespace twrench::image {
 
 /// Returns what ordered dithering adds to a value before it is rounded to the nearest integer: half
 /// steps up and down in a 2 x 2 pattern. Quarter steps are fine enough to hide bands, and a pattern
@@ -13,4 +13,4 @@ inline float dither(int x, int y) {
   return pattern[static_cast<std::size_t>(y % 2 * 2 + x % 2)];
 }
 
-}  // namespace twrench::render
+}  // namespace twrench::image
