@@ -23,12 +23,14 @@ done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 times=$folder/times.txt
+source bench/timing.sh
 
-# film BINARY OPTIONS...: renders the video.
-film() {
+# frames_of BINARY OPTIONS... and film BINARY OPTIONS...: draw the frames, and render the video.
+frames_of() {
   "$1" render --size 1920x1080 --frames "0-$((frames - 1))" --overwrite --progress none \
-    --frames-dir "$folder/frames" -o "$folder/film.mp4" "${@:2}"
+    --frames-dir "$folder/frames" "${@:2}"
 }
+film() { frames_of "$@" -o "$folder/film.mp4"; }
 
 # The encoder's settings from the manifest, from yuv420p or, converted by ffmpeg, rgb24; and the
 # frames as the encoder receives them, recorded by a substitute. (Decoded frames of the video are
@@ -63,16 +65,6 @@ vtk_film() {
   xvfb-run -a -s "-screen 0 1920x1080x24" /usr/bin/python3 "${script[@]}" >/dev/null
 }
 
-# timed NAME FRAMES COMMAND...: adds a line with its time to the list.
-timed() {
-  local wall user system
-  local TIMEFORMAT='%R %U %S'
-  read -r wall user system < <({ time "${@:3}" >&2 || echo failed; } 2>&1 | tail -n 1)
-  [[ $wall != failed ]] || { echo "$0: '$1' failed" >&2; exit 1; }
-  awk -v name="$1" -v n="$2" -v w="$wall" -v c="$(awk "BEGIN { print $user + $system }")" \
-    'BEGIN { printf "%s\t%.2f\t%.2f\n", name, 1e3 * w / n, 1e3 * c / n }' >>"$times"
-}
-
 for ((round = 0; round < rounds; ++round)); do
   timed "ffmpeg alone, rgb24" "$frames" encode_rgb
   timed "ffmpeg alone, yuv420p" "$frames" encode_yuv
@@ -80,7 +72,7 @@ for ((round = 0; round < rounds; ++round)); do
   timed "film, all overlays" "$frames" film "$twrench" --no-frames
   timed "film and PNG, bare" "$frames" film "$twrench" --bare
   timed "film and PNG, all overlays" "$frames" film "$twrench"
-  timed "PNG alone, bare" "$frames" film "$twrench" --bare --no-video
+  timed "PNG alone, bare" "$frames" frames_of "$twrench" --bare --no-video
   if [[ $before ]]; then
     timed "before: film, bare" "$frames" film "$before" --bare --no-frames
     timed "before: film, all overlays" "$frames" film "$before" --no-frames
@@ -92,24 +84,17 @@ for ((round = 0; round < rounds; ++round)); do
   fi
 done
 
-awk -F'\t' '
-  function median(list, n,   v, i, j, t) {
-    split(list, v, " ")
-    for (i = 1; i <= n; ++i) for (j = i + 1; j <= n; ++j) if (v[j] + 0 < v[i] + 0) { t = v[i]; v[i] = v[j]; v[j] = t }
-    return (v[int((n + 1) / 2)] + v[int(n / 2) + 1]) / 2
+medians | awk -F'\t' '
+  {
+    name[NR] = $1; w[NR] = $2; c[NR] = $3
+    if ($1 ~ /^ffmpeg alone, yuv/) { fw = $2; fc = $3 }
+    if ($1 ~ /^VTK/) vw = $2
   }
-  !($1 in count) { order[++rows] = $1 }
-  { ++count[$1]; wall[$1] = wall[$1] " " $2; cpu[$1] = cpu[$1] " " $3 }
   END {
-    for (i = 1; i <= rows; ++i) {
-      w[i] = median(wall[order[i]], count[order[i]]); c[i] = median(cpu[order[i]], count[order[i]])
-      if (order[i] ~ /^ffmpeg alone, yuv/) { fw = w[i]; fc = c[i] }
-      if (order[i] ~ /^VTK/) vw = w[i]
-    }
     printf "%-38s %9s %9s %9s %9s %9s\n", "milliseconds a frame", "wall", "processor", "/ffmpeg", "cpu/cpu", "VTK/"
-    for (i = 1; i <= rows; ++i)
-      printf "%-38s %9.1f %9.1f %9.2f %9.2f %9s\n", order[i], w[i], c[i], w[i] / fw, c[i] / fc, (vw ? sprintf("%.1f", vw / w[i]) : "-")
-  }' "$times"
+    for (i = 1; i <= NR; ++i)
+      printf "%-38s %9.1f %9.1f %9.2f %9.2f %9s\n", name[i], w[i], c[i], w[i] / fw, c[i] / fc, (vw ? sprintf("%.1f", vw / w[i]) : "-")
+  }'
 
 printf '\nStages of the film, bare:\n'
 film "$twrench" --bare --no-frames --timing

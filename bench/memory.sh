@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # memory.sh [FRAMES]: measures the memory use of a render, in MB of resident set: whether it stays
 # constant, from frame 500 to the last of FRAMES (default 10000) small frames, with and without PNG
-# files; and the peak at 1080p and 4K, of twrench and of the encoder.
+# files, and when these are encoded; and the peak at 1080p and 4K, of twrench and of the encoder.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,15 +13,14 @@ trap 'rm -rf "$folder"' EXIT
 # Prints the field VmRSS or VmHWM (its peak) of a process in MB; nothing if it has ended.
 memory() { awk -v field="$2:" '$1 == field { printf "%.1f", $2 / 1024 }' "/proc/$1/status" 2>/dev/null || true; }
 
-# measure ARGUMENTS...: renders; sets early and late to the resident set at frame 500 and at the
+# measure COMMAND ARGUMENTS...: runs twrench; sets early and late to the resident set at frame 500 and at the
 # last progress line, peak and encoder to the peaks.
 measure() {
   local line number rss child pid
   early='' late='' peak='' encoder=0
   rm -f "$folder/progress"
   mkfifo "$folder/progress"
-  "$twrench" render --frames-dir "$folder/frames" -o "$folder/film.mp4" --overwrite \
-    --progress json "$@" 2>"$folder/progress" &
+  "$twrench" "$@" --overwrite --progress json 2>"$folder/progress" &
   pid=$!
   while read -r line; do
     number=$(sed -n 's/.*"frames_done": \([0-9]*\).*/\1/p' <<<"$line")
@@ -37,18 +36,25 @@ measure() {
   wait "$pid"
 }
 
+# flat NAME COMMAND ARGUMENTS...
 flat() {
-  measure --size 256x144 --fps 60 --speed 1 --duration "$((frames / 60 + 1))" --frames "0-$((frames - 1))" "${@:2}"
+  measure "${@:2}"
   printf '%-34s %8s %8s  %s\n' "$1" "$early" "$late" \
     "$(awk -v a="$early" -v b="$late" 'BEGIN { printf "%+.1f %%", 100 * (b - a) / a }')"
 }
 
+film=(-o "$folder/film.mp4")
+small=(render --size 256x144 --fps 60 --speed 1 --duration "$((frames / 60 + 1))"
+  --frames "0-$((frames - 1))" --frames-dir "$folder/frames")
 printf '%-34s %8s %8s\n' "$frames frames of 256x144" "at 500" "at last"
-flat "PNG files alone" --no-video
-flat "film alone" --no-frames
-flat "both"
+flat "PNG files alone" "${small[@]}" --no-video
+flat "film from these" encode "$folder/frames" "${film[@]}"
+flat "film alone" "${small[@]}" --no-frames "${film[@]}"
+flat "both" "${small[@]}" "${film[@]}"
 printf '\n%-34s %8s %8s\n' "peak" twrench ffmpeg
 for size in 1920x1080 3840x2160; do
-  measure --size "$size" --frames 0-59
+  measure render --size "$size" --frames 0-59 --frames-dir "$folder/frames" "${film[@]}"
   printf '%-34s %8s %8s\n' "$size, both" "$peak" "$encoder"
+  measure encode "$folder/frames" "${film[@]}"
+  printf '%-34s %8s %8s\n' "$size, film from PNG files" "$peak" "$encoder"
 done

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "image/png.h"
@@ -14,7 +15,7 @@
 namespace twrench::image {
 namespace {
 
-using Rows = std::vector<std::uint8_t>;
+using Bytes = std::vector<std::uint8_t>;
 
 enum Filter : std::uint8_t { none = 0, sub = 1, up = 2 };  // PNG specification, 9.2
 
@@ -52,7 +53,7 @@ std::vector<std::span<const std::uint8_t>> plain_data(std::span<const Chunk> chu
 }
 
 /// Inflates data that fill the rows but for a last byte; the checksum of the stream is asked for.
-bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Rows& rows) {
+bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Bytes& rows) {
   const auto state = std::make_unique<inflate_state>();
   isal_inflate_init(state.get());
   state->crc_flag = ISAL_ZLIB;
@@ -69,43 +70,49 @@ bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Rows& r
 
 /// Each sample is the difference from the one on its left. What is on the left stays in registers.
 template <std::size_t channels>
-void undo_sub(const std::uint8_t* row, std::size_t size, std::uint8_t* pixels) {
+void undo_sub(std::span<std::uint8_t> row) {
   std::array<std::uint8_t, channels> left{};
-  for (std::size_t i = 0; i < size; i += channels) {
+  for (std::size_t i = 0; i < row.size(); i += channels) {
     for (std::size_t c = 0; c < channels; ++c) {
       left[c] = static_cast<std::uint8_t>(left[c] + row[i + c]);
-      pixels[i + c] = left[c];
+      row[i + c] = left[c];
     }
   }
 }
 
-bool undo_filters(const Rows& rows, Image& image) {
+/// Each sample is the difference from the one above.
+void undo_up(std::span<std::uint8_t> row, const std::uint8_t* above) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] = static_cast<std::uint8_t>(row[i] + above[i]);
+  }
+}
+
+/// Turns rows with a filter byte each into pixels, in place: every row moves towards the beginning
+/// by as many bytes as there are filters before it.
+bool undo_filters(Image& image) {
   const std::size_t size = image.row_bytes();
-  image.pixels.resize(size * static_cast<std::size_t>(image.height));
-  const std::uint8_t* above = nullptr;
   std::uint8_t* pixels = image.pixels.data();
-  const std::uint8_t* row = rows.data();
-  for (int y = 0; y < image.height; ++y, row += size + 1) {
-    if (*row == sub) {
-      image.channels == 3 ? undo_sub<3>(row + 1, size, pixels) : undo_sub<4>(row + 1, size, pixels);
-    } else if (*row == none || (*row == up && above == nullptr)) {
-      std::copy_n(row + 1, size, pixels);
-    } else if (*row == up) {
-      for (std::size_t i = 0; i < size; ++i) {
-        pixels[i] = static_cast<std::uint8_t>(row[1 + i] + above[i]);
-      }
-    } else {
+  const std::uint8_t* filtered = pixels;
+  for (int y = 0; y < image.height; ++y, filtered += size + 1, pixels += size) {
+    const std::uint8_t filter = *filtered;
+    std::copy_n(filtered + 1, size, pixels);
+    const std::span row(pixels, size);
+    if (filter == sub) {
+      image.channels == 3 ? undo_sub<3>(row) : undo_sub<4>(row);
+    } else if (filter == up) {
+      if (y > 0) undo_up(row, pixels - size);
+    } else if (filter != none) {
       return false;
     }
-    above = pixels;
-    pixels += size;
   }
+  image.pixels.resize(size * static_cast<std::size_t>(image.height));
   return true;
 }
 
 }  // namespace
 
-std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file) {
+std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file,
+                                      std::vector<std::uint8_t> memory) {
   constexpr std::size_t most_from_a_byte = 1032;  // RFC 1951, 3.2.5: 258 bytes of 2 bits
   if (check_chunks(file) != ChunkState::whole) return {};
   const std::vector<Chunk> chunks = chunks_of(file);
@@ -115,8 +122,9 @@ std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file) {
   const std::size_t size = (image->row_bytes() + 1) * static_cast<std::size_t>(image->height);
   if (size > most_from_a_byte * file.size()) return {};
   // A byte more: at the end of the room ISA-L would not look for the end of the data.
-  Rows rows(size + 1);
-  if (!inflate_rows(pieces, rows) || !undo_filters(rows, *image)) return {};
+  image->pixels = std::move(memory);
+  image->pixels.resize(size + 1);
+  if (!inflate_rows(pieces, image->pixels) || !undo_filters(*image)) return {};
   return image;
 }
 

@@ -25,8 +25,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& backg
 
 /// The image in the bytes of a PNG file: RGB, or RGBA where anything can be transparent; gray
 /// becomes RGB, 16 bits become 8. `name` names it in errors. Throws FileError when it is no PNG, is
-/// too large, or is damaged, which all its checksums are asked for.
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+/// too large, or is damaged, which all its checksums are asked for. `memory`, the pixels of an
+/// image that is no longer needed, is used again: the system need not clear pages for each image.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
+                 std::vector<std::uint8_t> memory = {});
 
 /// The same with all 16 bits of a channel; 8 bits become 16.
 DeepImage decode_deep_png(std::span<const std::uint8_t> bytes, const std::string& name);

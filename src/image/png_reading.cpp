@@ -198,8 +198,9 @@ DeepImage widened(const Image& image) {
 
 }  // namespace
 
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (std::optional<Image> image = decode_plain_png(bytes)) return std::move(*image);
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
+                 std::vector<std::uint8_t> memory) {
+  if (auto image = decode_plain_png(bytes, std::move(memory))) return std::move(*image);
   Decoder decoder(bytes, name);
   return decode_8_bits(decoder);
 }

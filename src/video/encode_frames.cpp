@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <future>
+#include <utility>
 #include <vector>
 
 #include "image/picture_memory.h"
@@ -46,9 +48,9 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
                     FramesError::Reason::missing, missing);
 }
 
-/// Returns the frame as it was drawn, or throws FileError.
+/// Returns the frame as it was drawn, in that memory, or throws FileError.
 image::Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
-                        const Manifest& manifest) {
+                        const Manifest& manifest, std::vector<std::uint8_t> memory = {}) {
   constexpr std::size_t longest = 1U << 30U;
   const std::filesystem::path path = folder / record.file;
   const auto png = system::read_regular_file(path, longest);
@@ -57,7 +59,7 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
                       "it is not the file that the manifest describes",
                       FramesError::Reason::altered, {record.frame});
   }
-  image::Image image = image::decode_png(png, path.string());
+  image::Image image = image::decode_png(png, path.string(), std::move(memory));
   if (image.width != manifest.width || image.height != manifest.height) {
     throw system::FileError(
         "cannot use " + path.string(),
@@ -66,6 +68,45 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
   }
   return image;
 }
+
+/// Reads the frames of a manifest in order, several at once.
+class FrameReader {
+ public:
+  /// The manifest must outlive the reader.
+  FrameReader(const Manifest& manifest, std::filesystem::path folder)
+      : manifest_(manifest), folder_(std::move(folder)), next_(manifest.frames.begin()) {}
+
+  /// Returns the next frame, or throws as read_frame(). There must be one.
+  image::Image next() {
+    begin_more();
+    image::Image frame = begun_.front().get();
+    begun_.pop_front();
+    begin_more();
+    return frame;
+  }
+
+  /// Takes the memory of a frame that is no longer needed.
+  void reuse(image::Image frame) { memory_ = std::move(frame.pixels); }
+
+ private:
+  void begin_more() {
+    for (; begun_.size() < at_once_ && next_ != manifest_.frames.end(); ++next_) {
+      begun_.push_back(
+          std::async(std::launch::async,
+                     [this, &record = *next_, memory = std::exchange(memory_, {})]() mutable {
+                       return read_frame(record, folder_, manifest_, std::move(memory));
+                     }));
+    }
+  }
+
+  /// No encoder takes frames faster than eight threads read them, and each holds one in memory.
+  const std::size_t at_once_ = std::min(system::processor_count(), 8U);
+  const Manifest& manifest_;
+  const std::filesystem::path folder_;
+  std::vector<FrameRecord>::const_iterator next_;
+  std::vector<std::uint8_t> memory_;
+  std::deque<std::future<image::Image>> begun_;  ///< last: joined before what they use is destroyed
+};
 
 /// The video must not replace one of its inputs.
 void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
@@ -127,19 +168,12 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   const TextTracks tracks = text_tracks_of(manifest, output);
   VideoEncoder encoder(output.path, format, identity, tracks.chapters);
   TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);
-  // Decoding a frame takes longer than encoding it, so several are decoded in parallel.
-  const std::size_t at_once = system::processor_count();
-  std::deque<std::future<image::Image>> begun;
+  FrameReader reader(manifest, folder);
   const int total = static_cast<int>(manifest.frames.size());
-  int done = 0;
-  for (auto next = manifest.frames.begin(); done < total; progress(++done, total)) {
-    for (; begun.size() < at_once && next != manifest.frames.end(); ++next) {
-      begun.push_back(std::async(std::launch::async, [&manifest, &folder, &record = *next] {
-        return read_frame(record, folder, manifest);
-      }));
-    }
-    encoder.write(begun.front().get());
-    begun.pop_front();
+  for (int done = 0; done < total; progress(++done, total)) {
+    image::Image frame = reader.next();
+    encoder.write(frame);
+    reader.reuse(std::move(frame));
   }
   encoder.finish();
   track_files.finish();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image/png.h"
@@ -243,6 +244,18 @@ TEST(PngReading, UndoesEveryFilter) {
                               .with(filtered_rows(image, filters));
       EXPECT_EQ(decode_png(marked, "a").pixels, image.pixels) << filters.front();
     }
+  }
+}
+
+TEST(PngReading, UsesTheMemoryThatItIsGiven) {
+  for (const std::vector<int>& filters : {std::vector{0}, {1}, {2}, {4}}) {
+    const Image image = sample_image(9, 7, 3, 5);
+    const auto png = PngFile(9, 7, 8, rgb).with(filtered_rows(image, filters));
+    Bytes memory(1000, 0xAA);
+    const std::uint8_t* const place = memory.data();
+    const Image read = decode_png(png, "a", std::move(memory));
+    EXPECT_EQ(read.pixels, image.pixels) << filters.front();
+    if (filters.front() < 3) EXPECT_EQ(read.pixels.data(), place) << filters.front();
   }
 }
 
