@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <functional>
+#include <future>
 #include <iterator>
 #include <optional>
 
@@ -86,10 +88,10 @@ struct Renderer::Parts {
   Parts(gl::Context& context, const scene::Scene& scene,
         const std::vector<timeline::Solution>& solutions, std::optional<gl::ReadMode> mode);
 
+  std::shared_future<image::Image> empty;  // without any element; made while OpenGL gets ready
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   canvas::Typeface typeface;
-  image::Image empty;  // without any element
   /// An element and whether what the scene stresses lets it step back.
   struct Shown {
     std::unique_ptr<Element> element;
@@ -115,11 +117,11 @@ struct Renderer::Parts {
 Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
                        const std::vector<timeline::Solution>& solutions,
                        std::optional<gl::ReadMode> mode)
-    : gl(context),
+    : empty(std::async(empty_picture, std::cref(scene))),
+      gl(context),
       framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
                   mode.value_or(gl::best_read_mode(gl))),
-      typeface(canvas::load_typeface(scene.overlay.font)),
-      empty(empty_picture(scene)) {
+      typeface(canvas::load_typeface(scene.overlay.font)) {
   const Layout layout = compute_layout(scene);
   for (std::size_t i = 0; i < layout.panes.size(); ++i) {
     add_view<BodyView>(scene, solutions, i, layout.panes[i], false);
@@ -191,7 +193,7 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
 }
 
 image::Image Renderer::Parts::background() const {
-  image::Image picture = empty;
+  image::Image picture = empty.get();
   for (const auto& [element, is_dimmed] : elements) {
     for (Layer& layer : element->static_layers()) {
       if (is_dimmed) scale_opacity(layer, dimmed_opacity);
