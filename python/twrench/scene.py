@@ -315,7 +315,8 @@ class Scene:
         :param chapters: make the flips chapters of a video.
         :param resume: keep the intact frames of this scene that are there.
         :param overwrite: replace frames and a video of another scene.
-        :param jobs: number of threads that compress frames, 1 to 256; None: half the processors.
+        :param jobs: number of threads that compress frames, 1 to 256; None: half the
+            processors, at most 8.
         :param backend: auto, osmesa or egl.
         :param progress: is called with the numbers of frames done and of all, after each frame. An
             exception that it raises ends the run.

@@ -62,7 +62,7 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(comma
   add_backend_options(command, backend);
   command.add_option("--jobs", jobs, "threads that compress frames")
       ->type_name("N")
-      ->default_str("half the processors");
+      ->default_str("half the processors, at most 8");
   Progress::add_option(command, progress);
   command.add_flag("--resume", resume,
                    "keep existing frames that are intact and belong to this video");

@@ -163,7 +163,9 @@ video::TextTracks text_tracks_of(const scene::Scene& scene, const timeline::Film
 
 }  // namespace
 
-int default_job_count() { return std::max(1, static_cast<int>(system::processor_count() / 2)); }
+int default_job_count() {
+  return static_cast<int>(std::clamp(system::processor_count() / 2, 1U, 8U));
+}
 
 RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     : scene_(stoppable(scene, settings.stop)),

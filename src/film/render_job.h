@@ -23,8 +23,9 @@
 namespace twrench::film {
 
 /// Returns the number of threads that compress frames unless the caller says otherwise: half the
-/// processors. Drawing and the encoder use the other half; more would only compete with them for
-/// time and cache.
+/// processors, at most eight. Drawing and the encoder use the other half; more would only compete
+/// with them for time and cache. Drawing in software keeps one or two busy (docs/scaling.md), and
+/// each holds a frame in memory.
 int default_job_count();
 
 /// The video of a run.

@@ -255,7 +255,9 @@ TEST(PngReading, UsesTheMemoryThatItIsGiven) {
     const std::uint8_t* const place = memory.data();
     const Image read = decode_png(png, "a", std::move(memory));
     EXPECT_EQ(read.pixels, image.pixels) << filters.front();
-    if (filters.front() < 3) EXPECT_EQ(read.pixels.data(), place) << filters.front();
+    if (filters.front() < 3) {
+      EXPECT_EQ(read.pixels.data(), place) << filters.front();
+    }
   }
 }
 
