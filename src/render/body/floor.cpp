@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "image/dither.h"
 #include "render/space/screen_area.h"
 
@@ -29,9 +30,10 @@ constexpr double far_away = 3.0;  // in radii from its middle, where the floor e
 // Between the spheres of a part: the shadow of a wire is invisible.
 constexpr double most_gaps = 60;
 
-/// The pool's light at that distance from its middle, in units of its width: a lamp's falloff.
-double falloff(double distance) {
-  const double share = 1 / (1 + distance * distance);
+/// The pool's light at a distance from its middle with that square, in units of its width: a lamp's
+/// falloff.
+double falloff(double squared_distance) {
+  const double share = 1 / (1 + squared_distance);
   return share * share;
 }
 
@@ -139,23 +141,30 @@ float Floor::fade(double x, double y) const {
 
 Layer Floor::light(const Camera& camera) const {
   Layer layer{{pane_.width, pane_.height, 4}, pane_.x, pane_.y};
-  const Matrix3d floor_from_pane = floor_from_grid(camera, pane_.width, pane_.height);
   const Eigen::Vector2d right(camera.view(0, 0), camera.view(0, 2));
-  const Eigen::Vector2d away(right.y() / pool_depth, -right.x() / pool_depth);
+  Matrix3d pool_from_floor = Matrix3d::Identity();
+  pool_from_floor.topLeftCorner<2, 2>() << right.transpose() / pool,
+      Eigen::RowVector2d(right.y(), -right.x()) / (pool * pool_depth);
+  const Matrix3d pool_from_pane =
+      pool_from_floor * floor_from_grid(camera, pane_.width, pane_.height);
   const Eigen::Array3d color(style_.light.red, style_.light.green, style_.light.blue);
-  std::uint8_t* out = layer.image.pixels.data();
-  for (int y = 0; y < pane_.height; ++y) {
+  const auto draw_row = [&](int y) {
+    std::uint8_t* out = &layer.image.pixels[static_cast<std::size_t>(y) * layer.image.row_bytes()];
     for (int x = 0; x < pane_.width; ++x, out += 4) {
-      const Vector3d place = floor_from_pane * Vector3d(x + 0.5, y + 0.5, 1);
+      const Vector3d place = pool_from_pane * Vector3d(x + 0.5, y + 0.5, 1);
       if (place.z() <= 0) continue;
-      const double distance = std::hypot(right.dot(place.head<2>()), away.dot(place.head<2>()));
-      const double share = falloff(distance / (pool * place.z())) *
+      const double share = falloff(place.head<2>().squaredNorm() / (place.z() * place.z())) *
                            fade((x + 0.5) / pane_.width, (y + 0.5) / pane_.height);
       for (int c = 0; c < 3; ++c) {
         out[c] = static_cast<std::uint8_t>(share * color[c] + 0.5 + image::dither(x, y));
       }
     }
-  }
+  };
+  constexpr std::size_t rows_at_once = 32;
+  for_each_part(static_cast<std::size_t>(pane_.height), rows_at_once, 0,
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t y = begin; y < end; ++y) draw_row(static_cast<int>(y));
+                });
   return layer;
 }
 
