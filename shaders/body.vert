@@ -28,7 +28,9 @@ out float coverage;  // 1 on the body, falling to 0 across an edge quad
 flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
 flat out float scale;  // pixels per unit length
 flat out float most_variance;  // of the normal within a pixel
-out vec2 across;  // see brush.glsl
+// See brush.glsl. Beyond a facet's edge, where several samples per pixel would otherwise take it, it
+// may be on the stripe.
+centroid out vec2 across;
 out vec3 around;
 
 void main() {
@@ -72,17 +74,25 @@ void main() {
   vec3 radial = stage_normal_from_body *
                 (across.x * across_from_body[0].xyz + across.y * across_from_body[1].xyz);
   radial *= inversesqrt(max(dot(radial, radial), 1e-12));
+  vec3 end_normal = stage_normal_from_body *
+                    cross(across_from_body[0].xyz, across_from_body[1].xyz);
+  end_normal *= sign(dot(end_normal, n)) * inversesqrt(max(dot(end_normal, end_normal), 1e-12));
 
   // Shrunk by s pixels, it shows the surface there, where on a circle of radius r the cosine
   // between normal and line of sight is sqrt(2 s / r). A rim curves so sharply that its outermost
-  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within.
+  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within. That is
+  // the end face where the rim is seen as narrow as that.
   // The strips of a cylinder's side turn by up to 2 sqrt(0.3 / r).
-  bool on_rim = dot(n, radial) < 0.99 || dot(radial, to_eye) < -sqrt(0.35 / max(radii.x, 1.0));
-  float radius = on_rim && part_radii.z > 0.0 ? radii.z : radii.x;
-  float within = radius == radii.x ? max(-offset, 0.0) : abs(offset);
+  bool on_rim = part_radii.z > 0.0 && (abs(dot(n, radial)) < 0.99 ||
+                                       cosine < -sqrt(0.35 / max(radii.x, 1.0)));
+  float within = on_rim ? abs(offset) : max(-offset, 0.0);
+  float radius = on_rim ? radii.z : radii.x;
   float facing = sqrt(min(2.0 * within * picture.z / max(radius, 1.0), 0.8));
+  float face_cosine = dot(end_normal, to_eye);
   stage_normal = n;
-  if (offset * picture.z != 0.0) {
+  if (on_rim && face_cosine > 0.0 && face_cosine <= facing) {
+    stage_normal = end_normal;
+  } else if (offset * picture.z != 0.0) {
     stage_normal = normalize(n + max(facing - cosine, 0.0) * to_eye);
   }
   pass_on_color();

@@ -5,7 +5,7 @@
 const float scratches_of_quarter = 61.0;
 const float scratch_step = 17.0 / 244.0;  // over their number in a turn, after which they repeat
 
-in vec2 across;  // position across the cylinder's axis, in its radii; 0 in other shapes
+centroid in vec2 across;  // position across the cylinder's axis, in its radii; 0 in other shapes
 in vec3 around;  // stage; perpendicular to the axis and to `across`
 
 // The height of the scratches, -0.5 to 0.5, at this angle: without an arc tangent, by the position

@@ -5,7 +5,9 @@ const vec3 white_paint = vec3(0.75);
 const vec3 black_paint = vec3(0.015);
 
 vec3 painted(vec3 metal, vec3 normal) {
-  vec2 pixel = max(fwidth(across), 1e-4);
+  // At an outline, facets seen edge-on may change by more than the whole body within a pixel, and
+  // paint would show far beside the stripe.
+  vec2 pixel = clamp(fwidth(across), 1e-4, 0.5 * mark_half_width);
   float inside = clamp((mark_half_width - abs(across.y)) / pixel.y + 0.5, 0.0, 1.0);
   float side = clamp(across.x / pixel.x + 0.5, 0.0, 1.0);
   return mix(metal, mix(black_paint, white_paint, side) * ambient_radiance(normal), inside);

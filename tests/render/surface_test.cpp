@@ -213,5 +213,65 @@ TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
   }
 }
 
+const body::Part tube{body::Tube{2, 1.5, 3}, 1, {0, 0, 0}, Matrix3d::Identity()};
+const body::Part torus{body::Torus{2, 0.7}, 1, {0, 0, 0}, Matrix3d::Identity()};
+
+/// How many pixels differ by more than 12 of 255, in a window of 15 x 15 with few others that do.
+int specks(const image::Image& a, const image::Image& b) {
+  const auto differs = [&](int row, int column) {
+    const auto at = static_cast<std::size_t>(4 * (row * a.width + column));
+    return std::abs(a.pixels[at] - b.pixels[at]) > 12;
+  };
+  constexpr int side = 15, few = 12;
+  int count = 0;
+  for (int row = side; row + side < a.height; ++row) {
+    for (int column = side; column + side < a.width; ++column) {
+      if (!differs(row, column)) continue;
+      int near = 0;
+      for (int k = 0; k < side * side; ++k) {
+        near += differs(row + k / side - side / 2, column + k % side - side / 2) ? 1 : 0;
+      }
+      if (near < few) ++count;
+    }
+  }
+  return count;
+}
+
+// Half a turn about the axis swaps the white and the black end of the stripe, and no more. Paint
+// may not show beside the stripe where facets are seen edge-on; what is left are the stripe's own
+// ends, where it becomes narrower than a pixel.
+TEST_F(Surface, HasNoSpecksOfTheMarkAlongOutlines) {
+  for (const body::Part& part : {torus, tube}) {
+    scene::Scene scene = transparent({part}, 640, 360);
+    scene.look.metallic = 0;
+    for (const int samples : {1, 4}) {
+      scene.look.samples = samples;
+      PoseRenderer renderer(*context, scene);
+      int count = 0;
+      for (const double tilt : {0.9, 1.3, 1.5}) {
+        for (const double angle : {0.2, 0.6, 1.2}) {
+          const Matrix3d X = so3::exp(Vector3d(0.2, tilt, 0.3)) * so3::exp(Vector3d(0, 0, angle));
+          const Matrix3d turned = X * so3::exp(Vector3d(0, 0, std::numbers::pi));
+          count += specks(renderer.draw(X), renderer.draw(turned));
+        }
+      }
+      EXPECT_LE(count, std::holds_alternative<body::Torus>(part.shape) ? 36 : 6) << samples;
+    }
+  }
+}
+
+// With one sample per pixel the rim is moved half a pixel inwards. The end face beside it, which is
+// flat, reflects the same as with four, and so does a rim that is seen narrower than a pixel.
+TEST_F(Surface, HasEndFacesThatReflectTheSameUpToTheRim) {
+  scene::Scene scene = transparent({tube}, 640, 360);
+  PoseRenderer one(*context, scene);
+  scene.look.samples = 4;
+  PoseRenderer four(*context, scene);
+  for (const double tilt : {-1.4, -1.35, -1.3}) {
+    const Matrix3d X = so3::exp(Vector3d(tilt, 0, 0)) * so3::exp(Vector3d(0, 0, 0.8));
+    EXPECT_LT(difference(one.draw(X), four.draw(X)), 1) << "of 255, tilted by " << tilt;
+  }
+}
+
 }  // namespace
 }  // namespace twrench::render

@@ -24,7 +24,7 @@ struct CylinderSide {
   std::uint32_t low, high;  ///< First vertex of each ring, counter-clockwise as seen from the top.
   std::uint32_t count;      ///< Number of vertices of a ring, and of strips.
   std::size_t begin;        ///< In indices; from here to the end of its part.
-  double bevel;             ///< Radius of the rounded rims, cm.
+  double bevel;             ///< Radius of the rounded rims, cm; 0 for a capsule.
 };
 
 /// Triangles of a part that lie close together.

@@ -145,7 +145,6 @@ Rings rings_of(const body::Capsule& capsule, double tolerance) {
   }
   Rings result = lathed(outline, capsule.radius, tolerance);
   result.side = static_cast<std::size_t>(chords);
-  result.bevel = capsule.radius;
   return result;
 }
 

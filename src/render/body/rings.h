@@ -24,7 +24,7 @@ struct Rings {
   bool has_hole = false;
   /// The ring from which the side of a cylinder leads to the next one; none for other surfaces.
   std::optional<std::size_t> side = std::nullopt;
-  /// Radius of what adjoins that side, cm.
+  /// Radius of the rounded rims beside that side, cm; 0 if it has none.
   double bevel = 0;
 };
 

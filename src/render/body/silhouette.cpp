@@ -70,7 +70,7 @@ void Silhouette::add_edges(const Part& begin, const Part& part) {
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
     if (opposite[i] == no_half_edge || opposite[i] > i) continue;
     const std::uint32_t half_edge = first + i, other = first + opposite[i];
-    const bool hollow = part.has_creases && is_hollow(half_edge, other);
+    const bool hollow = is_hollow(half_edge, other);
     const bool crease = part.has_creases && is_crease(half_edge, other);
     if (!hollow || crease) edges_.push_back({half_edge, other, hollow, crease});
   }
