@@ -26,6 +26,7 @@ class ObjReader {
       if (keyword == "f") read_face();
     }
     require_indices_in_range();
+    polygons_.triangulate(mesh_);
     if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.vertices.size(), white);
     return {.mesh = std::move(mesh_)};
   }
@@ -53,7 +54,7 @@ class ObjReader {
     if (ring_.size() < 3) {
       throw InvalidArgument(lines_.place(), "a face has three corners at least");
     }
-    add_polygon(ring_, mesh_);
+    polygons_.add(ring_, mesh_);
   }
 
   /// The index from 0 of a corner "7", "7/1", "7//3" or "-1", of which the last counts from the
@@ -97,6 +98,7 @@ class ObjReader {
   Lines lines_;
   body::TriangleMesh mesh_;
   std::vector<std::uint32_t> ring_;
+  Polygons polygons_;
   std::optional<Reference> farthest_;
 };
 

@@ -142,6 +142,7 @@ class PlyReader {
       else
         skip(element);
     }
+    polygons_.triangulate(mesh_);
     return {.mesh = std::move(mesh_)};
   }
 
@@ -243,7 +244,7 @@ class PlyReader {
       throw InvalidArgument(fmt::format("{}: face {}", name_, face),
                             "a face has three corners at least");
     }
-    add_polygon(ring_, mesh_);
+    polygons_.add(ring_, mesh_);
   }
 
   std::uint32_t index(double number, std::uint64_t face) const {
@@ -264,6 +265,7 @@ class PlyReader {
   std::uint64_t vertex_count_ = 0;
   body::TriangleMesh mesh_;
   std::vector<std::uint32_t> ring_;
+  Polygons polygons_;
 };
 
 }  // namespace

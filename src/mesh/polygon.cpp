@@ -1,12 +1,71 @@
 #include "mesh/polygon.h"
 
-#include <cstddef>
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "mesh/ear_clipping.h"
 
 namespace twrench::mesh {
+namespace {
 
-void add_polygon(std::span<const std::uint32_t> ring, body::TriangleMesh& mesh) {
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Triangle = std::array<std::uint32_t, 3>;
+
+std::vector<std::uint32_t> ring_of(std::span<const Triangle> fan) {
+  std::vector<std::uint32_t> ring{fan[0][0], fan[0][1]};
+  for (const Triangle& triangle : fan) ring.push_back(triangle[2]);
+  return ring;
+}
+
+/// The polygon in the coordinate plane in which it looks largest, counter-clockwise. It is as good
+/// as the polygon's own plane, and takes no rounding.
+std::vector<Vector2d> projected(std::span<const std::uint32_t> ring,
+                                const std::vector<Vector3d>& vertices) {
+  std::vector<Vector3d> points;
+  points.reserve(ring.size());
+  for (const std::uint32_t corner : ring) points.emplace_back(vertices[corner] - vertices[ring[0]]);
+  Vector3d normal = Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) normal += points[i].cross(points[i + 1]);
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  Eigen::Index across = (axis + 1) % 3, up = (axis + 2) % 3;
+  if (normal[axis] < 0.0) std::swap(across, up);
+  std::vector<Vector2d> polygon;
+  polygon.reserve(points.size());
+  for (const Vector3d& point : points) polygon.emplace_back(point[across], point[up]);
+  return polygon;
+}
+
+/// Whether no triangle of the fan is turned over or without area: the fan then covers what the
+/// polygon does, once.
+bool is_fan_inside(std::span<const Vector2d> polygon) {
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    if (turn(polygon[0], polygon[i], polygon[i + 1]) != Turn::left) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Polygons::add(std::span<const std::uint32_t> ring, body::TriangleMesh& mesh) {
+  if (ring.size() > 3) fans_.push_back({mesh.triangles.size(), ring.size() - 2});
   for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
     mesh.triangles.push_back({ring[0], ring[k], ring[k + 1]});
+  }
+}
+
+void Polygons::triangulate(body::TriangleMesh& mesh) const {
+  for (const auto& [first, count] : fans_) {
+    const std::span triangles(mesh.triangles.data() + first, count);
+    const std::vector<std::uint32_t> ring = ring_of(triangles);
+    const std::vector<Vector2d> polygon = projected(ring, mesh.vertices);
+    if (is_fan_inside(polygon)) continue;
+    if (const auto ears = clip_ears(polygon)) {
+      std::ranges::transform(*ears, triangles.begin(), [&](const Triangle& ear) {
+        return Triangle{ring[ear[0]], ring[ear[1]], ring[ear[2]]};
+      });
+    }
   }
 }
 

@@ -32,6 +32,14 @@ TEST(Obj, SplitsPolygons) {
               ElementsAre(std::array{0U, 1U, 2U}, std::array{0U, 2U, 3U}, std::array{0U, 3U, 4U}));
 }
 
+TEST(Obj, SplitsConcavePolygonsWithin) {
+  const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\n", face = "f 1 2 3 4\n";
+  for (const std::string& text : {vertices + face, face + vertices}) {
+    EXPECT_THAT(mesh_of(text).triangles,
+                testing::UnorderedElementsAre(std::array{3U, 0U, 1U}, std::array{3U, 1U, 2U}));
+  }
+}
+
 TEST(Obj, MayNameVerticesThatComeLater) {
   EXPECT_THAT(mesh_of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").triangles, SizeIs(1));
 }
