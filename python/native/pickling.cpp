@@ -82,7 +82,8 @@ py::object Writer::mesh(const body::Shape& shape) {
 
 py::object source_state(const std::optional<scene::MeshSource>& source) {
   if (!source) return py::none();
-  return py::make_tuple(source->file, source->path, source->scale, source->weld, source->sha256);
+  return py::make_tuple(source->file, source->path, source->scale, source->weld, source->sha256,
+                        source->others);
 }
 
 py::tuple look_state(const scene::PartLook& look) {
@@ -175,6 +176,7 @@ std::optional<scene::MeshSource> source_with(const py::object& state) {
   source.scale = values[2].cast<std::optional<double>>();
   source.weld = values[3].cast<double>();
   source.sha256 = values[4].cast<std::string>();
+  source.others = values[5].cast<std::vector<std::filesystem::path>>();
   return source;
 }
 

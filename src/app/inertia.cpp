@@ -136,6 +136,7 @@ Described describe(const InertiaOptions& options) {
   system::require_not_input(options.output, name);
   options.scene.require_no_overrides(name);
   MeshBody mesh = options.mesh.read(name);
+  for (const auto& other : mesh.file.others) system::require_not_input(options.output, other);
   return {std::filesystem::path(name).stem().string(), mesh.properties, std::move(mesh.file)};
 }
 

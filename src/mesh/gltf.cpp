@@ -233,7 +233,7 @@ class GltfReader {
 
   void add_notes() {
     content_.scale = 100.0;
-    content_.digests = buffers_.digests();
+    content_.others = buffers_.files();
     if (points_and_lines_ > 0) {
       content_.notes.push_back(fmt::format(
           "{} of its primitives are points or lines, and are left out", points_and_lines_));

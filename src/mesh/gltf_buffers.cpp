@@ -92,9 +92,10 @@ void GltfBuffers::load_file(const GltfValue& uri, Buffer& buffer) const {
                                       name.substr(0, 80)),
                           "put all into one file: save it as .glb");
   }
-  const auto bytes = system::read_regular_file(*source_->folder / name, most_buffer_bytes);
+  const std::filesystem::path path = *source_->folder / name;
+  const auto bytes = system::read_regular_file(path, most_buffer_bytes);
   buffer.owned = text_of(bytes);
-  buffer.digest = system::sha256_hex(bytes);
+  buffer.file = OtherFile{path, system::sha256_hex(bytes)};
 }
 
 void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buffer) const {
@@ -150,12 +151,12 @@ GltfView GltfBuffers::view(std::uint64_t index) {
   return view;
 }
 
-std::vector<std::string> GltfBuffers::digests() const {
-  std::vector<std::string> digests;
+std::vector<OtherFile> GltfBuffers::files() const {
+  std::vector<OtherFile> files;
   for (const std::optional<Buffer>& buffer : buffers_) {
-    if (buffer && !buffer->digest.empty()) digests.push_back(buffer->digest);
+    if (buffer && buffer->file) files.push_back(*buffer->file);
   }
-  return digests;
+  return files;
 }
 
 GltfAccessor::GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers)

@@ -31,14 +31,14 @@ class GltfBuffers {
   /// the view says, and InvalidArgument where they are in a place that is not read.
   GltfView view(std::uint64_t index);
 
-  /// SHA-256 of the files that were read, in the order of the buffers.
-  std::vector<std::string> digests() const;
+  /// The files that were read, in the order of the buffers.
+  std::vector<OtherFile> files() const;
 
  private:
   struct Buffer {
     std::string owned;
     std::string_view bytes;
-    std::string digest;
+    std::optional<OtherFile> file;
   };
 
   const Buffer& buffer(std::uint64_t index);

@@ -139,6 +139,7 @@ MeshFile finish(const std::string& name, Content content, const ReadOptions& opt
   body::TriangleMesh& mesh = content.mesh;
   MeshFile file;
   file.notes = std::move(content.notes);
+  for (OtherFile& other : content.others) file.others.push_back(std::move(other.path));
   add_notes_of(weld_within(mesh, options.weld, scale), options.weld, file.notes);
   if (mesh.triangles.empty()) throw InvalidArgument(name, "it has no triangles");
   const Topology edges = topology(mesh);
@@ -154,14 +155,14 @@ MeshFile finish(const std::string& name, Content content, const ReadOptions& opt
 }
 
 /// The digest of a file, or of those of the file and of others that belong to it.
-std::string digest_of(std::string_view bytes, const std::vector<std::string>& others) {
+std::string digest_of(std::string_view bytes, const std::vector<OtherFile>& others) {
   const auto digest = [](std::string_view text) {
     return system::sha256_hex(
         std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   };
   std::string all = digest(bytes);
   if (others.empty()) return all;
-  for (const std::string& other : others) all += other;
+  for (const OtherFile& other : others) all += other.sha256;
   return digest(all);
 }
 
@@ -209,7 +210,7 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
     const std::vector<std::uint8_t> bytes = system::read_regular_file(file, most_bytes);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     content = read_content({file.string(), text, file.parent_path()});
-    digest = digest_of(text, content.digests);
+    digest = digest_of(text, content.others);
   }  // The checks need the memory of the bytes.
   return read(file.string(), std::move(content), std::move(digest), options);
 }
@@ -227,7 +228,7 @@ MeshFile checked_mesh(const std::string& name, body::TriangleMesh mesh,
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   check(options);
   Content content = read_content({name, bytes, {}});
-  std::string digest = digest_of(bytes, content.digests);
+  std::string digest = digest_of(bytes, content.others);
   return read(name, std::move(content), std::move(digest), options);
 }
 

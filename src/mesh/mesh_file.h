@@ -40,6 +40,8 @@ struct MeshFile {
   /// SHA-256 of the bytes in hexadecimal digits. Where a glTF file has buffers in other files, it
   /// is that of the digests, in their order.
   std::string sha256;
+  /// The other files of which it consists: the buffers of a glTF file that are not in it.
+  std::vector<std::filesystem::path> others;
 };
 
 /// A mesh that can be read, but does not bound a solid or is not given completely.

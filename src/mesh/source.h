@@ -19,6 +19,13 @@ struct Source {
   std::optional<std::filesystem::path> folder;
 };
 
+/// Another file to which one refers, and which was read for it.
+struct OtherFile {
+  std::filesystem::path path;
+  /// SHA-256 of its bytes, in hexadecimal digits.
+  std::string sha256;
+};
+
 /// What stands in a file: finite coordinates in its own unit, and indices that are in range.
 struct Content {
   body::TriangleMesh mesh;
@@ -26,8 +33,7 @@ struct Content {
   std::optional<double> scale = {};
   /// What was passed over.
   std::vector<std::string> notes = {};
-  /// SHA-256 of the other files that were read.
-  std::vector<std::string> digests = {};
+  std::vector<OtherFile> others = {};
 };
 
 }  // namespace twrench::mesh

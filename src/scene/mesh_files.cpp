@@ -48,6 +48,7 @@ MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOption
   return {std::move(read.shape),
           {.file = file,
            .path = is_built_in ? fs::path() : path,
+           .others = std::move(read.others),
            .scale = options.scale,
            .weld = options.weld,
            .sha256 = std::move(read.sha256)},

@@ -116,7 +116,9 @@ std::vector<std::string> mesh_notes(const Scene& scene) {
 std::vector<std::filesystem::path> input_files(const Scene& scene) {
   std::vector<std::filesystem::path> files{scene.overlay.font};
   for (const PartDescription& part : scene.body.descriptions) {
-    if (part.mesh && !part.mesh->path.empty()) files.push_back(part.mesh->path);
+    if (!part.mesh || part.mesh->path.empty()) continue;
+    files.push_back(part.mesh->path);
+    files.insert(files.end(), part.mesh->others.begin(), part.mesh->others.end());
   }
   for (const Shot& shot : scene.shots) {
     const std::vector<std::filesystem::path> more = input_files(shot.scene);

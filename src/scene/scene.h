@@ -38,6 +38,8 @@ struct MeshSource {
   std::string file;
   /// Where it was read; empty for a built-in mesh.
   std::filesystem::path path;
+  /// The other files of which it consists: the buffers of a glTF file that are not in it.
+  std::vector<std::filesystem::path> others = {};
   /// Centimetres per unit of the file; nothing where its format says it.
   std::optional<double> scale;
   /// Distance in cm within which vertices are joined; 0 joins only those that coincide.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -170,6 +172,32 @@ TEST_F(MeshBody, IsAnInputThatNoOutputReplaces) {
     EXPECT_EQ(text_of(folder_ / "box.obj"), text) << command;
     if (std::string(command).find("export") != std::string::npos) continue;  // has no such option
     EXPECT_THAT(refused.err, HasSubstr("it is an input of this command")) << command;
+  }
+}
+
+TEST_F(MeshBody, InSeveralFilesIsAnInputThatNoOutputReplaces) {
+  const std::array<float, 12> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::string bytes(sizeof corners, '\0');
+  std::memcpy(bytes.data(), corners.data(), sizeof corners);
+  bytes += std::string("\0\2\1\0\1\3\0\3\2\1\2\3", 12);
+  write("a b.bin", bytes);
+  write("wedge.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                  {"bufferView": 1, "componentType": 5121, "count": 12, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+    "buffers": [{"byteLength": 60, "uri": "a%20b.bin"}]})");
+  write("wedge.toml", "[[part]]\nshape = 'mesh'\nfile = 'wedge.gltf'\ndensity = 1\n");
+  fs::create_symlink("a b.bin", folder_ / "a.svg");
+  ASSERT_EQ(run("inertia wedge.gltf -o out.txt").code, 0);
+  for (const char* command : {"inertia wedge.gltf -o 'a b.bin'", "inertia wedge.toml -o 'a b.bin'",
+                              "simulate wedge.toml -o './a b.bin'", "plot wedge.toml -o a.svg",
+                              "render wedge.toml --container mp4 -o 'a b.bin' --overwrite"}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_THAT(refused.err, HasSubstr("it is an input of this command")) << command;
+    EXPECT_EQ(text_of(folder_ / "a b.bin"), bytes) << command;
   }
 }
 
