@@ -15,10 +15,12 @@ struct Candidates {
     list,    ///< One or several of `words`, separated by commas.
     file,    ///< A file.
     folder,  ///< A folder.
-    scene,   ///< One of `words`, or a .toml file.
+    scene,   ///< One of `words`, or a file with one of `endings`.
   };
   Kind kind = Kind::none;
   std::vector<std::string> words = {};
+  /// The ends of the names of files, such as "toml".
+  std::vector<std::string> endings = {};
 };
 
 /// An option or a positional argument of a command.

@@ -58,7 +58,8 @@ std::string bash_call(const Candidates& candidates) {
     case Kind::folder:
       return "_twrench_files -d";
     case Kind::scene:
-      return "_twrench_scenes " + quoted(joined(candidates.words));
+      return "_twrench_scenes " + quoted(joined(candidates.words)) + " " +
+             quoted(joined(candidates.endings));
   }
   return {};
 }
@@ -88,7 +89,8 @@ std::string zsh_action(const Candidates& candidates) {
       return "_files -/";
     case Kind::scene:
       return "{ _alternative \"scenes:scene:(" + joined(candidates.words) +
-             ")\" \"files:file:_files -g \\*.toml\" }";
+             fmt::format(")\" \"files:file:_files -g \\*.\\({}\\)\" }}",
+                         fmt::join(candidates.endings, "\\|"));
   }
   return {};
 }
@@ -114,6 +116,14 @@ std::string zsh_option(const Option& option) {
   return text;
 }
 
+std::string fish_files(const std::vector<std::string>& endings) {
+  std::string text;
+  for (const std::string& ending : endings) {
+    text += " -a " + quoted("(__fish_complete_suffix ." + ending + ")");
+  }
+  return text;
+}
+
 std::string fish_candidates(const Candidates& candidates) {
   switch (candidates.kind) {
     case Kind::none:
@@ -127,8 +137,7 @@ std::string fish_candidates(const Candidates& candidates) {
     case Kind::folder:
       return "-x -a " + quoted("(__fish_complete_directories)");
     case Kind::scene:
-      return "-x -a " + quoted("(__fish_complete_suffix .toml)") + " -a " +
-             quoted(joined(candidates.words));
+      return "-x" + fish_files(candidates.endings) + " -a " + quoted(joined(candidates.words));
   }
   return {};
 }
@@ -179,7 +188,7 @@ _twrench_scenes() {{
   compopt -o filenames
   mapfile -t COMPREPLY < <(
     compgen -W "$1" -- "$current"
-    compgen -f -X '!*.toml' -- "$current"
+    for ending in $2; do compgen -f -X "!*.$ending" -- "$current"; done
     compgen -d -- "$current"
   )
 }}

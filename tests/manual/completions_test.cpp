@@ -40,6 +40,7 @@ std::string offered(const std::string& words) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "mine.toml", "");
   system::write_file_atomically(folder / "notes.txt", "");
+  system::write_file_atomically(folder / "model.stl", "");
   system::write_file_atomically(
       folder / "ask.sh", "compopt() { :; }\nsource " TWRENCH_MANUAL "/twrench.bash\nCOMP_WORDS=(" +
                              words +
@@ -57,6 +58,7 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench render --theme = p"), "paper\n");
   EXPECT_EQ(offered("twrench render --show floor,tr"), "floor,trail\n");
   EXPECT_EQ(offered("twrench render m"), "mine.toml\n");
+  EXPECT_EQ(offered("twrench inertia m"), "mine.toml model.stl\n");
   EXPECT_EQ(offered("twrench plot dzh"), "dzhanibekov\n");
   EXPECT_EQ(offered("twrench study --format \"\""), "text csv json\n");
   EXPECT_EQ(offered("twrench simulate --format \"\""), "csv json\n");
@@ -66,6 +68,21 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench compare n"), "notes.txt\n");
   EXPECT_EQ(offered("twrench render --step 0"), "\n");
   EXPECT_EQ(offered("twrench unknown x"), "\n");
+}
+
+TEST(Completions, OfEachShellOfferMeshesToInertiaAlone) {
+  const std::string endings = "toml stl obj ply gltf glb",
+                    zsh = "toml\\|stl\\|obj\\|ply\\|gltf\\|glb";
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count(written("twrench.bash"), "'" + endings + "' ;;"), 1);
+  EXPECT_EQ(count(written("_twrench"), "-g \\*.\\(" + zsh + "\\)"), 1);
+  EXPECT_EQ(count(written("twrench.fish"), "(__fish_complete_suffix .stl)"), 1);
 }
 
 TEST(Completions, QuoteWhatTheShellsWouldRead) {
