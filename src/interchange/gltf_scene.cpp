@@ -120,10 +120,9 @@ std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
   std::vector<double> color{1, 1, 1};
   if (!is_colored) color = linear(own.color.value_or(look.color.value_or(style_.metal)));
   color.push_back(1);
+  const auto [metallic, roughness] = render::finish(look, own, is_colored);
   const Json surface{
-      {"baseColorFactor", color},
-      {"metallicFactor", own.metallic.value_or(look.metallic.value_or(style_.metallic))},
-      {"roughnessFactor", own.roughness.value_or(look.roughness.value_or(style_.roughness))}};
+      {"baseColorFactor", color}, {"metallicFactor", metallic}, {"roughnessFactor", roughness}};
   const auto found =
       std::ranges::find(part_materials_, surface, &std::pair<Json, std::size_t>::first);
   if (found != part_materials_.end()) return found->second;

@@ -154,7 +154,7 @@ class GltfReader {
     const GltfValue attributes = primitive.at("attributes");
     const std::size_t first = content_.mesh.vertices.size();
     add_vertices(attributes.at("POSITION"), transform);
-    if (const auto colors = attributes.find("COLOR_0")) add_colors(*colors, first);
+    add_colors(attributes.find("COLOR_0"), base_color(primitive), first);
     const std::size_t count = content_.mesh.vertices.size() - first;
     std::vector<std::uint32_t> corners;
     if (const auto list = primitive.find("indices")) {
@@ -183,14 +183,30 @@ class GltfReader {
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.vertices.size(), {1.0F, 1.0F, 1.0F});
   }
 
-  void add_colors(const GltfValue& index, std::size_t first) {
+  /// The linear colour of a primitive's material, where that has one.
+  std::optional<std::array<double, 3>> base_color(const GltfValue& primitive) const {
+    const auto index = primitive.find("material");
+    if (!index) return {};
+    const GltfValue material = document_.at("materials").at(index->whole());
+    const auto surface = material.find("pbrMetallicRoughness");
+    const auto factor = surface ? surface->find("baseColorFactor") : std::nullopt;
+    if (!factor) return {};
+    const std::vector<double> color = factor->numbers(4);
+    return std::array{color[0], color[1], color[2]};
+  }
+
+  /// Gives the vertices from `first` on the product of their own linear colour and their
+  /// material's.
+  void add_colors(const std::optional<GltfValue>& index,
+                  const std::optional<std::array<double, 3>>& material, std::size_t first) {
+    if (!index && !material) return;
     body::TriangleMesh& mesh = content_.mesh;
-    const GltfAccessor colors = accessor(index, 3);
     mesh.colors.resize(mesh.vertices.size(), {1.0F, 1.0F, 1.0F});
-    const std::size_t count = std::min(colors.size(), mesh.vertices.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
+    const auto own = index ? std::optional(accessor(*index, 3)) : std::nullopt;
+    for (std::size_t i = first; i < mesh.vertices.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        mesh.colors[first + i][k] = srgb_of_linear(colors.at(i, k));
+        const double light = own && i - first < own->size() ? own->at(i - first, k) : 1.0;
+        mesh.colors[i][k] = srgb_of_linear(light * (material ? (*material)[k] : 1.0));
       }
     }
   }

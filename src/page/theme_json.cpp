@@ -39,7 +39,7 @@ ordered_json overlay_json(const render::OverlayColors& colors) {
 }
 
 ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
-  const render::Material material = render::material(look, part.look);
+  const render::Material material = render::material(look, part.look, part.is_colored);
   const glm::vec3 tint = material.diffuse + material.reflectance;
   const bool is_metal =
       part.is_colored ? material.metalness == 1 : material.diffuse == glm::vec3(0);

@@ -93,6 +93,32 @@ TEST(Gltf, HasTheColorsOfItsVertices) {
   EXPECT_THAT(file.shape.surface->colors[5], ElementsAre(1.0F, FloatNear(0.502F, 0.002F), 0.0F));
 }
 
+TEST(Gltf, HasTheBaseColorsOfItsMaterials) {
+  json painted = document();
+  painted["materials"][0]["pbrMetallicRoughness"] = {
+      {"baseColorFactor", {55.0 / 255.0, 1.0, 0.0, 1.0}}};
+  EXPECT_THAT(read_json(painted).shape.surface->colors[5],
+              ElementsAre(FloatNear(0.502F, 0.002F), FloatNear(0.502F, 0.002F), 0.0F))
+      << "times that of the vertex";
+
+  painted["meshes"][0]["primitives"][0]["attributes"].erase("COLOR_0");
+  painted["meshes"].push_back(painted["meshes"][0]);
+  painted["meshes"][1]["primitives"][0].erase("material");
+  painted["nodes"].push_back({{"mesh", 1}, {"translation", {5, 0, 0}}});
+  painted["scenes"][0]["nodes"] = {0, 1};
+  const MeshFile file = read_json(painted);
+  ASSERT_EQ(file.shape.surface->colors.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const bool is_painted = file.shape.surface->vertices[i].x() < 200;
+    EXPECT_THAT(
+        file.shape.surface->colors[i],
+        ElementsAre(FloatNear(is_painted ? 0.502F : 1.0F, 0.002F), 1.0F, is_painted ? 0.0F : 1.0F));
+  }
+
+  painted["nodes"][0]["mesh"] = 1;
+  EXPECT_EQ(read_json(painted).shape.surface->colors.size(), 0U);
+}
+
 TEST(Gltf, AppliesTheTransformsOfItsNodes) {
   json moved = document();
   moved["nodes"] =

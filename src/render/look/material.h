@@ -30,7 +30,19 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// Returns the material of a body that looks like that, or of a part of it with a look of its own.
-Material material(const scene::Look& look, const scene::PartLook& part = {});
+/// How a surface reflects, whatever its colour.
+struct Finish {
+  double metallic;   ///< Metalness, 0 (paint) to 1 (metal).
+  double roughness;  ///< Roughness, 0.05 (mirror) to 1 (chalk).
+};
+
+/// Returns the finish of a part. What neither its look nor the body's sets is the theme's or, for a
+/// mesh with colours of its own, that of plastic.
+Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colored);
+
+/// Returns the material of a body that looks like that, or of a part of it with a look of its own,
+/// or with colours of its own.
+Material material(const scene::Look& look, const scene::PartLook& part = {},
+                  bool is_colored = false);
 
 }  // namespace twrench::render

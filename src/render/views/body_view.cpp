@@ -68,13 +68,15 @@ BodyPass body_pass(const gl::Functions& gl, const scene::Scene& scene, double to
                    double radius) {
   const std::vector<body::Part> parts = close_gaps(scene::visible_parts(scene.body));
   std::vector<scene::PartLook> looks;
-  std::vector<Material> materials;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     looks.push_back(scene::description(scene.body, i).look);
-    materials.push_back(material(scene.look, looks.back()));
   }
-  return {gl,     parts,     body_mesh(parts, tolerance, looks),
-          radius, materials, style_of(scene.look.theme).studio};
+  Mesh mesh = body_mesh(parts, tolerance, looks);
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    materials.push_back(material(scene.look, looks[i], mesh.is_colored[i] != 0));
+  }
+  return {gl, parts, std::move(mesh), radius, materials, style_of(scene.look.theme).studio};
 }
 
 std::vector<gl::Rectangle> rectangles_of(std::span<const image::Area> areas,

@@ -37,5 +37,20 @@ TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
   EXPECT_EQ(plastic.brushing, 0);
 }
 
+// A coloured model that says nothing else looks like painted plastic, not like metal.
+TEST(Material, OfAPartWithColoursOfItsOwnIsPlasticUnlessSetOtherwise) {
+  scene::Look look;
+  EXPECT_EQ(material(look).metalness, 1);
+  EXPECT_EQ(material(look, {}, true).metalness, 0);
+  EXPECT_FLOAT_EQ(material(look, {}, true).roughness, 0.35F);
+  look.metallic = 0.5;
+  EXPECT_EQ(material(look, {}, true).metalness, 0.5F);
+  scene::PartLook part;
+  part.metallic = 1;
+  part.roughness = 0.2;
+  EXPECT_EQ(material(look, part, true).metalness, 1);
+  EXPECT_FLOAT_EQ(material(look, part, true).roughness, 0.2F);
+}
+
 }  // namespace
 }  // namespace twrench::render
