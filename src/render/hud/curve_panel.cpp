@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/hud/captions.h"
+#include "render/hud/hud_text.h"
 
 namespace twrench::render {
 namespace {
@@ -97,11 +98,9 @@ void CurvePanel::label_flips(const std::vector<double>& times) {
   const Plot& plot = plots_[0];
   const double bottom = plot.area.y + plot.area.height;
   const double tick = std::max(1.0, 0.1 * size_);
+  const hud_text::TimeUnit unit = hud_text::time_unit(duration_);
   const auto text = [&](double time) {
-    constexpr double day = 86400;
-    return canvas::typeset(font_, time < 1000  ? fmt::format("{:.3g} s", time)
-                                  : time < day ? fmt::format("{:.0f} s", time)
-                                               : fmt::format("{:.3g} d", time / day));
+    return canvas::typeset(font_, hud_text::rounded_time(time, unit));
   };
   const double widest = (text(times.back()).width + flip_label_gap) * size_;
   const double covered = plot.x(times.back() / duration_) - plot.x(times.front() / duration_);

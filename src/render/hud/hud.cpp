@@ -17,6 +17,7 @@ class Figures {
   Figures(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions, bool compact)
       : longest_(scene.motion.duration),
         resolution_(scene.film.speed / scene.film.fps),
+        unit_(hud_text::time_unit(longest_)),
         compact_(compact) {
     for (const timeline::Solution& solution : solutions)
       flips_ = std::max(flips_, solution.flip_times.size());
@@ -51,10 +52,11 @@ class Figures {
   }
 
  private:
-  std::string text(double t) const { return hud_text::seconds(t, resolution_); }
+  std::string text(double t) const { return hud_text::time(t, resolution_, unit_); }
 
   double longest_;
   double resolution_;
+  hud_text::TimeUnit unit_;
   bool compact_;
   std::size_t flips_ = 0;
 };

@@ -40,10 +40,21 @@ std::string grouped(const std::string& number) {
 
 }  // namespace
 
-std::string seconds(double t, double resolution) {
-  const double wanted = std::ceil(-std::log10(resolution) - 1e-9);
+TimeUnit time_unit(double longest) {
+  constexpr double day = 86400;
+  return longest < day ? TimeUnit{1, "s"} : TimeUnit{day, "d"};
+}
+
+std::string time(double t, double resolution, const TimeUnit& unit) {
+  const double wanted = std::ceil(-std::log10(resolution / unit.length) - 1e-9);
   const auto decimals = static_cast<int>(std::clamp(wanted, 0.0, 3.0));
-  return grouped(fmt::format("{:.{}f}", t, decimals)) + " s";
+  return grouped(fmt::format("{:.{}f}", t / unit.length, decimals)) + " " + unit.symbol;
+}
+
+std::string rounded_time(double t, const TimeUnit& unit) {
+  const double value = t / unit.length;
+  return value < 1000 ? fmt::format("{:.3g} {}", value, unit.symbol)
+                      : fmt::format("{:.0f} {}", value, unit.symbol);
 }
 
 std::string error(double value) {

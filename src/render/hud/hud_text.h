@@ -7,8 +7,20 @@
 // Formatting of numbers and names for the HUD, as UTF-8 for typeset().
 namespace twrench::render::hud_text {
 
-/// Formats seconds with as many decimals as `resolution` (in s) requires, at most three.
-std::string seconds(double t, double resolution);
+/// A unit in which times are written.
+struct TimeUnit {
+  double length;       ///< In s.
+  const char* symbol;  ///< "s" or "d".
+};
+
+/// Returns the unit for times up to `longest` (in s): days from one day on.
+TimeUnit time_unit(double longest);
+
+/// Formats a time in s with as many decimals as `resolution` (in s) requires, at most three.
+std::string time(double t, double resolution, const TimeUnit& unit);
+
+/// Formats a time in s with three digits, or without decimals if it has more.
+std::string rounded_time(double t, const TimeUnit& unit);
 
 /// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁵" or "−0.034"; "0"
 /// for zero.

@@ -10,23 +10,36 @@
 namespace twrench::render::hud_text {
 namespace {
 
-TEST(Seconds, ShowsWhatAFrameMovesOn) {
-  EXPECT_EQ(seconds(30, 0.1), "30.0 s");
-  EXPECT_EQ(seconds(1.0 / 60, 1.0 / 60), "0.02 s");
-  EXPECT_EQ(seconds(0.12345, 1e-9), "0.123 s");
-  EXPECT_EQ(seconds(50, 25), "50 s");
+constexpr TimeUnit second{1, "s"};
+
+TEST(Time, OfAMotionOfDaysIsInDays) {
+  EXPECT_STREQ(time_unit(86399).symbol, "s");
+  const TimeUnit unit = time_unit(24 * 86400);
+  EXPECT_EQ(time(1519128, 2160, unit), "17.58 d");
+  EXPECT_EQ(time(0, 2160, unit), "0.00 d");
+  EXPECT_EQ(rounded_time(1519128, unit), "17.6 d");
+  EXPECT_EQ(rounded_time(86400 * 1234.5, unit), "1234 d");
+  EXPECT_EQ(rounded_time(12.34, second), "12.3 s");
+  EXPECT_EQ(rounded_time(86399, second), "86399 s");
 }
 
-TEST(Seconds, GroupsLongNumbers) {
-  EXPECT_EQ(seconds(1e6, 1), "1\u2009000\u2009000 s");
-  EXPECT_EQ(seconds(9999.5, 0.1), "9999.5 s");
-  EXPECT_EQ(seconds(12345.5, 0.1), "12\u2009345.5 s");
+TEST(Time, ShowsWhatAFrameMovesOn) {
+  EXPECT_EQ(time(30, 0.1, second), "30.0 s");
+  EXPECT_EQ(time(1.0 / 60, 1.0 / 60, second), "0.02 s");
+  EXPECT_EQ(time(0.12345, 1e-9, second), "0.123 s");
+  EXPECT_EQ(time(50, 25, second), "50 s");
 }
 
-TEST(Seconds, IsAsWideWhateverTheDigits) {
+TEST(Time, GroupsLongNumbers) {
+  EXPECT_EQ(time(1e6, 1, second), "1\u2009000\u2009000 s");
+  EXPECT_EQ(time(9999.5, 0.1, second), "9999.5 s");
+  EXPECT_EQ(time(12345.5, 0.1, second), "12\u2009345.5 s");
+}
+
+TEST(Time, IsAsWideWhateverTheDigits) {
   const canvas::Typeface typeface = canvas::load_typeface("sans");
   const auto width = [&](double t) {
-    return canvas::typeset(typeface.regular, seconds(t, 0.1)).width;
+    return canvas::typeset(typeface.regular, time(t, 0.1, second)).width;
   };
   for (const double digits : {1.0, 11.0, 123.0, 12345.0}) {
     EXPECT_NEAR(width(8 * digits), width(digits), 1e-9) << digits;
