@@ -14,6 +14,10 @@ find_package(ZLIB QUIET)
 twrench_require("zlib" FOUND "${ZLIB_FOUND}"
   DEBIAN zlib1g-dev FEDORA zlib-ng-compat-devel ARCH zlib HINT "-DZLIB_ROOT=FOLDER")
 
+find_package(meshoptimizer QUIET CONFIG)
+twrench_require("meshoptimizer" FOUND "${meshoptimizer_FOUND}"
+  DEBIAN libmeshoptimizer-dev FEDORA meshoptimizer-devel ARCH meshoptimizer HINT "-Dmeshoptimizer_ROOT=FOLDER")
+
 # twrench_pkgconfig(MODULE ...): defines the target PkgConfig::MODULE; other arguments as in
 # twrench_require.
 find_package(PkgConfig QUIET)

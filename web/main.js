@@ -32,7 +32,7 @@ let app;
 async function start() {
   setLanguage(languageOf(navigator.languages));
   if (!document.createElement('canvas').getContext('webgl2')) return;
-  const data = readPageData();
+  const data = await readPageData();
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
   app = new App(data, twrench.core);
 }

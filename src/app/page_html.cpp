@@ -22,7 +22,12 @@ namespace {
 /// In a script of data, nothing may look like the end of the script. With the source and the values
 /// there, the page writes a command line for what it shows.
 std::string scene_html(const scene::Scene& scene, const std::string& source) {
-  nlohmann::ordered_json json = page::page_json(scene);
+  const page::Surface surface = page::surface_of(scene.body);
+  if (const auto& simplified = surface.simplification) {
+    say("twrench: the page draws {} of {} triangles; mass properties are those of all\n",
+        simplified->drawn, simplified->given);
+  }
+  nlohmann::ordered_json json = page::page_json(scene, surface);
   json["program"] = std::string("twrench ") + version;
   json["source"] = source;
   json["source_scene"] = scene::scene_json(scene::load_scene(source));

@@ -24,7 +24,7 @@ ordered_json limits_json() {
 
 }  // namespace
 
-ordered_json page_json(const scene::Scene& scene) {
+ordered_json page_json(const scene::Scene& scene, const Surface& surface) {
   const body::MassProperties properties = scene::mass_properties(scene.body);
   ordered_json inertia = ordered_json::array();
   for (const auto row : properties.inertia.rowwise()) {
@@ -35,7 +35,7 @@ ordered_json page_json(const scene::Scene& scene) {
   alone.shots.clear();
   return {{"scene", scene::scene_json(alone)},
           {"inertia", std::move(inertia)},
-          {"surface", surface_json(scene, materials)},
+          {"surface", surface_json(scene, surface, materials)},
           {"themes", themes_json(scene.look, materials)},
           {"limits", limits_json()}};
 }

@@ -5,14 +5,12 @@
 #include <numbers>
 #include <vector>
 
-#include "render/body/bounding_radius.h"
-#include "render/body/gap_closing.h"
+#include "page/packing.h"
 #include "render/body/mesh.h"
 #include "render/body/occluders.h"
 #include "render/body/outline_radii.h"
 #include "render/body/revolution.h"
 #include "render/overlay/trail_point.h"
-#include "system/base64.h"
 
 namespace twrench::page {
 namespace {
@@ -20,44 +18,25 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_occluders = 3;    // as in the film
-constexpr std::size_t most_vertices = 5000;  // of bodies of few parts, for the size of the page
-constexpr double finest = 2.3e-4;            // tolerance in radii: invisible in 1440 rows
-constexpr double coarsest = 2e-3;
-constexpr double most_gaps = 60;  // between the balls of a part that casts shadow
+constexpr std::size_t most_occluders = 3;  // as in the film
+constexpr double most_gaps = 60;           // between the balls of a part that casts shadow
 
 ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-template <typename Integer>
-std::string packed(const std::vector<Integer>& integers) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(integers.size() * sizeof(Integer));
-  for (const Integer value : integers) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    for (std::size_t i = 0; i < sizeof(Integer); ++i) {
-      bytes.push_back(static_cast<std::uint8_t>(bits >> (8 * i)));
-    }
-  }
-  return system::base64(bytes);
-}
-
+/// Positions in units of radius / 32767, and normals.
 std::string packed_vertices(const render::Mesh& mesh, double radius) {
-  std::vector<std::int16_t> integers;
+  std::vector<std::uint16_t> integers;
   const auto add = [&](const glm::vec3& v, double scale) {
     for (const float x : {v.x, v.y, v.z}) {
-      integers.push_back(static_cast<std::int16_t>(std::lround(scale * static_cast<double>(x))));
+      const auto value = static_cast<std::int16_t>(std::lround(scale * static_cast<double>(x)));
+      integers.push_back(static_cast<std::uint16_t>(value));
     }
   };
   for (const auto& [position, normal] : mesh.vertices) {
     add(position, 32767 / radius);
     add(normal, 32767);
   }
-  return packed(integers);
-}
-
-std::string packed_indices(const render::Mesh& mesh, bool wide) {
-  if (wide) return packed(mesh.indices);
-  return packed(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()));
+  return packed(integers, 6);
 }
 
 std::string packed_colors(const render::Mesh& mesh) {
@@ -68,7 +47,7 @@ std::string packed_colors(const render::Mesh& mesh) {
           static_cast<std::uint16_t>(std::lround(65535 * std::clamp(x, 0.0F, 1.0F))));
     }
   }
-  return packed(integers);
+  return packed(integers, 3);
 }
 
 /// The mean colour of the vertices of a part.
@@ -78,18 +57,6 @@ ordered_json tint_json(const render::Mesh& mesh, std::size_t part) {
   for (std::size_t i = begin; i < mesh.vertex_ends[part]; ++i) sum += mesh.colors[i];
   sum /= static_cast<float>(mesh.vertex_ends[part] - begin);
   return {sum.x, sum.y, sum.z};
-}
-
-/// As fine as a page may be large.
-render::Mesh surface_of(std::span<const body::Part> parts, std::span<const scene::PartLook> looks,
-                        double radius) {
-  double tolerance = finest * radius;
-  render::Mesh mesh = render::body_mesh(parts, tolerance, looks);
-  while (mesh.vertices.size() > most_vertices && tolerance < coarsest * radius) {
-    tolerance *= 1.5;
-    mesh = render::body_mesh(parts, tolerance, looks);
-  }
-  return mesh;
 }
 
 ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
@@ -152,24 +119,16 @@ ordered_json balls_json(std::span<const body::Part> parts) {
 
 }  // namespace
 
-ordered_json surface_json(const scene::Scene& scene, const Materials& materials) {
-  const std::vector<body::Part> visible = scene::visible_parts(scene.body);
-  const std::vector<body::Part> parts = render::close_gaps(visible);
-  const double radius = render::bounding_radius(visible);
-  std::vector<scene::PartLook> looks;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    looks.push_back(scene::description(scene.body, i).look);
-  }
-  const render::Mesh mesh = surface_of(parts, looks, radius);
-  const bool wide = mesh.vertices.size() > 65536;
+ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
+                          const Materials& materials) {
+  const auto& [parts, radius, mesh, simplification] = surface;
   ordered_json json{{"radius", radius},
                     {"trail_point", numbers(render::trail_point(scene))},
                     {"marked", render::axis_of_revolution(parts).has_value()},
                     {"vertices", packed_vertices(mesh, radius)},
-                    {"wide_indices", wide},
-                    {"indices", packed_indices(mesh, wide)},
+                    {"indices", packed(mesh.indices, 1)},
                     {"parts", parts_json(parts, mesh, materials, radius)},
-                    {"balls", balls_json(visible)}};
+                    {"balls", balls_json(scene::visible_parts(scene.body))}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
   return json;
 }

@@ -3,14 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "page/materials.h"
+#include "page/surface.h"
 
 namespace twrench::page {
 
-/// Returns the surface of a body as web/picture/surface.js reads it: vertices
-/// of six 16-bit integers, of which the position is in units of radius / 32767
-/// and the normal of 1 / 32767, and indices, both in base64, little-endian; the
-/// colours of vertices, if there are any, as 16-bit integers, linear; and the
-/// index ranges, the material and the uniforms of each part.
-nlohmann::ordered_json surface_json(const scene::Scene& scene, const Materials& materials);
+/// Returns the surface of a body as web/picture/surface.js reads it: vertices of six 16-bit
+/// integers, of which the position is in units of radius / 32767 and the normal of 1 / 32767, and
+/// indices of 32 bits; the colours of vertices, if there are any, as 16-bit integers, linear; all
+/// of these packed(); and the index ranges, the material and the uniforms of each part.
+nlohmann::ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
+                                    const Materials& materials);
 
 }  // namespace twrench::page

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/twrench.h"
 
@@ -10,6 +13,7 @@ namespace twrench {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
@@ -17,6 +21,31 @@ using testing::StartsWith;
 void write_template(const ScratchFolder& folder) {
   std::ofstream(folder / "t.html") << "<title>{{title}}</title><h1>{{title}}</h1>\n"
                                       "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
+}
+
+/// An OBJ file of 4 (n - 1) n triangles: an ellipsoid with waves, of which none could be spared.
+std::string fine_ball(int n) {
+  std::string text = "v 0 0 3\nv 0 0 -3\n";
+  for (int ring = 1; ring < n; ++ring) {
+    for (int i = 0; i < 2 * n; ++i) {
+      const double polar = std::numbers::pi * ring / n, azimuth = std::numbers::pi * i / n;
+      const double radius = 1 + 0.1 * std::sin(12 * polar) * std::sin(12 * azimuth);
+      text += fmt::format("v {} {} {}\n", radius * std::sin(polar) * std::cos(azimuth),
+                          2 * radius * std::sin(polar) * std::sin(azimuth),
+                          3 * radius * std::cos(polar));
+    }
+  }
+  const auto at = [&](int ring, int i) {
+    return ring == 0 ? 1 : ring == n ? 2 : 3 + (ring - 1) * 2 * n + i % (2 * n);
+  };
+  for (int ring = 0; ring < n; ++ring) {
+    for (int i = 0; i < 2 * n; ++i) {
+      const int a = at(ring, i), b = at(ring + 1, i), c = at(ring + 1, i + 1), d = at(ring, i + 1);
+      if (ring > 0) text += fmt::format("f {} {} {}\n", a, c, d);
+      if (ring + 1 < n) text += fmt::format("f {} {} {}\n", a, b, c);
+    }
+  }
+  return text;
 }
 
 nlohmann::json scene_of(const std::string& page) {
@@ -62,6 +91,18 @@ TEST(Page, KeepsHostileTextText) {
   EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_EQ(scene_of(page)["scene"]["part"][0]["name"], "</script><b>");
+}
+
+TEST(Page, SaysThatItDrawsALargeMeshByFewerTriangles) {
+  const ScratchFolder folder;
+  write_template(folder);
+  std::ofstream(folder / "ball.obj") << fine_ball(120);
+  std::ofstream(folder / "s.toml")
+      << "[[part]]\nshape = 'mesh'\nfile = 'ball.obj'\nunit = 'cm'\ndensity = 1.0\n";
+  const Outcome run = run_twrench(folder, "page s.toml --template t.html -o a.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, MatchesRegex("twrench: the page draws [0-9]+ of 57120 triangles; mass "
+                                    "properties are those of all\n"));
 }
 
 TEST(Page, RefusesWhatItCannotDo) {

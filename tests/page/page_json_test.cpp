@@ -1,12 +1,19 @@
 #include "page/page_json.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <string_view>
 #include <vector>
+
+#include "page/packing.h"
+#include "render/body/meshes.h"
+#include "system/base64.h"
 
 namespace twrench::page {
 namespace {
@@ -14,35 +21,32 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::ordered_json;
 
-std::vector<std::uint8_t> bytes_of(const std::string& base64) {
-  static constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<std::uint8_t> bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : base64) {
-    if (c == '=') break;
-    bits = bits << 6U | static_cast<std::uint32_t>(digits.find(c));
-    if ((count += 6) < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<std::uint8_t>(bits >> static_cast<unsigned>(count)));
-  }
-  return bytes;
+std::vector<std::uint8_t> inflated(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint8_t> result(std::size_t{1} << 22U);
+  uLongf size = result.size();
+  EXPECT_EQ(uncompress(result.data(), &size, bytes.data(), bytes.size()), Z_OK);
+  result.resize(size);
+  return result;
 }
 
-/// The integers, on a processor that is little-endian.
+/// The integers of rows of that width, on a processor that is little-endian.
 template <typename Integer>
-std::vector<Integer> unpacked(const std::string& base64) {
-  const std::vector<std::uint8_t> bytes = bytes_of(base64);
+std::vector<Integer> unpacked(const std::string& text, std::size_t width) {
+  const std::vector<std::uint8_t> bytes = inflated(system::bytes_of_base64(text).value());
   std::vector<Integer> integers(bytes.size() / sizeof(Integer));
-  std::memcpy(integers.data(), bytes.data(), integers.size() * sizeof(Integer));
+  std::memcpy(integers.data(), bytes.data(), bytes.size());
+  for (std::size_t i = width; i < integers.size(); ++i) {
+    integers[i] = static_cast<Integer>(integers[i] + integers[i - width]);
+  }
   return integers;
 }
 
+ordered_json json_of(const scene::Scene& scene) { return page_json(scene, surface_of(scene.body)); }
+
 /// The volume in cm^3 that the surface encloses, positive if its triangles face outwards.
 double volume_within(const ordered_json& surface) {
-  const auto vertices = unpacked<std::int16_t>(surface.at("vertices"));
-  const auto indices = unpacked<std::uint16_t>(surface.at("indices"));
+  const auto vertices = unpacked<std::int16_t>(surface.at("vertices"), 6);
+  const auto indices = unpacked<std::uint32_t>(surface.at("indices"), 1);
   const double unit = surface.at("radius").get<double>() / 32767;
   const auto vector = [&](std::size_t at) {
     return Vector3d(vertices.at(at), vertices.at(at + 1), vertices.at(at + 2));
@@ -61,16 +65,24 @@ double volume_within(const ordered_json& surface) {
 }
 
 TEST(PageJson, HoldsTheSurfaceOfTheBody) {
-  const ordered_json surface = page_json(scene::load_scene("sphere")).at("surface");
+  const ordered_json surface = json_of(scene::load_scene("sphere")).at("surface");
   EXPECT_DOUBLE_EQ(surface.at("radius"), 1);
   EXPECT_NEAR(volume_within(surface), 4 * std::numbers::pi / 3, 0.01);
   EXPECT_TRUE(surface.at("marked"));
   ASSERT_EQ(surface.at("parts").size(), 1U);
-  EXPECT_EQ(surface["parts"][0]["end"], unpacked<std::uint16_t>(surface.at("indices")).size());
+  EXPECT_EQ(surface["parts"][0]["end"], unpacked<std::uint32_t>(surface.at("indices"), 1).size());
+}
+
+TEST(PageJson, PacksIntegersOfAnySize) {
+  const std::vector<std::uint16_t> narrow{0, 65535, 1, 32768, 65535, 0, 7};
+  EXPECT_EQ(unpacked<std::uint16_t>(packed(narrow, 3), 3), narrow);
+  const std::vector<std::uint32_t> wide{70'000, 0, 4'294'967'295, 1};
+  EXPECT_EQ(unpacked<std::uint32_t>(packed(wide, 1), 1), wide);
+  EXPECT_EQ(unpacked<std::uint32_t>(packed(std::vector<std::uint32_t>(), 1), 1).size(), 0U);
 }
 
 TEST(PageJson, TellsWhichPartsTouch) {
-  const ordered_json surface = page_json(scene::load_scene("dzhanibekov")).at("surface");
+  const ordered_json surface = json_of(scene::load_scene("dzhanibekov")).at("surface");
   const ordered_json& leg = surface.at("parts").at(1);
   ASSERT_EQ(leg.at("occluders").size(), 1U);
   EXPECT_TRUE(leg["occluders"][0].at("meets"));
@@ -80,16 +92,67 @@ TEST(PageJson, TellsWhichPartsTouch) {
 
 TEST(PageJson, KeepsThePageSmall) {
   for (const std::string& name : scene::builtin_scene_names()) {
-    const ordered_json surface = page_json(scene::load_scene(name)).at("surface");
-    // A page has at most 600 kB for the default scene, of which all else takes 330.
-    EXPECT_LT(surface.dump().size(), name == "dzhanibekov" ? 100'000U : 350'000U) << name;
+    const ordered_json surface = json_of(scene::load_scene(name)).at("surface");
+    // All else in a page takes 330 kB.
+    EXPECT_LT(surface.dump().size(), name == "dzhanibekov" ? 20'000U : 150'000U) << name;
   }
+}
+
+/// A scene of a ball of that many meridians, with a wave on it; a wall if `shell` > 0.
+scene::Scene ball(int meridians, double shell, double wave) {
+  body::TriangleMesh mesh = render::ball_of_triangles(3, meridians);
+  for (Vector3d& place : mesh.vertices) place *= 1 + wave * std::sin(9 * place.x());
+  mesh.colors.assign(mesh.vertices.size(), {1, 0, 0});
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.body.parts = {render::part_of(std::move(mesh))};
+  if (shell > 0) std::get<body::Mesh>(scene.body.parts[0].shape).shell = shell;
+  scene.body.descriptions.clear();
+  return scene;
+}
+
+TEST(PageJson, DrawsALargeMeshByFewerTriangles) {
+  const scene::Scene scene = ball(200, 0, 0.05);
+  const Surface surface = surface_of(scene.body);
+  ASSERT_TRUE(surface.simplification);
+  EXPECT_EQ(surface.simplification->given, 4U * 199 * 200);
+  EXPECT_LE(surface.simplification->drawn, 20'000U);
+  EXPECT_GT(surface.simplification->drawn, 15'000U);
+  const ordered_json json = page_json(scene, surface);
+  const double volume = body::volume(scene.body.parts[0].shape);
+  EXPECT_NEAR(volume_within(json.at("surface")), volume, 3e-3 * volume);
+  EXPECT_EQ(json["surface"]["parts"][0]["tint"], nlohmann::json({1, 0, 0}));
+  EXPECT_EQ(surface.mesh.colors.size(), surface.mesh.vertices.size());
+  EXPECT_FALSE(surface_of(ball(40, 0, 0.05).body).simplification);
+}
+
+TEST(PageJson, DrawsBothSidesOfALargeWall) {
+  const Surface surface = surface_of(ball(200, 0.01, 0.05).body);
+  double outwards = 0;
+  for (const render::Vertex& vertex : surface.mesh.vertices) {
+    outwards += glm::dot(vertex.normal, vertex.position) > 0 ? 1 : -1;
+  }
+  EXPECT_NEAR(outwards, 0, 0.02 * static_cast<double>(surface.mesh.vertices.size()));
+  EXPECT_LE(surface.simplification->drawn, 20'000U);
+}
+
+TEST(PageJson, DrawsALargeRoughMeshByFewerTriangles) {
+  scene::Scene scene = ball(200, 0, 0);
+  body::TriangleMesh rough = *std::get<body::Mesh>(scene.body.parts[0].shape).surface;
+  unsigned state = 1;
+  for (Vector3d& place : rough.vertices) {
+    state = state * 1'103'515'245U + 12'345U;
+    place *= 1 + 0.03 * (state >> 16U & 0xFFU) / 255;
+  }
+  scene.body.parts = {render::part_of(std::move(rough))};
+  const Surface surface = surface_of(scene.body);
+  EXPECT_LE(surface.simplification->drawn, 40'000U);
+  EXPECT_LT(surface.mesh.vertices.size(), 40'000U);
 }
 
 TEST(PageJson, HoldsTheInertiaRowByRow) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;
-  const auto numbers = page_json(scene).at("inertia").get<std::vector<double>>();
+  const auto numbers = json_of(scene).at("inertia").get<std::vector<double>>();
   ASSERT_EQ(numbers.size(), 9U);
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 3; ++column) {
@@ -102,7 +165,7 @@ TEST(PageJson, GivesEachThemeTheLookOfTheScene) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   for (const double metallic : {0.0, 1.0}) {
     scene.look.metallic = metallic;
-    const ordered_json themes = page_json(scene).at("themes");
+    const ordered_json themes = json_of(scene).at("themes");
     for (const char* const name : {"studio", "paper", "space"}) {
       const ordered_json& theme = themes.at(name);
       const ordered_json& material = theme.at("materials").at(0);
@@ -118,7 +181,7 @@ TEST(PageJson, GivesEachThemeTheLookOfTheScene) {
 TEST(PageJson, LeavesOutTheShotsOfAStory) {
   const scene::Scene story = scene::load_scene("explain");
   ASSERT_FALSE(story.shots.empty());
-  EXPECT_FALSE(page_json(story).at("scene").contains("shot"));
+  EXPECT_FALSE(json_of(story).at("scene").contains("shot"));
 }
 
 }  // namespace

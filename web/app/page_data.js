@@ -1,4 +1,7 @@
 // What twrench page writes into the page: see src/page/page_json.h.
+import { surfaceOf } from '../picture/surface.js';
+import { inflated } from '../picture/unpacking.js';
+import { byId } from './dom.js';
 
 /**
  * @typedef {object} PageData
@@ -6,25 +9,16 @@
  * @property {Record<string, any>} scene Its values, with the keys of scene files.
  * @property {Record<string, any>} [source_scene] Its values before the command line changed them.
  * @property {number[]} inertia Body axes, g cm^2, row by row.
- * @property {any} surface See picture/surface.js.
+ * @property {import("../picture/surface.js").Surface} surface
  * @property {Record<string, any>} themes
  * @property {{moment: number[], moment_ratio: number, omega: number[], step: number[], tolerance: number[], time: number[]}} limits
  */
 
-/** @returns {PageData} */
-export function readPageData() {
-  return JSON.parse(document.getElementById('scene')?.textContent ?? '{}');
+/** @returns {Promise<PageData>} */
+export async function readPageData() {
+  const data = JSON.parse(byId('scene').textContent ?? '');
+  return { ...data, surface: await surfaceOf(data.surface) };
 }
 
-/**
- * The bytes of the core: compressed and in base64, as they stand in the page.
- * @returns {Promise<Uint8Array>}
- */
-export async function readCore() {
-  const element = document.getElementById('core');
-  const text = atob((element?.textContent ?? '').trim());
-  const bytes = Uint8Array.from(text, (character) => character.charCodeAt(0));
-  const format = /** @type {CompressionFormat} */ (element?.dataset.compression ?? 'gzip');
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
+/** The bytes of the core. @returns {Promise<Uint8Array>} */
+export const readCore = () => inflated((byId('core').textContent ?? '').trim(), 'gzip');

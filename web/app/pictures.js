@@ -5,7 +5,7 @@ import { PoinsotView } from '../views/poinsot_view.js';
 import { SphereView } from '../views/sphere_view.js';
 import { makeTurnable, turnByKey } from '../views/turning.js';
 import { pngOf } from '../picture/png.js';
-import { boxSurface, surfaceOf } from '../picture/surface.js';
+import { boxSurface } from '../picture/surface.js';
 import { byId } from './dom.js';
 import { listed, trailTimes } from './motion_model.js';
 import { framesPerSecond } from './player.js';
@@ -28,7 +28,6 @@ export class Pictures {
     this.data = data;
     this.player = player;
     this.runs = runs;
-    this.sceneSurface = surfaceOf(data.surface);
     /** @type {{model: MotionModel, page: number, samples: import('../core/core.js').Sample[]} | null} */
     this.rolled = null;
     /** @type {{moments: number[], surface: import('../picture/surface.js').Surface} | null} */
@@ -122,7 +121,7 @@ export class Pictures {
   /** The surface of the body that is chosen. */
   get #surface() {
     const { moments } = this.store.state;
-    if (!moments) return this.sceneSurface;
+    if (!moments) return this.data.surface;
     if (this.box?.moments !== moments) this.box = { moments, surface: boxSurface(moments) };
     return this.box.surface;
   }

@@ -1,6 +1,7 @@
 // The surface of a body as the picture needs it: the program's own for the scene, and a box for a
 // body that is given by its moments.
 import { add, scale } from '../math/linear.js';
+import { unpacked } from './unpacking.js';
 
 /** `meets` if it is a cylinder drawn before, which the part touches. @typedef {{from: number[], to: number[], radius: number, meets: boolean, part: number}} Capsule */
 /** @typedef {{centre: number[], radius: number}} Ball  casts shadow; body axes, cm */
@@ -30,28 +31,16 @@ import { add, scale } from '../math/linear.js';
  * @property {Ball[]} balls
  */
 
-/** @param {string} base64 */
-export function bytesOf(base64) {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
-
 /**
- * The surface that page_json wrote: vertices as 16-bit integers, positions in units of radius / 32767.
+ * The surface that src/page/surface_json.h wrote.
  * @param {any} json
- * @returns {Surface}
+ * @returns {Promise<Surface>}
  */
-export function surfaceOf(json) {
-  const packed = new Int16Array(bytesOf(json.vertices).buffer);
-  const vertices = new Float32Array(packed.length);
-  for (let i = 0; i < packed.length; ++i) {
-    vertices[i] = (packed[i] / 32767) * (i % 6 < 3 ? json.radius : 1);
-  }
-  const buffer = bytesOf(json.indices).buffer;
-  const indices = json.wide_indices ? new Uint32Array(buffer) : Uint32Array.from(new Uint16Array(buffer));
-  const colors = json.colors ? new Uint16Array(bytesOf(json.colors).buffer) : null;
+export async function surfaceOf(json) {
+  const integers = await unpacked(json.vertices, Int16Array, 6);
+  const vertices = Float32Array.from(integers, (x, i) => (x / 32767) * (i % 6 < 3 ? json.radius : 1));
+  const indices = await unpacked(json.indices, Uint32Array, 1);
+  const colors = json.colors ? await unpacked(json.colors, Uint16Array, 3) : null;
   return { ...json, vertices, indices, colors };
 }
 

@@ -1,0 +1,51 @@
+#include "page/surface.h"
+
+#include <algorithm>
+
+#include "render/body/bounding_radius.h"
+#include "render/body/gap_closing.h"
+
+namespace twrench::page {
+namespace {
+
+constexpr std::size_t most_vertices = 5000;     // of bodies of few parts, for the size of the page
+constexpr std::size_t most_triangles = 20'000;  // of meshes, for the same
+constexpr double finest = 2.3e-4;               // tolerance in radii: invisible in 1440 rows
+constexpr double coarsest = 2e-3;
+
+/// One that is simplified anyway, and takes seconds to be made once more.
+bool is_large_mesh(const body::Part& part) {
+  const auto* const mesh = std::get_if<body::Mesh>(&part.shape);
+  return mesh != nullptr && mesh->surface->triangles.size() > most_triangles;
+}
+
+render::Mesh fine_mesh(std::span<const body::Part> parts, std::span<const scene::PartLook> looks,
+                       double radius) {
+  double tolerance = finest * radius;
+  render::Mesh mesh = render::body_mesh(parts, tolerance, looks);
+  if (std::ranges::any_of(parts, is_large_mesh)) return mesh;
+  while (mesh.vertices.size() > most_vertices && tolerance < coarsest * radius) {
+    tolerance *= 1.5;
+    mesh = render::body_mesh(parts, tolerance, looks);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Surface surface_of(const scene::Body& body) {
+  const std::vector<body::Part> visible = scene::visible_parts(body);
+  Surface surface{.parts = render::close_gaps(visible),
+                  .radius = render::bounding_radius(visible),
+                  .mesh = {},
+                  .simplification = {}};
+  std::vector<scene::PartLook> looks;
+  for (std::size_t i = 0; i < surface.parts.size(); ++i) {
+    looks.push_back(scene::description(body, i).look);
+  }
+  surface.mesh = fine_mesh(surface.parts, looks, surface.radius);
+  surface.simplification = simplify(surface.mesh, surface.parts, most_triangles);
+  return surface;
+}
+
+}  // namespace twrench::page
