@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "page/packing.h"
+#include "page/shadow_balls.h"
 #include "render/body/mesh.h"
 #include "render/body/occluders.h"
 #include "render/body/outline_radii.h"
@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 using nlohmann::ordered_json;
 
 constexpr std::size_t most_occluders = 3;  // as in the film
-constexpr double most_gaps = 60;           // between the balls of a part that casts shadow
 
 ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -99,20 +98,10 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
   return json;
 }
 
-/// Spheres that cast as much shadow as the parts; see render/body/floor.cpp.
-ordered_json balls_json(std::span<const body::Part> parts) {
+ordered_json balls_json(const std::vector<Ball>& balls) {
   ordered_json json = ordered_json::array();
-  for (const body::Part& part : parts) {
-    for (const render::Capsule& capsule : render::capsules_of(part)) {
-      const Vector3d along = capsule.to - capsule.from;
-      const double apart = std::numbers::pi / 2 * capsule.radius;
-      const int gaps = static_cast<int>(std::lround(std::min(along.norm() / apart, most_gaps)));
-      for (int i = 0; i <= gaps; ++i) {
-        const double share = gaps > 0 ? double(i) / gaps : 0.5;
-        json.push_back(
-            {{"centre", numbers(capsule.from + share * along)}, {"radius", capsule.radius}});
-      }
-    }
+  for (const auto& [centre, radius] : balls) {
+    json.push_back({{"centre", numbers(centre)}, {"radius", radius}});
   }
   return json;
 }
@@ -128,7 +117,7 @@ ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
                     {"vertices", packed_vertices(mesh, radius)},
                     {"indices", packed(mesh.indices, 1)},
                     {"parts", parts_json(parts, mesh, materials, radius)},
-                    {"balls", balls_json(scene::visible_parts(scene.body))}};
+                    {"balls", balls_json(shadow_balls(scene::visible_parts(scene.body)))}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
   return json;
 }

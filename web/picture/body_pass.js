@@ -43,19 +43,20 @@ function programOf(gl, surface, material, ofOneMaterial) {
   const constants = `${material.constants}const int occluder_count = ${count};
 const bool is_of_one_material = ${ofOneMaterial};
 `;
-  const alone = count === 0;
+  const alone = count === 0,
+    colored = material.colored && surface.colors !== null; // not the box of given moments
   return new Program(
     gl,
     [
       constants,
       alone ? unoccluded_vert : occluders_vert,
-      material.colored ? colored_vert : plain_vert,
+      colored ? colored_vert : plain_vert,
       body_vert,
     ],
     [
       constants,
       studio,
-      material.colored ? colored_frag : plain_frag,
+      colored ? colored_frag : plain_frag,
       alone ? unoccluded_frag : occluders_frag,
       tone,
       brush,

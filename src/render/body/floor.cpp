@@ -204,7 +204,7 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Are
     const Vector3f row_part =
         floor_from_cell * Vector3f(0, static_cast<float>(area.y + y) + 0.5F, 1);
     const ArrayXf closeness = floor_from_cell(2, 0) * column + row_part.z();
-    const ArrayXf w = 1 / closeness.max(1e-6F);
+    const ArrayXf w = 1 / closeness.max(1e-20F);  // closeness is small where the body is large
     const ArrayXf x = (floor_from_cell(0, 0) * column + row_part.x()) * w;
     const ArrayXf z = (floor_from_cell(1, 0) * column + row_part.y()) * w;
     ArrayXf open = ArrayXf::Ones(area.width);

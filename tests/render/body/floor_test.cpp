@@ -57,6 +57,18 @@ class FloorTest : public testing::Test {
   }
 };
 
+TEST_F(FloorTest, HasTheShadowOfABodyOfAnySize) {
+  scene::Scene ball = white();
+  ball.body.descriptions.clear();
+  const auto sized = [&](double radius) {
+    ball.body.parts = {
+        {body::Ellipsoid{Vector3d::Constant(radius)}, 1, {0, 0, 0}, Matrix3d::Identity()}};
+    return shadow(ball, Matrix3d::Identity());
+  };
+  const Eigen::Vector2d expected = sized(1);
+  EXPECT_LT((sized(1e6) - expected).norm(), 0.5);
+}
+
 TEST_F(FloorTest, IsLightThatFadesBeforeAHorizon) {
   const scene::Scene scene = t_wrench(320, 180);
   const std::vector<int> light = change(scene, Matrix3d::Identity());
