@@ -30,6 +30,19 @@ const copied = async (page, button) => {
   return shown(page, '#copied');
 };
 
+/** The text of the file that a button saves. */
+async function saved(page, button) {
+  await page.evaluate(() => {
+    globalThis.savedText = null;
+    const create = URL.createObjectURL;
+    URL.createObjectURL = (blob) => (blob.text().then((text) => (globalThis.savedText = text)), create(blob));
+    HTMLAnchorElement.prototype.click = () => {};
+  });
+  await page.click(button);
+  await page.waitForFunction(() => globalThis.savedText);
+  return page.evaluate(() => globalThis.savedText);
+}
+
 const tests = {
   async 'it plays, and stands still for those who want less motion'() {
     const { page, quiet } = await open(flip);
@@ -192,6 +205,60 @@ const tests = {
       assert.ok(Math.max(...X.map((x, i) => Math.abs(x - found[i]))) <= 3e-14, 'the scene file');
       quiet();
     }
+  },
+
+  async 'the data that are saved are those of twrench simulate'() {
+    for (const [words, hash, more, bound] of [
+      [['dzhanibekov'], '', ['--method', 'exact'], 0],
+      [['dzhanibekov', '--duration', '0.99'], '', ['--method', 'exact'], 0],
+      [['stable-y', '--omega', '0.2,1.5,0.3', '--duration', '10'], '', ['--method', 'exact'], 3e-14],
+      [['dzhanibekov', '--duration', '5'], '#compare=ghost&methods=rk4,exact&step=0.25', ['--method', 'rk4', '--step', '0.25'], 1e-13],
+    ]) {
+      const { page, quiet } = await open(writePage('data.html', ...words), { ...still, hash });
+      const text = await saved(page, '#save-csv');
+      const expected = twrench('simulate', ...words, ...more);
+      const [head, ...rows] = text.trim().split('\n'), [expectedHead, ...expectedRows] = expected.trim().split('\n');
+      assert.equal(head, expectedHead);
+      assert.equal(rows.length, expectedRows.length);
+      rows.forEach((row, i) => {
+        const numbers = row.split(',').map(Number), others = expectedRows[i].split(',').map(Number);
+        // The text of the motion; energy and errors are sums, and rounded otherwise.
+        const moving = bound === 0 ? 13 : 1;
+        assert.equal(row.split(',', moving).join(), expectedRows[i].split(',', moving).join());
+        numbers.forEach((x, k) => {
+          const apart = Math.abs(x - others[k]) / Math.max(1, Math.abs(x));
+          assert.ok(apart <= Math.max(bound, 2e-14), `${words} ${hash}: ${x} and ${others[k]} in ${head.split(',')[k]} of row ${i}`);
+        });
+      });
+      quiet();
+    }
+    const long = await open(flip, { ...still, hash: '#length=1e6' });
+    const lines = (await saved(long.page, '#save-csv')).trim().split('\n');
+    assert.ok(lines.length > 10_000 && lines.length <= 20_003, `${lines.length} lines`);
+    assert.match(lines.at(-1), /^1000000,/);
+    const bad = await open(flip, { ...still, hash: '#compare=ghost&methods=rk4,exact&step=9' });
+    await bad.page.click('#save-csv');
+    assert.match(await shown(bad.page, '#copied'), /rk4/);
+  },
+
+  async 'what each readout shows while methods are compared'() {
+    const { page, quiet } = await open(flip, { ...still, hash: '#compare=beside&methods=rk4,exact&step=0.25&t=40' });
+    await page.waitForFunction(() => /\d/.test(document.querySelector('#errors tbody').textContent));
+    const of = (method) => {
+      const control = method === 'exact' ? [] : ['--step', '0.25'];
+      return twrench('simulate', '--method', method, ...control, '--times', '40').trim().split('\n')[1].split(',').map(Number);
+    };
+    const apart = (row, X) => Math.max(...X.map((x, i) => Math.abs(x - row[1 + i])));
+    const { X } = await sample(page, 40);
+    assert.ok(apart(of('rk4'), X) < 1e-11, 'sample(t) is the first method');
+    assert.ok(apart(of('exact'), X) > 1e-6, 'which is not exact');
+    assert.match(await copied(page, '#copy-command'), /--method rk4 .*--step 0.25 .*--compare rk4,exact/);
+    await page.$eval('#data', (details) => (details.open = true));
+    await enter(page, '#length', '40');
+    const cells = await page.$$eval('#table tbody tr:last-child td', (all) => all.slice(0, 9).map((cell) => Number(cell.textContent.replace('−', '-'))));
+    assert.ok(apart(of('exact'), cells) < 1e-6, 'the table is the exact motion');
+    assert.match(await shown(page, '#readout'), /^t = 40/);
+    quiet();
   },
 
   async 'everything is said to those who do not see it: axe finds nothing'() {

@@ -13,7 +13,7 @@ import tour from '../tour/tour.json';
 import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
-import { figuresOf, listed, MotionModel, spunAbout } from './motion_model.js';
+import { figuresOf, listed, MotionModel, samplesShown, spunAbout } from './motion_model.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
@@ -179,11 +179,9 @@ export class App {
     this.announcer.tell(model, state.t);
   }
 
-  /** The motion shown, as the command line that the page gives has it computed. @param {number} t */
+  /** The motion shown. @param {number} t */
   sample(t) {
-    const { compare, methods, step, tolerance } = this.store.state;
-    if (compare === 'off') return this.model.motion.at(t);
-    return listed(this.model.motion.integrate(methods[0], { step, tolerance }, [t]))[0];
+    return listed(samplesShown(this.store.state, this.model, [t]))[0];
   }
 
   /**

@@ -195,6 +195,17 @@ export function trailTimes(t, length, rate) {
 }
 
 /**
+ * The motion as the command line that the page gives has it computed: exactly, or by the first of
+ * the methods that are compared. Throws a CoreError where that method cannot.
+ * @param {import("./state.js").State} state @param {MotionModel} model @param {number[]} times
+ */
+export function samplesShown({ compare, methods, step, tolerance }, { motion }, times) {
+  return compare === 'off'
+    ? motion.samples(times)
+    : motion.integrate(methods[0], { step, tolerance }, times);
+}
+
+/**
  * The samples of a trail as objects.
  * @param {import("../core/core.js").Samples} samples
  * @returns {Sample[]}

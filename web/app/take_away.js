@@ -1,5 +1,6 @@
 // What the reader takes away as text: the command line of the motion as a film, its scene file, its
 // data.
+import { samplesShown } from './motion_model.js';
 
 /** @typedef {import("./page_data.js").PageData} PageData */
 /** @typedef {import("./state.js").State} State */
@@ -119,30 +120,49 @@ export function sceneFile(state, data, theme) {
 }
 
 /**
- * The motion over the timeline, with the columns of twrench simulate.
+ * As many times as frames of the film, or every second, third ... of them, and both ends: with a
+ * timeline from 0 those of twrench simulate, to the last digit.
+ * @param {State} state @param {number} fps
+ */
+function timesOf({ from, length }, fps) {
+  const frames = Math.floor(length * fps),
+    every = Math.ceil((frames + 1) / mostRows);
+  const times = Array.from({ length: Math.floor(frames / every) + 1 }, (_, i) => from + (i * every) / fps);
+  return times[times.length - 1] < from + length ? [...times, from + length] : times;
+}
+
+/** A number with 17 digits, as printf's %.17g writes it. @param {number} x */
+export function digits17(x) {
+  if (x === 0) return Object.is(x, -0) ? '-0' : '0';
+  const [digits, power] = x.toExponential(16).split('e'),
+    exponent = Number(power);
+  const withoutZeros = (/** @type {string} */ text) =>
+    text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  if (exponent >= -4 && exponent < 17) return withoutZeros(x.toFixed(16 - exponent));
+  return `${withoutZeros(digits)}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
+}
+
+/**
+ * The motion shown over the timeline, as twrench simulate writes it.
  * @param {State} state @param {MotionModel} model @param {number} fps
  */
-export function csv({ from, length }, model, fps) {
-  const count = Math.min(Math.max(2, Math.round(length * fps) + 1), mostRows);
-  const times = Float64Array.from({ length: count }, (_, i) => from + (length * i) / (count - 1));
-  const samples = model.motion.samples(times),
+export function csv(state, model, fps) {
+  const samples = samplesShown(state, model, timesOf(state, fps)),
     found = model.motion.diagnose(samples);
   const lines = [
     't,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,momentum_error',
   ];
-  for (let i = 0; i < count; ++i) {
-    const drift = found.energyDrift[i];
-    lines.push(
-      [
-        times[i],
-        ...samples.X.subarray(9 * i, 9 * i + 9),
-        ...samples.omega.subarray(3 * i, 3 * i + 3),
-        model.facts.energy * (1 + drift),
-        drift,
-        found.orthogonalityError[i],
-        found.momentumError[i],
-      ].join(','),
-    );
-  }
+  samples.t.forEach((t, i) => {
+    const row = [
+      t,
+      ...samples.X.subarray(9 * i, 9 * i + 9),
+      ...samples.omega.subarray(3 * i, 3 * i + 3),
+      found.energy[i],
+      found.energyDrift[i],
+      found.orthogonalityError[i],
+      found.momentumError[i],
+    ];
+    lines.push(row.map(digits17).join(','));
+  });
   return lines.join('\n') + '\n';
 }

@@ -172,19 +172,20 @@ extern "C" {
           .samples);
 }
 
-/// Of n times, attitudes and velocities: energy drifts, orthogonality errors, momentum errors, and
-/// distances from the exact motion.
+/// Of n times, attitudes and velocities: energies, energy drifts, orthogonality errors, momentum
+/// errors, and distances from the exact motion.
 [[clang::export_name("motion_diagnose")]] void motion_diagnose(const Motion* motion,
                                                                std::size_t n) {
   const std::vector<motion::Sample> exact = motion->exact.at(times_at_beginning(n), 1);
-  std::vector<double> columns(4 * n);
+  std::vector<double> columns(5 * n);
   for (std::size_t i = 0; i < n; ++i) {
     const motion::Sample sample{numbers[i], matrix_at(n + 9 * i), vector_at(10 * n + 3 * i)};
     const auto found = motion::diagnose(motion->body, motion->initial_energy, sample);
-    columns[i] = found.energy_drift;
-    columns[n + i] = found.orthogonality_error;
-    columns[2 * n + i] = found.momentum_error;
-    columns[3 * n + i] = (sample.X - exact[i].X).norm();
+    columns[i] = found.energy;
+    columns[n + i] = found.energy_drift;
+    columns[2 * n + i] = found.orthogonality_error;
+    columns[3 * n + i] = found.momentum_error;
+    columns[4 * n + i] = (sample.X - exact[i].X).norm();
   }
   std::ranges::copy(columns, numbers.begin());
 }

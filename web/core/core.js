@@ -34,6 +34,7 @@ export { Motion, Run } from './motion.js';
 /**
  * How far samples are from what is conserved, and from the exact motion.
  * @typedef {object} Diagnostics
+ * @property {Float64Array} energy 1/2 omega . (I omega), g cm^2/s^2
  * @property {Float64Array} energyDrift energy/energy(0) - 1
  * @property {Float64Array} orthogonalityError |X^T X - Id|, Frobenius
  * @property {Float64Array} momentumError |X I omega - L| / |L|

@@ -122,12 +122,13 @@ export class Motion {
     numbers.set(samples.t);
     numbers.set(samples.X, n);
     numbers.set(samples.omega, 10 * n);
-    const r = this.core.instance.compute(4 * n, numbers, 'motion_diagnose', this.held.get(), n);
+    const r = this.core.instance.compute(5 * n, numbers, 'motion_diagnose', this.held.get(), n);
     return {
-      energyDrift: r.slice(0, n),
-      orthogonalityError: r.slice(n, 2 * n),
-      momentumError: r.slice(2 * n, 3 * n),
-      error: r.slice(3 * n),
+      energy: r.slice(0, n),
+      energyDrift: r.slice(n, 2 * n),
+      orthogonalityError: r.slice(2 * n, 3 * n),
+      momentumError: r.slice(3 * n, 4 * n),
+      error: r.slice(4 * n),
     };
   }
 

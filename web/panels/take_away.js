@@ -47,11 +47,14 @@ export class TakeAway {
     on('copy-command', () => copy(commandLine(store.state, data, theme())));
     on('copy-scene', () => copy(sceneFile(store.state, data, theme())));
     on('save-png', async () => save(await picture(), `${name ?? 'twrench'}.png`));
-    on('save-csv', () =>
-      save(
-        new Blob([csv(store.state, model(), data.scene.film.fps)], { type: 'text/csv' }),
-        `${name ?? 'twrench'}.csv`,
-      ),
-    );
+    on('save-csv', () => {
+      try {
+        const text = csv(store.state, model(), data.scene.film.fps);
+        save(new Blob([text], { type: 'text/csv' }), `${name ?? 'twrench'}.csv`);
+      } catch (error) {
+        byId('copied').hidden = false; // the method that is shown cannot compute this
+        byId('copied').textContent = error instanceof Error ? error.message : String(error);
+      }
+    });
   }
 }
