@@ -207,6 +207,22 @@ const tests = {
     }
   },
 
+  async 'the page of a story gives its command, and the scene file for what is shown'() {
+    const { page, quiet } = await open(writePage('story.html', 'explain'), { ...still, hash: '#omega=0.5,1.25,0.375' });
+    const lines = (await copied(page, '#copy-command')).split('\n');
+    assert.match(lines[0], /^# .*shots/);
+    assert.equal(lines[1], 'twrench render explain -o story.mp4');
+    assert.match(lines[2], /^# .*scene file/);
+    assert.equal(lines[3], 'twrench render flip.toml -o flip.mp4');
+    writeFileSync(join(folder, 'flip.toml'), await copied(page, '#copy-scene'));
+    const frames = join(folder, 'story');
+    twrench('render', join(folder, 'flip.toml'), '--no-video', '--frames', '90', '--size', '64x36', '--progress', 'none', '--frames-dir', frames);
+    const [frame] = JSON.parse(readFileSync(join(frames, 'manifest.json'), 'utf8')).frames;
+    const { X } = await sample(page, frame.t);
+    assert.ok(Math.max(...X.map((x, i) => Math.abs(x - frame.X[i]))) <= 1e-14);
+    quiet();
+  },
+
   async 'the data that are saved are those of twrench simulate'() {
     for (const [words, hash, more, bound] of [
       [['dzhanibekov'], '', ['--method', 'exact'], 0],

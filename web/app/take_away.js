@@ -1,5 +1,6 @@
 // What the reader takes away as text: the command line of the motion as a film, its scene file, its
 // data.
+import { word } from '../words/words.js';
 import { samplesShown } from './motion_model.js';
 
 /** @typedef {import("./page_data.js").PageData} PageData */
@@ -62,12 +63,27 @@ function shownFeatures({ show }, { scene }) {
 }
 
 /**
+ * How to make a film of what is shown where the page is of a film that tells a story: its shots are
+ * not in the page, and each has its own motion and camera, so that no options make this one of it.
+ * @param {string} source
+ */
+function storyCommands(source) {
+  return [
+    `# ${word('story')}`,
+    `twrench render ${quoted(source)} -o story.mp4`,
+    `# ${word('notStory')}`,
+    'twrench render flip.toml -o flip.mp4',
+  ].join('\n');
+}
+
+/**
  * The command that makes this very motion as a film.
  * @param {State} state @param {PageData} data @param {string} theme
  */
 export function commandLine(state, data, theme) {
   const source = data.source ?? data.scene.name,
     given = data.source_scene ?? data.scene;
+  if (given.shot) return storyCommands(source);
   const parts = [`twrench render ${quoted(source)}`];
   const moments = state.moments ?? data.scene.body?.moments ?? [];
   if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf('inertia', moments));
