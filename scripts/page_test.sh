@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # page_test.sh [TEST]: builds the page and the program with it, checks the types of the page's scripts,
-# and tests pages in Chromium; with a word, the tests whose names have it.
+# and tests pages in Chromium, and in Firefox where it is installed; with a word, the tests whose names
+# have it.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,3 +12,12 @@ scripts/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json
 cp tests/page/*.mjs build/page/npm
 for part in page controls; do node "build/page/npm/${part}_test.mjs" "$@"; done
+if command -v firefox-esr >/dev/null && command -v xvfb-run >/dev/null; then
+  say "the same in Firefox"
+  export BROWSER=firefox
+  for part in page controls; do
+    xvfb-run --auto-servernum --server-args='-screen 0 1280x900x24' node "build/page/npm/${part}_test.mjs" "$@"
+  done
+else
+  say "firefox-esr, xvfb or xauth is missing: pages are not tested in Firefox"
+fi

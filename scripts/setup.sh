@@ -114,6 +114,9 @@ page     | Boost's headers               | libboost-dev
 page     | the bundler of scripts        | esbuild
 page     | OpenSSL's program             | openssl
 browser  | Chromium                      | chromium chromium-browser
+browser  | Firefox                       | firefox-esr               | pages are tested in Chromium alone
+browser  | a screen for Firefox          | xvfb                      | pages are tested in Chromium alone
+browser  | its access control            | xauth                     | pages are tested in Chromium alone
 node     | Node.js                       | nodejs
 node     | npm                           | npm
 browser  | ImageMagick, for its pictures | imagemagick

@@ -13,21 +13,25 @@ const twrench = {
   /** @type {Core | null} For motions of the asker's own. */
   core: null,
   /** @param {number} t @returns {Promise<import("./core/core.js").Sample>} of the motion shown; of the first method where two are compared */
-  sample: async (t) => {
-    await twrench.ready;
-    return app.sample(t);
-  },
+  sample: async (t) => (await working()).sample(t),
   /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
   picture: async (options) => {
-    await twrench.ready;
-    const bytes = new Uint8Array(await (await app.picture(options)).arrayBuffer());
+    const blob = await (await working()).picture(options);
+    const bytes = new Uint8Array(await blob.arrayBuffer());
     return `data:image/png;base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
   },
 };
 Object.assign(window, { twrench });
 
-/** @type {App} */
+/** @type {App | undefined} */
 let app;
+
+/** The page at work; throws where it cannot. */
+async function working() {
+  await twrench.ready;
+  if (!app) throw new Error('this browser does not run WebGL 2 here');
+  return app;
+}
 
 async function start() {
   setLanguage(languageOf(navigator.languages));

@@ -1,5 +1,5 @@
-// What the tests in a browser share: a page of twrench in Chromium, in which nothing may go wrong
-// unseen.
+// What the tests in a browser share: a page of twrench in Chromium, or with BROWSER=firefox in Firefox,
+// in which nothing may go wrong unseen.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync } from 'node:fs';
@@ -21,7 +21,9 @@ export function writePage(name, ...words) {
   return file;
 }
 
-const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find((path) => {
+const isFirefox = process.env.BROWSER === 'firefox';
+const programs = isFirefox ? ['/usr/bin/firefox-esr', '/usr/bin/firefox'] : ['/usr/bin/chromium', '/usr/bin/chromium-browser'];
+const executablePath = programs.find((path) => {
   try {
     execFileSync(path, ['--version'], { stdio: 'ignore' });
     return true;
@@ -30,13 +32,24 @@ const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find((
   }
 });
 
-/** Starts a browser. Without a graphics card WebGL 2 is drawn by SwiftShader. */
+/**
+ * Starts a browser. Without a graphics card Chromium draws WebGL 2 by SwiftShader, and Firefox by Mesa,
+ * for which it needs a screen: xvfb-run.
+ */
 const launch = (...more) =>
-  puppeteer.launch({
-    executablePath,
-    protocolTimeout: 120_000,
-    args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage', ...more],
-  });
+  isFirefox
+    ? puppeteer.launch({
+        browser: 'firefox',
+        executablePath,
+        headless: false,
+        protocolTimeout: 120_000,
+        extraPrefsFirefox: { 'webgl.force-enabled': true, 'ui.prefersReducedMotion': 1 },
+      })
+    : puppeteer.launch({
+        executablePath,
+        protocolTimeout: 120_000,
+        args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage', ...more],
+      });
 
 export const browser = await launch();
 
@@ -57,7 +70,7 @@ export async function openOnDisplay(scale, file) {
 export async function open(file, { hash = '', width = 900, height = 600, features } = {}) {
   const page = await browser.newPage();
   await page.setViewport({ width, height });
-  if (features) await page.emulateMediaFeatures(features);
+  if (features && !isFirefox) await page.emulateMediaFeatures(features);
   const trouble = watch(page, file);
   await page.goto(pathToFileURL(file).href + hash);
   await page.evaluate(() => globalThis.twrench.ready);
@@ -85,12 +98,16 @@ export function watch(page, file) {
   return trouble;
 }
 
-/** Runs the tests in order, and ends with an exit status that says whether all passed. */
-export async function run(tests) {
+/**
+ * Runs the tests in order, and ends with an exit status that says whether all passed. In Firefox it
+ * leaves out those that ask for what only Chromium's protocol has.
+ */
+export async function run(tests, ofChromium = []) {
   let failed = 0;
   const chosen = process.argv[2];
   for (const [name, test] of Object.entries(tests)) {
     if (chosen && !name.includes(chosen)) continue;
+    if (isFirefox && ofChromium.includes(name)) continue;
     const start = performance.now();
     try {
       await test();

@@ -332,4 +332,8 @@ omega = [0.1, 2.0, 0.1]
   },
 };
 
-await run(tests);
+await run(tests, [
+  'it is one small file that asks nothing of the network',
+  'a report has the page at its top, formulas and figures, and prints without',
+  'without scripts it says what it would do, with a picture',
+]);
