@@ -320,6 +320,27 @@ const tests = {
     await close();
   },
 
+  async 'lost graphics are told of, and come back'() {
+    const { page, quiet } = await open(flip, { ...still, hash: '#t=12' });
+    const picture = () => page.evaluate(() => globalThis.twrench.picture({ width: 160, height: 90 }));
+    const before = await picture();
+    for (const view of ['#body', '#sphere', '#poinsot']) {
+      await page.$eval(`${view} canvas`, (canvas) => {
+        globalThis.lost = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+        globalThis.lost.loseContext();
+      });
+      await page.waitForFunction(() => !document.getElementById('note').hidden);
+      await page.click('#step-on');
+      await page.click('#step-back');
+      await page.evaluate(() => globalThis.lost.restoreContext());
+      await page.waitForFunction(() => document.getElementById('note').hidden);
+      await settle(page);
+    }
+    await enter(page, '#t', '12');
+    assert.equal(await picture(), before);
+    quiet();
+  },
+
   async 'it draws only what changes'() {
     const { page, quiet } = await open(flip, still);
     await settle(page);

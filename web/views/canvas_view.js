@@ -1,7 +1,9 @@
 // What the views have in common: a canvas of WebGL 2 that is as sharp as the display, a camera that
 // can be turned and zoomed by mouse, touch, pen and keyboard, and names of things in space.
+import { byId } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
 import { clipFromSpace, directionOf, transformed } from '../math/camera.js';
+import { word } from '../words/words.js';
 
 /** @typedef {import("../math/camera.js").Camera} Camera */
 /** A name beside the end of something in space. @typedef {{text: string, tip: ArrayLike<number>, color: number[]}} Label */
@@ -39,8 +41,13 @@ export class CanvasView {
     this.view = { azimuth: 0, elevation: 0, zoom: 1 };
     this.home = { azimuth: 0, elevation: 0 };
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
-    this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // or the browser would not restore it
+      byId('note').textContent = word('graphicsLost');
+      byId('note').hidden = false;
+    });
     this.canvas.addEventListener('webglcontextrestored', () => {
+      byId('note').hidden = true;
       this.restore();
       this.changed();
     });
