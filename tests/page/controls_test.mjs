@@ -320,6 +320,25 @@ const tests = {
     await close();
   },
 
+  async 'no size of a window or of a picture breaks it'() {
+    const { page, quiet } = await open(flip, still);
+    for (const [width, height] of [[1, 1], [3840, 2160], [200, 100], [4000, 50], [360, 740]]) {
+      await page.setViewport({ width, height });
+      await settle(page);
+    }
+    await page.$eval('#body', (box) => (box.style.display = 'none'));
+    await settle(page);
+    const said = await page.evaluate(async () => {
+      const errors = [];
+      for (const options of [{}, { width: 0, height: 9 }, { width: -5, height: 9 }, { width: 1e6, height: 1e6 }, { width: 9, height: 9, theme: 'x' }])
+        await globalThis.twrench.picture(options).catch((error) => errors.push(error.message));
+      return errors;
+    });
+    assert.equal(said.length, 5);
+    for (const message of said) assert.match(message, /^picture: /);
+    quiet();
+  },
+
   async 'lost graphics are told of, and come back'() {
     const { page, quiet } = await open(flip, { ...still, hash: '#t=12' });
     const picture = () => page.evaluate(() => globalThis.twrench.picture({ width: 160, height: 90 }));

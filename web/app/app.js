@@ -25,6 +25,7 @@ import { chartColors, setThemeColors } from './theme.js';
 /** @typedef {{width: number, height: number, t?: number, theme?: import("./state.js").ThemeName, show?: string[]}} PictureOptions */
 
 const times = ['t', 'from']; // what changes at each picture while it plays
+const mostPixels = 4096; // of a side of a picture
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
@@ -190,6 +191,9 @@ export class App {
    * @returns {Promise<Blob>} a PNG
    */
   picture({ width, height, t, theme, show }) {
+    const fits = [width, height].every((size) => Number.isInteger(size) && size >= 1 && size <= mostPixels);
+    if (!fits) throw new RangeError(`picture: width and height must be whole numbers from 1 to ${mostPixels}`);
+    if (theme !== undefined && !this.data.themes[theme]) throw new RangeError(`picture: unknown theme '${theme}'`);
     const { store } = this,
       before = store.state;
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };

@@ -17,7 +17,8 @@ import { SoftTarget } from './soft_target.js';
  */
 
 const floorGap = 0.06; // between the floor and the space that the body sweeps, in radii
-const mostBalls = 64,
+const mostColumns = 2048, // of a texture, which every WebGL 2 has
+  mostBalls = 64,
   gridRows = 180;
 
 export class Ground {
@@ -46,7 +47,7 @@ export class Ground {
    */
   reflect(body, camera, X, aspect) {
     const { gl } = this;
-    const width = Math.max(1, Math.round(gridRows * aspect));
+    const width = clamp(Math.round(gridRows * aspect), 1, mostColumns);
     this.sharp.begin(width, gridRows);
     body.drawMirrored(camera, X, Ground.height(body.surface.radius), { width, height: gridRows });
     this.soft.begin(width, gridRows);
