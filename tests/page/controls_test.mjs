@@ -382,6 +382,24 @@ const tests = {
     quiet();
   },
 
+  async 'memory stays flat while it plays'() {
+    const { page, quiet } = await open(flip, { hash: '#speed=16' });
+    const session = await page.createCDPSession();
+    const memory = async () => {
+      await session.send('HeapProfiler.collectGarbage');
+      const wasm = await page.evaluate(() => globalThis.twrench.core.instance.exports.memory.buffer.byteLength);
+      return { heap: (await page.metrics()).JSHeapUsedSize, wasm };
+    };
+    const half = Number(process.env.PLAY_SECONDS ?? 10) * 500;
+    await new Promise((done) => setTimeout(done, half));
+    const before = await memory();
+    await new Promise((done) => setTimeout(done, half));
+    const after = await memory();
+    assert.equal(after.wasm, before.wasm);
+    assert.ok(after.heap < before.heap + 6e6, `${before.heap} bytes became ${after.heap}`);
+    quiet();
+  },
+
   async 'no order of clicks and keys breaks it, and its memory stays flat'() {
     const { page, quiet } = await open(flip, { width: 1000, height: 800 });
     let seed = 1;
@@ -421,5 +439,6 @@ await run(tests, [
   'everything is said to those who do not see it: axe finds nothing',
   'it is sharp where a point is two pixels',
   'it prints',
+  'memory stays flat while it plays',
   'no order of clicks and keys breaks it, and its memory stays flat',
 ]);
