@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 120;
+constexpr int most_columns = 4096;  // twice as many may be drawn by any OpenGL
 // Of 255: so much less shadow is cast everywhere, which nobody sees, so that it ends somewhere.
 constexpr float least_shadow = 2;
 constexpr double floor_gap =
@@ -69,17 +70,24 @@ double ramp(double distance) {
   return share * share * (3 - 2 * share);
 }
 
-/// Returns the pixels of a picture as cells, blurred.
+/// Returns a picture of two by two pixels for each cell as cells, blurred.
 std::vector<SoftLayer::Cell> blurred(const image::Image& image) {
-  std::vector<SoftLayer::Cell> cells(image.pixels.size() / 4);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::uint8_t* p = &image.pixels[4 * i];
-    cells[i] = SoftLayer::Cell(p[0], p[1], p[2], p[3]);
+  const int columns = image.width / 2, rows = image.height / 2;
+  std::vector<SoftLayer::Cell> cells;
+  cells.reserve(image.pixels.size() / 16);
+  for (int row = 0; row < rows; ++row) {
+    const std::uint8_t* upper =
+        &image.pixels[2 * static_cast<std::size_t>(row) * image.row_bytes()];
+    const std::uint8_t* lower = upper + image.row_bytes();
+    for (int column = 0; column < columns; ++column, upper += 8, lower += 8) {
+      SoftLayer::Cell& cell = cells.emplace_back();
+      for (int c = 0; c < 4; ++c) {
+        cell[c] = 0.25F * static_cast<float>(upper[c] + upper[c + 4] + lower[c] + lower[c + 4]);
+      }
+    }
   }
-  for (int y = 0; y < image.height; ++y) {
-    blur_line(cells.data() + std::ptrdiff_t{y} * image.width, image.width, 1);
-  }
-  for (int x = 0; x < image.width; ++x) blur_line(cells.data() + x, image.height, image.width);
+  for (int y = 0; y < rows; ++y) blur_line(cells.data() + std::ptrdiff_t{y} * columns, columns, 1);
+  for (int x = 0; x < columns; ++x) blur_line(cells.data() + x, rows, columns);
   return cells;
 }
 
@@ -94,9 +102,10 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
              pane.y + pane.height < picture.y + picture.height},
       radius_(radius),
       height_(-(1 + floor_gap) * radius),
-      columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1, pane.width)),
+      columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1,
+                          std::min(pane.width, most_columns))),
       rows_(std::min(rows_of_grid, pane.height)),
-      framebuffer_(gl, columns_, rows_, 4, mode),
+      framebuffer_(gl, 2 * columns_, 2 * rows_, 1, mode),
       balls_(balls_of(parts)) {}
 
 /// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
@@ -184,9 +193,10 @@ image::Area Floor::seen(const Camera& camera) const {
 
 gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, const BodyPass& body,
                                      const image::Area& area) {
-  const gl::Rectangle rectangle{area.x, rows_ - area.y - area.height, area.width, area.height};
+  const gl::Rectangle rectangle{2 * area.x, 2 * (rows_ - area.y - area.height), 2 * area.width,
+                                2 * area.height};
   framebuffer_.clear({&rectangle, 1});
-  framebuffer_.draw_within(rectangle, {0, 0, columns_, rows_});
+  framebuffer_.draw_within(rectangle, {0, 0, 2 * columns_, 2 * rows_});
   body.draw_mirrored(camera, X, height_);
   return framebuffer_.begin_read(rectangle);
 }

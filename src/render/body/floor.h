@@ -63,7 +63,9 @@ class Floor {
   double radius_;  ///< Bounding radius in cm.
   double height_;  ///< Height of the floor, y in space, in cm; negative.
   int columns_, rows_;
-  gl::Framebuffer framebuffer_;  ///< Of the grid's size.
+  /// Of two by two pixels for each cell. Multisampling would need programs of its own, which would
+  /// delay the first frame.
+  gl::Framebuffer framebuffer_;
   std::vector<Ball> balls_;
 };
 
