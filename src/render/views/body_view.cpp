@@ -221,6 +221,7 @@ ScreenArea BodyView::covered(const Camera& camera, std::span<const Matrix3d> pos
 std::vector<gl::Readback> BodyView::picture(const Camera& camera, const Matrix3d& X,
                                             const ScreenArea& screen,
                                             std::span<const image::Area> areas) {
+  if (areas.empty()) return {};  // the camera is so near that all parts are beside the picture
   const std::vector<gl::Rectangle> rectangles = rectangles_of(areas, screen);
   framebuffer_.clear(rectangles);
   const image::Area all = std::accumulate(areas.begin(), areas.end(), areas.front(), image::around);
