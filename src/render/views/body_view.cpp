@@ -276,8 +276,8 @@ void BodyView::draw_blurred(const Camera& camera, std::span<const Matrix3d> pose
       }
       is_blocked[i] = drawn.empty() || drawn.back() != i;
     }
-    if (drawn.empty()) continue;
     framebuffer_.block(rectangles_of(left_out, screen));
+    if (drawn.empty()) continue;
     std::vector<gl::Readback> pixels = picture(camera, poses[pose], screen, drawn_areas);
     for (std::size_t i = 0; i < drawn.size(); ++i) exposures[drawn[i]].add(std::move(pixels[i]));
   }
