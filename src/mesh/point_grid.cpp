@@ -15,9 +15,9 @@ PointGrid::PointGrid(std::span<const Vector2d> points, std::span<const std::uint
   if (chosen.empty()) box_.extend(Vector2d::Zero().eval());
   const auto count = static_cast<double>(chosen.size());
   const Vector2d sizes = box_.sizes();
-  // The points may lie along a line.
-  size_ = std::max({std::sqrt(sizes.prod() / std::max(count, 1.0)), sizes.maxCoeff() / (count + 1),
-                    std::numeric_limits<double>::min()});
+  // The points may lie along a line. The area itself may underflow, and the cells be far too many.
+  size_ = std::max({std::sqrt(sizes.x()) * std::sqrt(sizes.y() / std::max(count, 1.0)),
+                    sizes.maxCoeff() / (count + 1), std::numeric_limits<double>::min()});
   columns_ = static_cast<std::size_t>(sizes.x() / size_) + 1;
   rows_ = static_cast<std::size_t>(sizes.y() / size_) + 1;
   begins_.resize(rows_ * columns_ + 1);
