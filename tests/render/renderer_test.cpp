@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -60,6 +61,19 @@ TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
   EXPECT_EQ(pixel(image, 0, 0)[1], 255);
   EXPECT_EQ(pixel(image, 159, 89)[1], 255);
   EXPECT_GT(pixel(image, 80, 45)[0], 20) << "metal, not green, in the middle";
+}
+
+TEST_F(RendererTest, DrawsNothingOfABodyBesideThePicture) {
+  scene::Scene scene = transparent();
+  const body::Ellipsoid ball{Vector3d::Constant(0.5)};
+  scene.body.parts = {{ball, 1, {-20, 0, 0}, Matrix3d::Identity()},
+                      {ball, 1, {20, 0, 0}, Matrix3d::Identity()}};
+  scene.camera.distance = 0.2;
+  for (const int samples : {1, 4}) {
+    scene.look.samples = samples;
+    const image::Image image = PoseRenderer(*context, scene).draw(Matrix3d::Identity());
+    EXPECT_EQ(std::ranges::count(image.pixels, 0), 320 * 180 * 4);
+  }
 }
 
 TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
