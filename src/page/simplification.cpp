@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -10,6 +11,9 @@ namespace twrench::page {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
+
+/// Triangles that a piece keeps in any case: a small one beside a large one would vanish.
+constexpr std::size_t fewest_of_piece = 100;
 
 /// Vertices and the triangles between them, no others.
 struct Piece {
@@ -111,7 +115,9 @@ std::optional<Simplification> simplify(render::Mesh& mesh, std::span<const body:
     const std::size_t moved = indices.size();
     if (const auto* const triangles = std::get_if<body::Mesh>(&parts[i].shape)) {
       for (const Piece& piece : pieces_of(mesh, i, triangles->shell > 0)) {
-        const Indices left = simplified(mesh, piece, 3 * (piece.indices / 3 * most / drawn));
+        const std::size_t given = piece.indices / 3;
+        const std::size_t kept = std::min(given, std::max(given * most / drawn, fewest_of_piece));
+        const Indices left = simplified(mesh, piece, 3 * kept);
         indices.insert(indices.end(), left.begin(), left.end());
       }
     } else {

@@ -14,11 +14,12 @@ struct Simplification {
   std::size_t given, drawn;
 };
 
-/// Takes triangles out of those parts of a body's mesh that are given by triangles until about
-/// `most` are left of them, and the vertices that were only theirs: those whose absence changes the
+/// Takes triangles, and the vertices that only they use, out of those parts of a body's mesh that
+/// are given by triangles, until about `most` are left: the triangles whose absence changes the
 /// shape least (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics",
-/// SIGGRAPH 97). A surface too rough for that is cut into cells with a vertex each. Does and
-/// returns nothing where there are no more than `most`; clusters are not kept.
+/// SIGGRAPH 97). A surface too rough for that is cut into cells with a vertex each. A small part
+/// beside large ones keeps 100. Does and returns nothing where there are no more than `most`;
+/// clusters are not kept.
 std::optional<Simplification> simplify(render::Mesh& mesh, std::span<const body::Part> parts,
                                        std::size_t most);
 
