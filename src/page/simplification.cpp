@@ -82,12 +82,12 @@ void drop_unused_vertices(render::Mesh& mesh) {
   }
 }
 
-/// The triangles of the meshes of parts, as they were given.
+/// The triangles of the meshes of parts, as they were given; of a wall, those of both sides.
 std::size_t triangles_given(std::span<const body::Part> parts) {
   std::size_t count = 0;
   for (const body::Part& part : parts) {
     const auto* const mesh = std::get_if<body::Mesh>(&part.shape);
-    if (mesh != nullptr) count += mesh->surface->triangles.size();
+    if (mesh != nullptr) count += mesh->surface->triangles.size() * (mesh->shell > 0 ? 2U : 1U);
   }
   return count;
 }

@@ -9,7 +9,8 @@
 
 namespace twrench::page {
 
-/// How many triangles the parts that are given by triangles have, and how many of them are drawn.
+/// How many triangles the parts that are given by triangles have, and how many of them are drawn;
+/// of walls, on both sides.
 struct Simplification {
   std::size_t given, drawn;
 };
