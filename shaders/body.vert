@@ -28,8 +28,8 @@ out float coverage;  // 1 on the body, falling to 0 across an edge quad
 flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
 flat out float scale;  // pixels per unit length
 flat out float most_variance;  // of the normal within a pixel
-// See brush.glsl. Beyond a facet's edge, where several samples per pixel would otherwise take it, it
-// may be on the stripe.
+// See brush.glsl. With several samples per pixel it would otherwise be taken at the pixel's centre,
+// which may lie beyond the facet's edge: the value extrapolated there may be on the stripe.
 centroid out vec2 across;
 out vec3 around;
 
@@ -80,8 +80,8 @@ void main() {
 
   // Shrunk by s pixels, it shows the surface there, where on a circle of radius r the cosine
   // between normal and line of sight is sqrt(2 s / r). A rim curves so sharply that its outermost
-  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within. That is
-  // the end face where the rim is seen as narrow as that.
+  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within. Where
+  // the whole rim is seen narrower than that, what is within is the end face.
   // The strips of a cylinder's side turn by up to 2 sqrt(0.3 / r).
   bool on_rim = part_radii.z > 0.0 && (abs(dot(n, radial)) < 0.99 ||
                                        cosine < -sqrt(0.35 / max(radii.x, 1.0)));

@@ -13,7 +13,8 @@ constexpr std::size_t most_triangles = 20'000;  // of meshes, for the same
 constexpr double finest = 2.3e-4;               // tolerance in radii: invisible in 1440 rows
 constexpr double coarsest = 2e-3;
 
-/// One that is simplified anyway, and takes seconds to be made once more.
+/// Whether a part is a mesh that is simplified in any case, and takes seconds to be made once more
+/// with another tolerance.
 bool is_large_mesh(const body::Part& part) {
   const auto* const mesh = std::get_if<body::Mesh>(&part.shape);
   return mesh != nullptr && mesh->surface->triangles.size() > most_triangles;

@@ -14,12 +14,14 @@ struct Surface {
   std::vector<body::Part> parts;
   /// Bounding radius of the visible parts, cm.
   double radius;
-  /// As fine as a page may be large.
+  /// As fine as the size of a page allows.
   render::Mesh mesh;
-  /// Where that has fewer triangles than one would like, how many.
+  /// Set if triangles were taken out of the parts that are given by triangles.
   std::optional<Simplification> simplification;
 };
 
+/// Returns what a page draws of a body, with at most some 5000 vertices for shapes, as far as
+/// facets stay invisible, and 20 000 triangles for meshes.
 Surface surface_of(const scene::Body& body);
 
 }  // namespace twrench::page

@@ -21,7 +21,8 @@ using Eigen::Vector3f;
 
 constexpr int rows_of_grid = 120;
 constexpr int most_columns = 4096;  // twice as many may be drawn by any OpenGL
-// Of 255: so much less shadow is cast everywhere, which nobody sees, so that it ends somewhere.
+// Subtracted from the shadow, of 255: too little to be seen, but the shadow then ends, and what
+// lies beyond need not be composited.
 constexpr float least_shadow = 2;
 constexpr double floor_gap =
     0.06;                     // between the floor and the space that the body sweeps, in radii

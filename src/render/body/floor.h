@@ -15,7 +15,8 @@ namespace twrench::render {
 
 /// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
 /// the point below its centre that fades out before the horizon, with the body's shadow and a faint
-/// reflection. Both are computed at 120 rows for the height of the picture, because they are soft.
+/// reflection. Both are computed on a grid of at most 120 rows over the picture, because they are
+/// soft.
 class Floor {
  public:
   /// The floor fills the pane of a picture of that size, below parts with that bounding radius
