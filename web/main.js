@@ -29,7 +29,7 @@ let app;
 /** The page at work; throws where it cannot. */
 async function working() {
   await twrench.ready;
-  if (!app) throw new Error('this browser does not run WebGL 2 here');
+  if (!app) throw new Error('WebGL 2 is not available in this browser');
   return app;
 }
 

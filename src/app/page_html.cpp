@@ -24,7 +24,7 @@ namespace {
 std::string scene_html(const scene::Scene& scene, const std::string& source) {
   const page::Surface surface = page::surface_of(scene.body);
   if (const auto& simplified = surface.simplification) {
-    say("twrench: the page draws {} of {} triangles; mass properties are those of all\n",
+    say("twrench: the page draws {} of {} triangles; mass properties are those of all of them\n",
         simplified->drawn, simplified->given);
   }
   nlohmann::ordered_json json = page::page_json(scene, surface);

@@ -102,7 +102,7 @@ TEST(Page, SaysThatItDrawsALargeMeshByFewerTriangles) {
   const Outcome run = run_twrench(folder, "page s.toml --template t.html -o a.html");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, MatchesRegex("twrench: the page draws [0-9]+ of 57120 triangles; mass "
-                                    "properties are those of all\n"));
+                                    "properties are those of all of them\n"));
 }
 
 TEST(Page, RefusesWhatItCannotDo) {
