@@ -19,7 +19,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Some seconds, after which a polygon with nearly all corners in one place is given up.
+/// Of corners that may be in the way of an ear: some seconds, after which a polygon with nearly all
+/// corners in one place is given up.
 constexpr std::size_t most_looks = 300'000'000;
 
 /// Cuts off corners one by one. What is cut off is always counter-clockwise; the triangles together

@@ -10,7 +10,7 @@
 
 namespace twrench::mesh {
 
-/// Points in the plane, sorted into square cells, about one in each.
+/// Points in the plane, sorted into square cells with about one point each.
 class PointGrid {
  public:
   /// `chosen` are the indices of those points that the grid holds.

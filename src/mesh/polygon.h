@@ -16,16 +16,16 @@ class Polygons {
   /// Adds a polygon of three corners or more to the mesh, as a fan about its first corner.
   void add(std::span<const std::uint32_t> ring, body::TriangleMesh& mesh);
 
-  /// Splits anew those polygons of which the fan does not lie within them, because they are
-  /// concave. One that crosses itself, as seen along its normal, remains a fan. To be called once,
-  /// when all vertices are there and all indices are in range.
+  /// Splits those polygons anew whose fan does not lie within them, because they are concave. One
+  /// that cannot be split within, because it crosses itself as seen along its normal, remains a
+  /// fan. To be called once, when all vertices are there and all indices are in range.
   void triangulate(body::TriangleMesh& mesh) const;
 
  private:
-  /// A polygon of more than three corners.
+  /// The triangles of a polygon of more than three corners.
   struct Fan {
-    std::size_t first;  ///< Of its triangles.
-    std::size_t count;  ///< Of its triangles.
+    std::size_t first;  ///< In the mesh.
+    std::size_t count;
   };
 
   std::vector<Fan> fans_;
