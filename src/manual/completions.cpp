@@ -75,6 +75,13 @@ std::string bash_cases(const Command& command) {
   return text;
 }
 
+/// A pattern for names with one of the endings. A single one in parentheses would be glob
+/// qualifiers.
+std::string zsh_pattern(const std::vector<std::string>& endings) {
+  if (endings.size() == 1) return "\\*." + endings[0];
+  return fmt::format("\\*.\\({}\\)", fmt::join(endings, "\\|"));
+}
+
 std::string zsh_action(const Candidates& candidates) {
   switch (candidates.kind) {
     case Kind::none:
@@ -89,8 +96,7 @@ std::string zsh_action(const Candidates& candidates) {
       return "_files -/";
     case Kind::scene:
       return "{ _alternative \"scenes:scene:(" + joined(candidates.words) +
-             fmt::format(")\" \"files:file:_files -g \\*.\\({}\\)\" }}",
-                         fmt::join(candidates.endings, "\\|"));
+             ")\" \"files:file:_files -g " + zsh_pattern(candidates.endings) + "\" }";
   }
   return {};
 }

@@ -82,6 +82,7 @@ TEST(Completions, OfEachShellOfferMeshesToInertiaAlone) {
   };
   EXPECT_EQ(count(written("twrench.bash"), "'" + endings + "' ;;"), 1);
   EXPECT_EQ(count(written("_twrench"), "-g \\*.\\(" + zsh + "\\)"), 1);
+  EXPECT_GT(count(written("_twrench"), "-g \\*.toml\" }"), 1U);
   EXPECT_EQ(count(written("twrench.fish"), "(__fish_complete_suffix .stl)"), 1);
 }
 
