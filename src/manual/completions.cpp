@@ -122,12 +122,11 @@ std::string zsh_option(const Option& option) {
   return text;
 }
 
-std::string fish_files(const std::vector<std::string>& endings) {
-  std::string text;
-  for (const std::string& ending : endings) {
-    text += " -a " + quoted("(__fish_complete_suffix ." + ending + ")");
-  }
-  return text;
+/// All in one list: of several, fish takes the last.
+std::string fish_scenes(const Candidates& candidates) {
+  std::string files;
+  for (const auto& end : candidates.endings) files += "(__fish_complete_suffix ." + end + ") ";
+  return "-x -a " + quoted(files + joined(candidates.words));
 }
 
 std::string fish_candidates(const Candidates& candidates) {
@@ -143,7 +142,7 @@ std::string fish_candidates(const Candidates& candidates) {
     case Kind::folder:
       return "-x -a " + quoted("(__fish_complete_directories)");
     case Kind::scene:
-      return "-x" + fish_files(candidates.endings) + " -a " + quoted(joined(candidates.words));
+      return fish_scenes(candidates);
   }
   return {};
 }

@@ -83,7 +83,10 @@ TEST(Completions, OfEachShellOfferMeshesToInertiaAlone) {
   EXPECT_EQ(count(written("twrench.bash"), "'" + endings + "' ;;"), 1);
   EXPECT_EQ(count(written("_twrench"), "-g \\*.\\(" + zsh + "\\)"), 1);
   EXPECT_GT(count(written("_twrench"), "-g \\*.toml\" }"), 1U);
-  EXPECT_EQ(count(written("twrench.fish"), "(__fish_complete_suffix .stl)"), 1);
+  EXPECT_EQ(count(written("twrench.fish"),
+                  "-a '(__fish_complete_suffix .toml) (__fish_complete_suffix .stl) "),
+            1);
+  EXPECT_GT(count(written("twrench.fish"), "-a '(__fish_complete_suffix .toml) dzhanibekov "), 1U);
 }
 
 TEST(Completions, QuoteWhatTheShellsWouldRead) {
