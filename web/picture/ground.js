@@ -17,7 +17,7 @@ import { SoftTarget } from './soft_target.js';
  */
 
 const floorGap = 0.06; // between the floor and the space that the body sweeps, in radii
-const mostColumns = 2048, // of a texture, which every WebGL 2 has
+const mostColumns = 2048, // of a texture: every WebGL 2 has as many
   mostBalls = 64,
   gridRows = 180;
 
