@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "render/body/occluders.h"
 
@@ -43,26 +44,66 @@ double cost(const Ball& a, const Ball& b) {
   return of_a * of_b / (of_a + of_b) * (a.centre - b.centre).squaredNorm();
 }
 
-/// Takes together the two that cost least.
-void take_two_together(std::vector<Ball>& balls) {
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t first = 0, second = 1;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    for (std::size_t k = i + 1; k < balls.size(); ++k) {
-      const double found = cost(balls[i], balls[k]);
-      if (found < least) least = found, first = i, second = k;
+/// Takes balls together, two by two, each time those that cost least. For each ball it remembers
+/// the one behind it with which it costs least: a search through all pairs each time would take
+/// minutes for a body of hundreds of rods.
+class Reduction {
+ public:
+  explicit Reduction(std::vector<Ball> balls) : balls_(std::move(balls)), best_(balls_.size()) {
+    for (std::size_t i = 0; i < balls_.size(); ++i) find_best(i);
+  }
+
+  std::vector<Ball> down_to(std::size_t most) {
+    while (balls_.size() > most) take_two_together();
+    return std::move(balls_);
+  }
+
+ private:
+  struct Best {
+    double cost = std::numeric_limits<double>::infinity();
+    std::size_t other = 0;
+  };
+
+  void find_best(std::size_t i) {
+    best_[i] = {};
+    for (std::size_t k = i + 1; k < balls_.size(); ++k) {
+      const double found = cost(balls_[i], balls_[k]);
+      if (found < best_[i].cost) best_[i] = {found, k};
     }
   }
-  balls[first] = together(balls[first], balls[second]);
-  balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(second));
-}
+
+  void take_two_together() {
+    const auto least = std::ranges::min_element(best_, {}, &Best::cost);
+    const auto first = static_cast<std::size_t>(least - best_.begin());
+    const std::size_t second = least->other;
+    balls_[first] = together(balls_[first], balls_[second]);
+    balls_.erase(balls_.begin() + static_cast<std::ptrdiff_t>(second));
+    best_.erase(best_.begin() + static_cast<std::ptrdiff_t>(second));
+    for (std::size_t i = 0; i < balls_.size(); ++i) update(i, first, second);
+  }
+
+  /// After the second of two balls was taken out, and the first has become both.
+  void update(std::size_t i, std::size_t first, std::size_t second) {
+    Best& best = best_[i];
+    if (i == first || best.other == first || best.other == second) {
+      find_best(i);
+      return;
+    }
+    if (best.other > second) --best.other;
+    if (i > first) return;
+    const double found = cost(balls_[i], balls_[first]);
+    const bool is_better = found < best.cost || (found == best.cost && first < best.other);
+    if (is_better) best = {found, first};
+  }
+
+  std::vector<Ball> balls_;
+  std::vector<Best> best_;
+};
 
 }  // namespace
 
 std::vector<Ball> shadow_balls(std::span<const body::Part> parts) {
-  std::vector<Ball> balls = all_balls(parts);
-  while (balls.size() > most_balls) take_two_together(balls);
-  return balls;
+  return Reduction(all_balls(parts)).down_to(most_balls);
 }
 
 }  // namespace twrench::page
