@@ -60,7 +60,9 @@ void Polygons::triangulate(body::TriangleMesh& mesh) const {
     const std::span triangles(mesh.triangles.data() + first, count);
     const std::vector<std::uint32_t> ring = ring_of(triangles);
     const std::vector<Vector2d> polygon = projected(ring, mesh.vertices);
-    if (is_fan_inside(polygon)) continue;
+    // Differences of coordinates may overflow.
+    const auto is_finite = [](const Vector2d& point) { return point.allFinite(); };
+    if (!std::ranges::all_of(polygon, is_finite) || is_fan_inside(polygon)) continue;
     if (const auto ears = clip_ears(polygon)) {
       std::ranges::transform(*ears, triangles.begin(), [&](const Triangle& ear) {
         return Triangle{ring[ear[0]], ring[ear[1]], ring[ear[2]]};

@@ -141,6 +141,28 @@ TEST(Polygon, ThatCrossesItselfOrHasNoAreaIsAFan) {
   }
 }
 
+// The area of the box around them underflows to 0, and the differences of the second to infinity.
+TEST(Polygon, OfExtremeCoordinatesIsOfTrianglesOfItsCorners) {
+  for (const double size : {1e-170, 1e308}) {
+    body::TriangleMesh mesh;
+    constexpr int corners = 30'000;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      const double radius = i % 2 == 0 ? size : 0.1 * size;
+      mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }
+    std::vector<std::uint32_t> ring(corners);
+    std::iota(ring.begin(), ring.end(), 0U);
+    Polygons polygons;
+    polygons.add(ring, mesh);
+    polygons.triangulate(mesh);
+    EXPECT_EQ(mesh.triangles.size(), ring.size() - 2);
+    for (const auto& triangle : mesh.triangles) {
+      for (const std::uint32_t corner : triangle) ASSERT_LT(corner, ring.size());
+    }
+  }
+}
+
 // A time-out tells of a search through all corners for each of them.
 TEST(Polygon, OfVeryManyCornersIsFilledWithin) {
   constexpr int teeth = 15'000, corners = 100'000;

@@ -103,6 +103,7 @@ export function watch(page, file) {
  * leaves out those that ask for what only Chromium's protocol has.
  */
 export async function run(tests, ofChromium = []) {
+  assert.ok(ofChromium.every((name) => name in tests), 'a test of that name');
   let failed = 0;
   const chosen = process.argv[2];
   for (const [name, test] of Object.entries(tests)) {

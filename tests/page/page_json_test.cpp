@@ -149,6 +149,14 @@ TEST(PageJson, DrawsALargeRoughMeshByFewerTriangles) {
   EXPECT_LT(surface.mesh.vertices.size(), 40'000U);
 }
 
+TEST(PageJson, KeepsASmallMeshBesideALargeOne) {
+  scene::Scene scene = ball(200, 0, 0.05);
+  scene.body.parts.push_back(render::part_of(render::box_of_triangles({1, 1, 1})));
+  const Surface surface = surface_of(scene.body);
+  ASSERT_EQ(surface.mesh.part_ends.size(), 2U);
+  EXPECT_EQ(surface.mesh.part_ends[1] - surface.mesh.part_ends[0], 36U);
+}
+
 TEST(PageJson, HoldsTheInertiaRowByRow) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;

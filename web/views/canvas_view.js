@@ -17,6 +17,9 @@ export const pixelsOfUnit = () =>
 
 const mostElevation = Math.PI / 2 - 0.001;
 
+/** How many canvases have lost their graphics. */
+let canvasesLost = 0;
+
 export class CanvasView {
   /**
    * @param {HTMLElement} box Its first canvas is drawn to; names are added beside it.
@@ -43,11 +46,13 @@ export class CanvasView {
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault(); // or the browser would not restore it
+      ++canvasesLost;
       byId('note').textContent = word('graphicsLost');
       byId('note').hidden = false;
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
-      byId('note').hidden = true;
+      const note = byId('note');
+      if (--canvasesLost === 0 && note.textContent === word('graphicsLost')) note.hidden = true;
       this.restore();
       this.changed();
     });

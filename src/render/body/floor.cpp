@@ -260,9 +260,10 @@ SoftLayer Floor::over_pane(const image::Area& area, std::vector<Cell> cells) con
   const Eigen::Array2d cell(static_cast<double>(pane_.width) / columns_,
                             static_cast<double>(pane_.height) / rows_);
   const Eigen::Array2d first = cell * Eigen::Array2d(area.x, area.y);
-  const Eigen::Array2i from = first.floor().cast<int>();
+  const Eigen::Array2i size(pane_.width, pane_.height), cells_of_pane(columns_, rows_);
+  const Eigen::Array2i from = Eigen::Array2i(area.x, area.y) * size / cells_of_pane;
   const Eigen::Array2i to =
-      (first + cell * Eigen::Array2d(area.width, area.height)).floor().cast<int>();
+      Eigen::Array2i(area.x + area.width, area.y + area.height) * size / cells_of_pane;
   return {area.width,
           area.height,
           std::move(cells),

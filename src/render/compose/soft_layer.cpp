@@ -68,7 +68,7 @@ struct Line {
 void lay_values(const Line& upper, const Line& lower, std::int16_t share,
                 const std::vector<std::int16_t>& rounding, const Range& range,
                 std::uint8_t* __restrict out) {
-  const auto between = [share](std::int16_t from, std::int16_t to) {
+  const auto mixed = [share](std::int16_t from, std::int16_t to) {
     const auto doubled = static_cast<std::int16_t>(2 * (to - from));
     return static_cast<std::int16_t>(from + static_cast<std::int16_t>((doubled * share) >> 16));
   };
@@ -78,8 +78,8 @@ void lay_values(const Line& upper, const Line& lower, std::int16_t share,
   const std::int16_t* __restrict lower_alpha = lower.alpha.data();
   const std::int16_t* __restrict round = rounding.data();
   for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
-    const std::int16_t color = between(upper_color[i], lower_color[i]);
-    const std::int16_t alpha = between(upper_alpha[i], lower_alpha[i]);
+    const std::int16_t color = mixed(upper_color[i], lower_color[i]);
+    const std::int16_t alpha = mixed(upper_alpha[i], lower_alpha[i]);
     const auto through = static_cast<std::uint16_t>(65535 - 4 * alpha);
     const auto level = static_cast<std::uint16_t>(out[i] << level_bits);
     const auto below = static_cast<std::uint16_t>((std::uint32_t{level} * through) >> 16);
@@ -186,6 +186,7 @@ std::vector<image::Area> composite_over(image::Image& image, const SoftLayer& la
   assert(image.channels == 3);
   const image::Area area = image::common(layer.covered, {0, 0, image.width, image.height});
   assert(area == layer.covered && "a layer leaves the picture");
+  if (area.width == 0 || area.height == 0) return {};
   Enlarger enlarger(layer, area);
   std::vector<image::Area> affected;
   for (int top = area.y; top < area.y + area.height; top += band_height) {
