@@ -34,7 +34,7 @@ template <typename Integer>
 std::vector<Integer> unpacked(const std::string& text, std::size_t width) {
   const std::vector<std::uint8_t> bytes = inflated(system::bytes_of_base64(text).value());
   std::vector<Integer> integers(bytes.size() / sizeof(Integer));
-  std::memcpy(integers.data(), bytes.data(), bytes.size());
+  if (!integers.empty()) std::memcpy(integers.data(), bytes.data(), bytes.size());
   for (std::size_t i = width; i < integers.size(); ++i) {
     integers[i] = static_cast<Integer>(integers[i] + integers[i - width]);
   }
