@@ -3,34 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
-
-#include "render/body/occluders.h"
 
 namespace twrench::page {
 namespace {
 
-using Eigen::Vector3d;
+using render::Ball;
 
-constexpr double most_gaps = 60;        // between the balls of a part, as in the film
 constexpr std::size_t most_balls = 64;  // as in web/picture/ground.frag
-
-std::vector<Ball> all_balls(std::span<const body::Part> parts) {
-  std::vector<Ball> balls;
-  for (const body::Part& part : parts) {
-    for (const render::Capsule& capsule : render::capsules_of(part)) {
-      const Vector3d along = capsule.to - capsule.from;
-      const double apart = std::numbers::pi / 2 * capsule.radius;
-      const int gaps = static_cast<int>(std::lround(std::min(along.norm() / apart, most_gaps)));
-      for (int i = 0; i <= gaps; ++i) {
-        const double share = gaps > 0 ? double(i) / gaps : 0.5;
-        balls.push_back({capsule.from + share * along, capsule.radius});
-      }
-    }
-  }
-  return balls;
-}
 
 /// A ball of the same section as both, in the middle of them.
 Ball together(const Ball& a, const Ball& b) {
@@ -102,8 +82,8 @@ class Reduction {
 
 }  // namespace
 
-std::vector<Ball> shadow_balls(std::span<const body::Part> parts) {
-  return Reduction(all_balls(parts)).down_to(most_balls);
+std::vector<render::Ball> fewer_shadow_balls(std::span<const body::Part> parts) {
+  return Reduction(render::shadow_balls(parts)).down_to(most_balls);
 }
 
 }  // namespace twrench::page

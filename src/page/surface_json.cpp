@@ -98,7 +98,7 @@ ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& m
   return json;
 }
 
-ordered_json balls_json(const std::vector<Ball>& balls) {
+ordered_json balls_json(const std::vector<render::Ball>& balls) {
   ordered_json json = ordered_json::array();
   for (const auto& [centre, radius] : balls) {
     json.push_back({{"centre", numbers(centre)}, {"radius", radius}});
@@ -117,7 +117,7 @@ ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
                     {"vertices", packed_vertices(mesh, radius)},
                     {"indices", packed(mesh.indices, 1)},
                     {"parts", parts_json(parts, mesh, materials, radius)},
-                    {"balls", balls_json(shadow_balls(scene::visible_parts(scene.body)))}};
+                    {"balls", balls_json(fewer_shadow_balls(scene::visible_parts(scene.body)))}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
   return json;
 }

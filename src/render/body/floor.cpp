@@ -29,8 +29,6 @@ constexpr double floor_gap =
 constexpr double pool = 0.8;  // in radii: half its width, where the light has fallen to a quarter
 constexpr double pool_depth = 2;  // times its width, away from the eye, as a gleam is drawn out
 constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
-// Between the spheres of a part: the shadow of a wire is invisible.
-constexpr double most_gaps = 60;
 
 /// The pool's light at a distance from its middle with that square, in units of its width: a lamp's
 /// falloff.
@@ -107,25 +105,7 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const FloorStyle& style
                           std::min(pane.width, most_columns))),
       rows_(std::min(rows_of_grid, pane.height)),
       framebuffer_(gl, 2 * columns_, 2 * rows_, 1, mode),
-      balls_(balls_of(parts)) {}
-
-/// Returns spheres along a capsule's axis at such distances that they cast as much shadow as the
-/// capsule.
-std::vector<Floor::Ball> Floor::balls_of(std::span<const body::Part> parts) {
-  std::vector<Ball> balls;
-  for (const body::Part& part : parts) {
-    for (const Capsule& capsule : capsules_of(part)) {
-      const Vector3d along = capsule.to - capsule.from;
-      const double apart = std::numbers::pi / 2 * capsule.radius;
-      const int gaps = static_cast<int>(std::lround(std::min(along.norm() / apart, most_gaps)));
-      for (int i = 0; i <= gaps; ++i) {
-        const double share = gaps > 0 ? double(i) / gaps : 0.5;
-        balls.push_back({capsule.from + share * along, capsule.radius});
-      }
-    }
-  }
-  return balls;
-}
+      balls_(shadow_balls(parts)) {}
 
 /// Returns the matrix that maps (column, row, 1) on a grid over the pane to (x, z, 1) / w: the
 /// visible point of the floor in radii, with w > 0 in front of the eye.

@@ -7,6 +7,7 @@
 #include "gl/framebuffer.h"
 #include "image/area.h"
 #include "render/body/body_pass.h"
+#include "render/body/shadow_balls.h"
 #include "render/compose/pending_layer.h"
 #include "render/look/theme.h"
 #include "render/space/camera.h"
@@ -35,12 +36,6 @@ class Floor {
   PendingLayer draw(const Camera& camera, const Eigen::Matrix3d& X, const BodyPass& body);
 
  private:
-  /// A sphere that casts shadow; a part is approximated by a row of them.
-  struct Ball {
-    Eigen::Vector3d centre;  ///< Centre in cm, body axes.
-    double radius;           ///< Radius in cm.
-  };
-
   /// Whether another pane may adjoin each side of the pane.
   struct Sides {
     bool left, right, top, bottom;
@@ -48,7 +43,6 @@ class Floor {
 
   using Cell = SoftLayer::Cell;
 
-  static std::vector<Ball> balls_of(std::span<const body::Part> parts);
   Eigen::Matrix3d floor_from_grid(const Camera& camera, int width, int height) const;
   image::Area seen(const Camera& camera) const;
   float fade(double x, double y) const;
