@@ -33,9 +33,10 @@ ProcessorTime processor_time() {
 std::string timing_report(const film::StageTimes& times, const ProcessorTime& before,
                           double seconds, std::size_t frames, bool json) {
   const auto count = static_cast<double>(std::max<std::size_t>(frames, 1));
-  const std::array<std::pair<const char*, double>, 6> stages{
+  const std::array<std::pair<const char*, double>, 7> stages{
       {{"pose", milliseconds(times.pose) / count},
        {"draw", milliseconds(times.draw) / count},
+       {"composite", milliseconds(times.composite) / count},
        {"convert", milliseconds(times.convert) / count},
        {"compress", milliseconds(times.compress) / count},
        {"write", milliseconds(times.write) / count},

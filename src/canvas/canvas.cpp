@@ -60,7 +60,11 @@ void Canvas::text_halo(const Line& line, double size, const Point& at, double wi
   add_text(line, size, at, align);
   cairo_set_line_width(context_.get(), 2 * width);
   set(ink);
+  cairo_save(context_.get());  // a halo is soft, and strokes are what text costs
+  cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_FAST);
+  cairo_set_tolerance(context_.get(), 0.3);
   cairo_stroke(context_.get());
+  cairo_restore(context_.get());
 }
 
 void Canvas::polyline(std::span<const Point> points, double width, const Ink& ink) {

@@ -17,6 +17,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// A frame that has been drawn, and its record.
+struct DrawnEntry {
+  const video::FrameRecord* record;
+  image::PendingFrame frame;
+};
+
 /// A frame and its record, on the way through the stages.
 struct Entry {
   const video::FrameRecord* record;
@@ -34,8 +40,11 @@ std::shared_ptr<const image::Frame> lent(image::Frame frame,
 
 class Pipeline {
  public:
-  Pipeline(const Outputs& outputs, StageTimes& times)
-      : outputs_(outputs), times_(times), to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
+  Pipeline(const Drawing& drawing, const Outputs& outputs, StageTimes& times)
+      : drawing_(drawing),
+        outputs_(outputs),
+        times_(times),
+        to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
     try {
       start_stages();
     } catch (const std::system_error& error) {
@@ -47,26 +56,26 @@ class Pipeline {
     }
   }
 
-  /// Returns false if a stage has failed, so that drawing more is pointless.
-  bool pass_on(const Entry& entry) {
-    const bool compress = outputs_.sequence != nullptr && entry.frame->is_new;
-    return (!compress || to_compress_.push(entry)) &&
-           (outputs_.encoder == nullptr || to_encode_.push(entry));
+  /// Passes a frame that has been drawn on to the stages. Returns false if one has failed, so that
+  /// drawing more is pointless.
+  bool pass_on(const video::FrameRecord& record, image::PendingFrame frame) {
+    return to_composite_.push({&record, std::move(frame)});
   }
 
   /// Lets the stages complete the frames in flight, and rethrows the first error.
   void finish() {
-    close();
+    to_composite_.close();
     threads_.clear();  // Joins.
     if (error_) std::rethrow_exception(error_);
   }
 
-  ~Pipeline() { close(); }
+  ~Pipeline() { to_composite_.close(); }
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
  private:
   void start_stages() {
+    start([this] { composite(); });
     if (outputs_.sequence != nullptr) {
       for (int i = 0; i < outputs_.jobs; ++i) start([this] { compress(); });
     }
@@ -88,6 +97,22 @@ class Pipeline {
   }
 
   void close() {
+    to_composite_.close();
+    to_compress_.close();
+    to_encode_.close();
+  }
+
+  /// Closes the stages behind it when the frames in flight are composited.
+  void composite() {
+    while (auto drawn = to_composite_.pop()) {
+      std::shared_ptr<const image::Frame> frame;
+      {
+        const Timed timed(times_.composite);
+        frame = lent(drawn->frame.composite(), drawing_.reuse);
+      }
+      if (outputs_.sequence != nullptr && frame->is_new) to_compress_.push({drawn->record, frame});
+      if (outputs_.encoder != nullptr) to_encode_.push({drawn->record, std::move(frame)});
+    }
     to_compress_.close();
     to_encode_.close();
   }
@@ -125,8 +150,10 @@ class Pipeline {
     times_.first = std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
   }
 
+  const Drawing& drawing_;
   const Outputs& outputs_;
   StageTimes& times_;
+  system::BoundedQueue<DrawnEntry> to_composite_{1};
   system::BoundedQueue<Entry> to_compress_;
   system::BoundedQueue<Entry> to_encode_{4};
   std::atomic_flag first_;
@@ -139,8 +166,8 @@ class Pipeline {
 
 void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, const ProgressCallback& progress, StageTimes& times) {
-  Pipeline pipeline(outputs, times);
-  std::deque<std::future<image::Frame>> begun;  // The frames from `done` on.
+  Pipeline pipeline(drawing, outputs, times);
+  std::deque<image::PendingFrame> begun;  // The frames from `done` on.
   std::size_t done = 0;
   const auto begin_next = [&] {
     const std::size_t next = done + begun.size();
@@ -153,13 +180,12 @@ void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& 
     while (begun.size() <= drawing.ahead && begin_next()) {
     }
     if (begun.empty()) break;
-    std::shared_ptr<const image::Frame> frame;
     {
       const Timed timed(times.draw);
-      frame = lent(begun.front().get(), drawing.reuse);
-      begun.pop_front();
+      begun.front().fetch();
     }
-    if (!pipeline.pass_on({&frames[done], std::move(frame)})) break;
+    if (!pipeline.pass_on(frames[done], std::move(begun.front()))) break;
+    begun.pop_front();
     ++done;
     if (progress) progress(static_cast<int>(done), static_cast<int>(frames.size()));
   }

@@ -3,11 +3,11 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
-#include <future>
 #include <vector>
 
 #include "film/stage_times.h"
 #include "image/frame.h"
+#include "image/pending_frame.h"
 #include "system/error.h"
 #include "video/encoder.h"
 #include "video/frame_sequence.h"
@@ -31,19 +31,19 @@ using ProgressCallback = std::function<void(int done, int total)>;
 
 /// How frames are drawn.
 struct Drawing {
-  /// Begins the frame with that index; get() of the result completes it.
-  std::function<std::future<image::Frame>(std::size_t index)> begin;
-  /// How many frames are begun before the oldest is completed.
+  /// Begins the frame with that index.
+  std::function<image::PendingFrame(std::size_t index)> begin;
+  /// How many frames are begun before the oldest is fetched.
   std::size_t ahead = 0;
   /// Takes back a frame when all stages have finished with it, on the last stage's thread; may be
   /// empty.
   std::function<void(image::Frame)> reuse = {};
 };
 
-/// Draws `frames` in sequence on this thread while other threads compress and write earlier frames
-/// and feed the encoder. Bounded queues connect the stages, so that memory use does not depend on
-/// the length of the video. Does not finish the outputs. Calls `progress`, which may be empty, on
-/// this thread after each frame.
+/// Draws `frames` in sequence on this thread while other threads composite earlier frames, compress
+/// and write them, and feed the encoder. Bounded queues connect the stages, so that memory use does
+/// not depend on the length of the video. Does not finish the outputs. Calls `progress`, which may
+/// be empty, on this thread after each frame.
 ///
 /// The first error of any stage, or of `progress`, ends the run after the frames in flight, and is
 /// thrown. Throws ThreadError if a thread cannot be started.

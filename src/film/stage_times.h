@@ -10,13 +10,14 @@ namespace twrench::film {
 struct StageTimes {
   using Counter = std::atomic<std::int64_t>;
 
-  Counter pose{0};      ///< Integrating the motion.
-  Counter draw{0};      ///< Drawing and reading back; a software rasteriser draws when it is read.
-  Counter convert{0};   ///< Converting to the encoder's colours.
-  Counter compress{0};  ///< Compressing PNG.
-  Counter write{0};     ///< Writing PNG files and computing their digests.
-  Counter encode{0};    ///< Feeding the encoder, including waiting for it.
-  Counter first{0};     ///< Not a stage: the time from the start to the first frame written.
+  Counter pose{0};       ///< Integrating the motion.
+  Counter draw{0};       ///< Drawing and reading back; a software rasteriser draws when it is read.
+  Counter composite{0};  ///< Drawing what needs no OpenGL, and compositing.
+  Counter convert{0};    ///< Converting to the encoder's colours.
+  Counter compress{0};   ///< Compressing PNG.
+  Counter write{0};      ///< Writing PNG files and computing their digests.
+  Counter encode{0};     ///< Feeding the encoder, including waiting for it.
+  Counter first{0};      ///< Not a stage: the time from the start to the first frame written.
 };
 
 /// Adds its own lifetime to a stage.

@@ -60,7 +60,6 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   if (buffers == nullptr) {
     image_ = image::Image(width_, height_, 4);
     read_pixels(gl, area, image_.pixels.data());
-    turn_upside_down(image_);
     return;
   }
   buffer_.emplace(buffers->get(GLsizeiptr{4} * width_ * height_));
@@ -70,7 +69,10 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
 }
 
 image::Image Readback::finish() {
-  if (!buffer_) return std::move(image_);
+  if (!buffer_) {
+    turn_upside_down(image_);
+    return std::move(image_);
+  }
   image::Image image(width_, height_, 4);
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_->buffer.id());
   const void* const pixels = gl_->MapBufferRange(

@@ -53,7 +53,7 @@ class Readback {
   /// once if that is null. Later drawing does not affect the result.
   Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers);
 
-  /// Returns whether take() would not block.
+  /// Returns whether finish() would not wait.
   bool is_ready() const { return !buffer_; }
 
   /// Waits for the pixels and returns them as RGBA from the top left. Call it once. Throws GlError

@@ -26,11 +26,13 @@ void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface)
   }
 }
 
-/// Completes both frames, and returns the one as it fades into the other.
-image::Frame faded(image::Frame from, image::Frame to, double share) {
-  to.image = cross_fade(from.image, to.image, share);
-  to.damage.assign(1, {0, 0, to.image.width, to.image.height});
-  return to;
+/// Composites both frames, and returns the one as it fades into the other.
+image::Frame faded(image::PendingFrame& from, image::PendingFrame& to, double share) {
+  const image::Frame before = from.composite();
+  image::Frame frame = to.composite();
+  frame.image = cross_fade(before.image, frame.image, share);
+  frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
+  return frame;
 }
 
 }  // namespace
@@ -42,12 +44,13 @@ FilmRenderer::FilmRenderer(gl::Context& context, const scene::Scene& film)
   for (const scene::Shot& shot : film.shots) require_drawable(shot, typeface);
 }
 
-/// Gives up the shots that the frame does not show. One that is still being completed remains until
-/// then.
+/// Gives up the shots that the frame does not show and that no frame in progress needs: on this
+/// thread, because their objects in OpenGL go with them.
 void FilmRenderer::leave_others(const timeline::FilmFrame& frame) {
   const std::lock_guard lock(mutex_);
   std::erase_if(stages_, [&](const auto& stage) {
-    return stage->shot != frame.shot && !(frame.previous && stage->shot + 1 == frame.shot);
+    return stage->shot != frame.shot && !(frame.previous && stage->shot + 1 == frame.shot) &&
+           stage.use_count() == 1;
   });
 }
 
@@ -73,23 +76,27 @@ Camera FilmRenderer::camera(const timeline::FilmTimeline& timeline,
   return between(before->renderer.camera(*frame.previous), own, frame.moved);
 }
 
-PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
-                                 const timeline::FilmFrame& frame) {
+image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
+                                        timeline::FilmFrame frame) {
   leave_others(frame);
-  const auto own = stage(timeline, frame.shot);
+  auto drawn = std::make_shared<Drawn>();
   std::optional<Camera> moving;
   if (frame.moved < 1) moving = camera(timeline, frame);
-  PendingFrame pending = own->renderer.begin(frame.state, moving);
-  if (frame.faded == 1) {
-    return std::async(std::launch::deferred,
-                      [own, pending = std::move(pending)]() mutable { return pending.get(); });
-  }
-  const auto before = stage(timeline, frame.shot - 1);
-  PendingFrame from = before->renderer.begin(*frame.previous, moving);
-  return std::async(std::launch::deferred, [own, before, pending = std::move(pending),
-                                            from = std::move(from), share = frame.faded]() mutable {
-    return faded(from.get(), pending.get(), share);
-  });
+  const auto draw = [&](std::size_t shot, timeline::FrameState state) {
+    drawn->stages.push_back(stage(timeline, shot));
+    drawn->pictures.push_back(drawn->stages.back()->renderer.begin(std::move(state), moving));
+  };
+  draw(frame.shot, std::move(frame.state));
+  if (frame.faded < 1) draw(frame.shot - 1, std::move(*frame.previous));
+  const auto transfer = [drawn] {
+    std::ranges::for_each(drawn->pictures, &image::PendingFrame::fetch);
+  };
+  const auto composition = [drawn, share = frame.faded] {
+    auto& own = drawn->pictures.front();
+    return share < 1 ? faded(drawn->pictures.back(), own, share) : own.composite();
+  };
+  return {std::async(std::launch::deferred, transfer),
+          std::async(std::launch::deferred, composition)};
 }
 
 void FilmRenderer::reuse(image::Frame frame) noexcept {

@@ -22,7 +22,7 @@ class FilmRenderer {
 
   /// Begins a frame of the timeline, as Renderer::begin() does. Throws as Renderer() does where a
   /// shot begins with it.
-  PendingFrame begin(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame);
+  image::PendingFrame begin(const timeline::FilmTimeline& timeline, timeline::FilmFrame frame);
 
   /// Returns the camera of the frame's first view. Throws as begin() does.
   Camera camera(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame);
@@ -46,13 +46,19 @@ class FilmRenderer {
     Renderer renderer;
   };
 
+  /// The pictures of a frame, that of its own shot first, and the shots that they need.
+  struct Drawn {
+    std::vector<std::shared_ptr<Stage>> stages;
+    std::vector<image::PendingFrame> pictures;
+  };
+
   void leave_others(const timeline::FilmFrame& frame);
   std::shared_ptr<Stage> stage(const timeline::FilmTimeline& timeline, std::size_t shot);
 
   gl::Context& context_;
   const scene::Scene& film_;
   std::string typeface_digest_;
-  std::mutex mutex_;  ///< Guards the vector of the shots being drawn, at most two.
+  std::mutex mutex_;  ///< Guards the vector of the shots being drawn, a few at most.
   std::vector<std::shared_ptr<Stage>> stages_;
 };
 

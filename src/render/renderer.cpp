@@ -1,8 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <deque>
 #include <functional>
 #include <future>
 #include <iterator>
@@ -32,8 +30,6 @@
 namespace twrench::render {
 namespace {
 
-using namespace std::chrono_literals;
-
 image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
   return background(scene.look, scene.film.width, scene.film.height,
@@ -48,41 +44,15 @@ PendingLayer dimmed(PendingLayer pending) {
   });
 }
 
-/// Composites layers in order: each as soon as it and all below it are ready.
-class Composition {
- public:
-  explicit Composition(image::Frame blank) : frame_(std::move(blank)) {}
-
-  void add(PendingLayer layer) {
-    layers_.push_back(std::move(layer));
-    while (!layers_.empty() && layers_.front().wait_for(0s) == std::future_status::ready) {
-      composite_first();
-    }
-  }
-
-  /// Returns the frame when all layers are composited.
-  image::Frame finish() {
-    while (!layers_.empty()) composite_first();
-    if (frame_.image.channels == 4) {
-      unpremultiply(frame_.image, {0, 0, frame_.image.width, frame_.image.height});
-    }
-    return std::move(frame_);
-  }
-
- private:
-  void composite_first() {
-    const AnyLayer layer = layers_.front().get();
-    layers_.pop_front();
-    std::ranges::move(
-        std::visit([&](const auto& any) { return composite_over(frame_.image, any); }, layer),
-        std::back_inserter(frame_.damage));
-  }
-
-  image::Frame frame_;
-  std::deque<PendingLayer> layers_;
-};
-
 }  // namespace
+
+/// What a frame is composited of.
+struct Renderer::Ingredients {
+  timeline::FrameState state;
+  std::optional<image::Image> background;  ///< Seen through another camera than the view's own.
+  std::vector<PendingLayer> views;
+  std::vector<Label> labels;
+};
 
 struct Renderer::Parts {
   Parts(gl::Context& context, const scene::Scene& scene,
@@ -92,15 +62,16 @@ struct Renderer::Parts {
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   canvas::Typeface typeface;
-  /// An element and whether what the scene stresses lets it step back.
+  /// A view or an element, and whether what the scene stresses lets it step back.
+  template <typename Any>
   struct Shown {
-    std::unique_ptr<Element> element;
+    std::unique_ptr<Any> drawn;
     bool is_dimmed = false;
   };
-  std::vector<Shown> elements;  // in compositing order
-  std::optional<LabelPainter> label_painter;
-  SpaceView* first = nullptr;
-  std::vector<image::Area> taken;  // areas that labels avoid
+  std::vector<Shown<SpaceView>> views;        // in compositing order
+  std::vector<Shown<Element>> elements;       // over the views
+  std::optional<LabelPainter> label_painter;  // over both
+  std::vector<image::Area> taken;             // areas that labels avoid
   std::optional<BlankFrames> blank;
 
   template <typename View>
@@ -110,8 +81,9 @@ struct Renderer::Parts {
                   const Layout& layout);
   /// The static background, seen through the first view's present camera.
   image::Image background() const;
-  /// A frame that shows it.
-  image::Frame blank_frame(bool through_own_camera);
+  /// A frame that shows `other_background`, or the blank one.
+  image::Frame blank_frame(std::optional<image::Image> other_background);
+  image::Frame composited(Ingredients& drawn);
 };
 
 Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
@@ -148,9 +120,8 @@ template <typename View>
 void Renderer::Parts::add_view(const scene::Scene& scene,
                                const std::vector<timeline::Solution>& solutions,
                                std::size_t solution, const Layout::Pane& pane, bool is_dimmed) {
-  auto view = std::make_unique<View>(gl, framebuffer, scene, solutions, solution, pane);
-  if (elements.empty()) first = view.get();
-  elements.push_back({std::move(view), is_dimmed});
+  views.push_back(
+      {std::make_unique<View>(gl, framebuffer, scene, solutions, solution, pane), is_dimmed});
 }
 
 /// Adds curves, figures and text.
@@ -194,8 +165,8 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
 
 image::Image Renderer::Parts::background() const {
   image::Image picture = empty.get();
-  for (const auto& [element, is_dimmed] : elements) {
-    for (Layer& layer : element->static_layers()) {
+  for (const auto& [view, is_dimmed] : views) {
+    for (Layer& layer : view->static_layers()) {
       if (is_dimmed) scale_opacity(layer, dimmed_opacity);
       composite_over(picture, layer);
     }
@@ -203,11 +174,30 @@ image::Image Renderer::Parts::background() const {
   return picture;
 }
 
-image::Frame Renderer::Parts::blank_frame(bool through_own_camera) {
+image::Frame Renderer::Parts::blank_frame(std::optional<image::Image> other_background) {
   image::Frame frame = blank->acquire();
-  if (through_own_camera) return frame;
-  frame.image = background();
+  if (!other_background) return frame;
+  frame.image = std::move(*other_background);
   frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
+  return frame;
+}
+
+image::Frame Renderer::Parts::composited(Ingredients& drawn) {
+  image::Frame frame = blank_frame(std::move(drawn.background));
+  const auto add = [&](const auto& layer) {
+    std::ranges::move(composite_over(frame.image, layer), std::back_inserter(frame.damage));
+  };
+  for (PendingLayer& pending : drawn.views) std::visit(add, pending.get());
+  for (const auto& [element, is_dimmed] : elements) {
+    for (Layer& layer : element->draw(drawn.state)) {
+      if (is_dimmed) scale_opacity(layer, dimmed_opacity);
+      add(layer);
+    }
+  }
+  std::ranges::for_each(label_painter->paint(drawn.labels), add);
+  if (frame.image.channels == 4) {
+    unpremultiply(frame.image, {0, 0, frame.image.width, frame.image.height});
+  }
   return frame;
 }
 
@@ -219,24 +209,26 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-PendingFrame Renderer::begin(const timeline::FrameState& state,
-                             const std::optional<Camera>& camera) {
-  parts_->first->look_through(camera);
-  Composition composition(parts_->blank_frame(!camera.has_value()));
-  std::vector<Label> labels;
-  for (const auto& [element, is_dimmed] : parts_->elements) {
-    for (PendingLayer& layer : element->draw(state)) {
-      composition.add(is_dimmed ? dimmed(std::move(layer)) : std::move(layer));
+image::PendingFrame Renderer::begin(timeline::FrameState state,
+                                    const std::optional<Camera>& camera) {
+  auto drawn = std::make_shared<Ingredients>();
+  SpaceView& first = *parts_->views.front().drawn;
+  first.look_through(camera);
+  if (camera) drawn->background = parts_->background();
+  for (const auto& [view, is_dimmed] : parts_->views) {
+    for (PendingLayer& layer : view->draw(state)) {
+      drawn->views.push_back(is_dimmed ? dimmed(std::move(layer)) : std::move(layer));
     }
-    std::ranges::move(element->labels(state), std::back_inserter(labels));
+    std::ranges::move(view->labels(state), std::back_inserter(drawn->labels));
   }
-  for (Layer& layer : parts_->label_painter->paint(labels)) {
-    composition.add(ready(std::move(layer)));
-  }
-  parts_->first->look_through({});
-  return std::async(std::launch::deferred, [composition = std::move(composition)]() mutable {
-    return composition.finish();
-  });
+  first.look_through({});
+  drawn->state = std::move(state);
+  const auto transfer = [drawn, mode = parts_->framebuffer.read_mode()] {
+    if (mode == gl::ReadMode::buffered) std::ranges::for_each(drawn->views, complete);
+  };
+  const auto composition = [drawn, parts = parts_.get()] { return parts->composited(*drawn); };
+  return {std::async(std::launch::deferred, transfer),
+          std::async(std::launch::deferred, composition)};
 }
 
 bool Renderer::drew(const image::Frame& frame) const noexcept {
@@ -253,7 +245,7 @@ const image::Image& Renderer::static_background() const {
   return parts_->blank->static_background();
 }
 Camera Renderer::camera(const timeline::FrameState& state) const {
-  return parts_->first->camera_in_space(state);
+  return parts_->views.front().drawn->camera_in_space(state);
 }
 
 }  // namespace twrench::render

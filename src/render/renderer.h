@@ -1,23 +1,20 @@
 #pragma once
 
 #include <cstddef>
-#include <future>
 #include <memory>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/context.h"
 #include "gl/readback.h"
 #include "image/frame.h"
 #include "image/image.h"
+#include "image/pending_frame.h"
 #include "render/space/camera.h"
 #include "timeline/timeline.h"
 
 namespace twrench::render {
-
-/// A frame in progress. get() completes it on the thread of its renderer, which must outlive it.
-using PendingFrame = std::future<image::Frame>;
 
 /// Draws the frames of a scene. Several may share a context; use them only on the thread that
 /// created it.
@@ -34,12 +31,13 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Issues all drawing of a frame; work on pixels that are still in transfer is left to get().
-  /// Several frames may be in progress, and completed in any order. With `camera`, the first view
-  /// is seen through that instead of its own.
-  PendingFrame begin(const timeline::FrameState& state, const std::optional<Camera>& camera = {});
+  /// Draws a frame with OpenGL; what is drawn without it, and compositing, is left to
+  /// PendingFrame::composite(), which may run while other frames are begun. Several frames may be
+  /// in progress, and completed in any order. The renderer must outlive them. With `camera`, the
+  /// first view is seen through that instead of its own.
+  image::PendingFrame begin(timeline::FrameState state, const std::optional<Camera>& camera = {});
 
-  image::Frame draw(const timeline::FrameState& state) { return begin(state).get(); }
+  image::Frame draw(timeline::FrameState state) { return begin(std::move(state)).get(); }
 
   /// Returns whether it drew the frame.
   bool drew(const image::Frame& frame) const noexcept;
@@ -61,6 +59,8 @@ class Renderer {
 
  private:
   struct Parts;
+  struct Ingredients;
+
   std::unique_ptr<Parts> parts_;
 };
 

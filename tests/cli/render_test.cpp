@@ -197,7 +197,8 @@ TEST(Render, TimingForPeopleAndForPrograms) {
   double wall = report["wall_seconds"];
   EXPECT_GT(report["first_frame_seconds"], 0.0);
   EXPECT_LT(report["first_frame_seconds"], wall);
-  for (const char* stage : {"pose", "draw", "convert", "compress", "write", "encode"}) {
+  for (const char* stage :
+       {"pose", "draw", "composite", "convert", "compress", "write", "encode"}) {
     EXPECT_GT(report["busy_ms_per_frame"][stage], 0.0) << stage;
   }
   EXPECT_GT(report["cpu_ms_per_frame"]["children"], 0.0) << "the encoder's";

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "gl/error.h"
@@ -41,10 +42,16 @@ image::Frame frame_of(std::size_t index) {
   return frame;
 }
 
-/// Draws frames with `draw` when they are completed.
+image::PendingFrame pending(std::function<void()> transfer,
+                            std::function<image::Frame()> composite) {
+  return {std::async(std::launch::deferred, std::move(transfer)),
+          std::async(std::launch::deferred, std::move(composite))};
+}
+
+/// Draws frames with `draw` when they are composited.
 Drawing drawing(std::function<image::Frame(std::size_t)> draw = frame_of, std::size_t ahead = 0) {
   return {[draw = std::move(draw)](std::size_t frame) {
-            return std::async(std::launch::deferred, draw, frame);
+            return pending([] {}, [draw, frame] { return draw(frame); });
           },
           ahead};
 }
@@ -111,12 +118,12 @@ TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
     const Drawing counted{[&](std::size_t frame) {
                             EXPECT_EQ(frame, begun);
                             ++begun;
-                            return std::async(std::launch::deferred, [&, frame] {
+                            const auto transfer = [&, frame] {
                               EXPECT_EQ(frame, ended);
                               ++ended;
                               EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
-                              return frame_of(frame);
-                            });
+                            };
+                            return pending(transfer, [frame] { return frame_of(frame); });
                           },
                           ahead};
     run_pipeline(frames_, counted, {nullptr, nullptr, 1}, {}, times_);
@@ -150,6 +157,30 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingEndsTheRun) {
     // The frames in flight are complete and recorded.
     EXPECT_EQ(video::read_manifest(frames_folder / video::manifest_name).frames.size(), 7u);
   }
+}
+
+TEST_F(PipelineOfThreads, AnErrorOfTheDrawingLosesNoFrameBeforeIt) {
+  video::FrameSequence sequence(folder_ / "frames", manifest_of(count));
+  const Drawing failing{[](std::size_t frame) {
+    if (frame == 7) throw gl::GlError("drawing", "lost");
+    return pending([] {}, [frame] { return frame_of(frame); });
+  }};
+  EXPECT_THROW(run_pipeline(frames_, failing, {&sequence, nullptr, 2}, {}, times_), gl::GlError);
+  sequence.finish();
+  EXPECT_EQ(video::read_manifest(folder_ / "frames" / video::manifest_name).frames.size(), 7u);
+}
+
+TEST_F(PipelineOfThreads, DrawsOnOneThreadAndCompositesOnAnother) {
+  const auto here = std::this_thread::get_id();
+  const Drawing drawing{[&](std::size_t frame) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    const auto transfer = [&] { EXPECT_EQ(std::this_thread::get_id(), here); };
+    return pending(transfer, [&, frame] {
+      EXPECT_NE(std::this_thread::get_id(), here);
+      return frame_of(frame);
+    });
+  }};
+  run_pipeline(frames_, drawing, {nullptr, nullptr, 1}, {}, times_);
 }
 
 TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {

@@ -6,10 +6,10 @@
 
 namespace twrench::render {
 
-/// Returns what an element draws, once all its pixels have arrived.
-inline std::vector<Layer> drawn_layers(Element& element, const timeline::FrameState& state) {
+/// Returns what a view draws, completed.
+inline std::vector<Layer> drawn_layers(SpaceView& view, const timeline::FrameState& state) {
   std::vector<Layer> layers;
-  for (PendingLayer& layer : element.draw(state)) layers.push_back(std::get<Layer>(layer.get()));
+  for (PendingLayer& layer : view.draw(state)) layers.push_back(std::get<Layer>(layer.get()));
   return layers;
 }
 

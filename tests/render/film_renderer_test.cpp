@@ -65,12 +65,12 @@ class FilmRendererTest : public testing::Test {
   std::vector<image::Frame> drawn(const scene::Scene& scene, const std::vector<int>& frames) {
     FilmRenderer renderer(*context, scene);
     const timeline::FilmTimeline timeline(scene, frames);
-    std::vector<PendingFrame> pending;
+    std::vector<image::PendingFrame> pending;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       pending.push_back(renderer.begin(timeline, timeline.frame(i)));
     }
     std::vector<image::Frame> pictures;
-    for (PendingFrame& frame : pending) pictures.push_back(frame.get());
+    for (image::PendingFrame& frame : pending) pictures.push_back(frame.get());
     return pictures;
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
+#include <optional>
 
 #include "gl/test_context.h"
 #include "render/compose/layer.h"
@@ -71,7 +73,7 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
     image::Image background = renderer.static_background();
     if (film.look.transparent)
       unpremultiply(background, {0, 0, background.width, background.height});
-    std::vector<PendingFrame> begun;
+    std::vector<image::PendingFrame> begun;
     for (std::size_t i = 0; i < 3; ++i) begun.push_back(renderer.begin(timeline.frame_state(i)));
     const auto expect = [&](std::size_t i) {
       const image::Frame frame = begun[i].get();
@@ -81,6 +83,36 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
     expect(1);
     begun.push_back(renderer.begin(timeline.frame_state(3)));
     for (const std::size_t i : {3U, 0U, 2U}) expect(i);
+  }
+}
+
+TEST_P(FramesInFlight, AreCompositedWhileOthersAreDrawn) {
+  const scene::Scene film = scene();
+  const timeline::Timeline timeline(film, {0, 250, 590, 600});
+  const auto context = gl::make_test_context();
+  std::vector<image::Image> expected;
+  {
+    Renderer renderer(*context, film, timeline.solutions(), gl::ReadMode::at_once);
+    for (std::size_t i = 0; i < 4; ++i) {
+      expected.push_back(renderer.draw(timeline.frame_state(i)).image);
+    }
+  }
+  for (const gl::ReadMode mode : {gl::ReadMode::at_once, gl::ReadMode::buffered}) {
+    Renderer renderer(*context, film, timeline.solutions(), mode);
+    std::future<image::Frame> composited;
+    for (std::size_t i = 0; i < 5; ++i) {
+      std::optional<image::PendingFrame> begun;
+      if (i < 4) {
+        begun.emplace(renderer.begin(timeline.frame_state(i)));
+        begun->fetch();
+      }
+      if (composited.valid()) EXPECT_EQ(composited.get().image.pixels, expected[i - 1].pixels) << i;
+      if (begun) {
+        composited = std::async(std::launch::async, [frame = std::move(*begun)]() mutable {
+          return frame.composite();
+        });
+      }
+    }
   }
 }
 

@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "render/compose/label_painter.h"
-#include "render/drawn_layers.h"
 #include "render/golden.h"
 #include "render/hud/component_panel.h"
 #include "render/hud/curve_panel.h"
@@ -86,14 +85,14 @@ image::Image drawn(
   };
   if (film.layout.components) {
     ComponentPanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
-    lay(drawn_layers(panel, state));
+    lay(panel.draw(state));
   }
   if (film.layout.curve) {
     CurvePanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
-    lay(drawn_layers(panel, state));
+    lay(panel.draw(state));
   }
   Hud hud(film.scene, solutions, film.layout, film.typeface, film.colors);
-  lay(drawn_layers(hud, state));
+  lay(hud.draw(state));
   const LabelPainter painter(film.typeface.regular, film.layout.text.readout, film.colors.panel,
                              {0, 0, image.width, image.height}, hud.extents());
   const image::Area& focus = film.layout.panes[0].focus;

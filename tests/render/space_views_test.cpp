@@ -37,9 +37,9 @@ class SpaceViews : public testing::Test {
   gl::Framebuffer framebuffer{gl, 320, 180, 4, gl::ReadMode::at_once};
   Layout::Pane pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
 
-  image::Image drawn_picture(Element& element, const timeline::FrameState& state) const {
+  image::Image drawn_picture(SpaceView& view, const timeline::FrameState& state) const {
     image::Image picture(framebuffer.width(), framebuffer.height(), 4);
-    for (const Layer& layer : drawn_layers(element, state)) composite_over(picture, layer);
+    for (const Layer& layer : drawn_layers(view, state)) composite_over(picture, layer);
     return picture;
   }
 };

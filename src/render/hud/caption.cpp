@@ -140,12 +140,12 @@ Caption::Caption(const std::string& text, const Layout::Caption& place,
   }
 }
 
-std::vector<PendingLayer> Caption::draw(const timeline::FrameState& state) {
-  std::vector<PendingLayer> layers;
+std::vector<Layer> Caption::draw(const timeline::FrameState& state) {
+  std::vector<Layer> layers;
   if (layer_.image.pixels.empty() || state.caption_opacity <= 0) return layers;
   Layer layer = layer_;
   if (state.caption_opacity < 1) scale_opacity(layer, state.caption_opacity);
-  layers.push_back(ready(std::move(layer)));
+  layers.push_back(std::move(layer));
   return layers;
 }
 

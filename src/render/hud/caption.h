@@ -26,7 +26,7 @@ class Caption final : public Element {
   Caption(const std::string& text, const Layout::Caption& place, const canvas::Typeface& typeface,
           const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  private:
   Layer layer_;

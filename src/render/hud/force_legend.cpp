@@ -75,9 +75,9 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   }
 }
 
-std::vector<PendingLayer> ForceLegend::draw(const timeline::FrameState& /*state*/) {
-  std::vector<PendingLayer> layers;
-  if (layer_.image.width > 0) layers.push_back(ready(layer_));
+std::vector<Layer> ForceLegend::draw(const timeline::FrameState& /*state*/) {
+  std::vector<Layer> layers;
+  if (layer_.image.width > 0) layers.push_back(layer_);
   return layers;
 }
 

@@ -13,7 +13,7 @@ class ForceLegend : public Element {
   /// Uses layout.forces.
   ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  private:
   Layer layer_;

@@ -197,10 +197,10 @@ Hud::Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solut
                          {typeface, colors, layout.text, layout.compact, needs_panels(scene.look)})
                   .blocks()) {}
 
-std::vector<PendingLayer> Hud::draw(const timeline::FrameState& state) {
-  std::vector<PendingLayer> layers;
+std::vector<Layer> Hud::draw(const timeline::FrameState& state) {
+  std::vector<Layer> layers;
   for (const TextBlock& block : blocks_) {
-    if (!block.is_empty()) layers.push_back(ready(block.draw(state)));
+    if (!block.is_empty()) layers.push_back(block.draw(state));
   }
   return layers;
 }

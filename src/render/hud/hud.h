@@ -22,7 +22,7 @@ class Hud : public Element {
   Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
       const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
   /// Returns the areas of the text blocks, which labels must keep clear of.
   std::vector<image::Area> extents() const;

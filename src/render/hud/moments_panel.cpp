@@ -101,9 +101,9 @@ MomentsPanel::MomentsPanel(const scene::Scene& scene,
   }
 }
 
-std::vector<PendingLayer> MomentsPanel::draw(const timeline::FrameState& /*state*/) {
-  std::vector<PendingLayer> layers;
-  layers.push_back(ready(layer_));
+std::vector<Layer> MomentsPanel::draw(const timeline::FrameState& /*state*/) {
+  std::vector<Layer> layers;
+  layers.push_back(layer_);
   return layers;
 }
 

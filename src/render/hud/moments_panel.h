@@ -18,7 +18,7 @@ class MomentsPanel : public Element {
   MomentsPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  private:
   Layer layer_;

@@ -85,7 +85,7 @@ scene::Color PlotPanel::ink(const Plot& plot, std::size_t solution) const {
       .curve[3 * static_cast<std::size_t>(plot.row) + static_cast<std::size_t>(plot.column)];
 }
 
-std::vector<PendingLayer> PlotPanel::draw(const timeline::FrameState& state) {
+std::vector<Layer> PlotPanel::draw(const timeline::FrameState& state) {
   Layer layer = future_;
   const double share = std::clamp(state.solutions[0].sample.t / duration_, 0.0, 1.0);
   for (const Plot& plot : plots_) {
@@ -105,8 +105,8 @@ std::vector<PendingLayer> PlotPanel::draw(const timeline::FrameState& state) {
       canvas.disc({plot.x(share), plot.y(value)}, 1.8 * thickness_, {ink(plot, i)});
     }
   }
-  std::vector<PendingLayer> layers;
-  layers.push_back(ready(std::move(layer)));
+  std::vector<Layer> layers;
+  layers.push_back(std::move(layer));
   return layers;
 }
 

@@ -13,7 +13,7 @@ namespace twrench::render {
 /// with a cursor between them. In a comparison, each plot shows the curves of all methods.
 class PlotPanel : public Element {
  public:
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  protected:
   /// The component of X in that row and column, each from 0, against time.

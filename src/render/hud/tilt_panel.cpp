@@ -135,7 +135,7 @@ void TiltPanel::draw_prediction(canvas::Canvas& canvas) const {
   }
 }
 
-std::vector<PendingLayer> TiltPanel::draw(const timeline::FrameState& state) {
+std::vector<Layer> TiltPanel::draw(const timeline::FrameState& state) {
   Layer layer = future_;
   const motion::Sample& sample = state.solutions[0].sample;
   const double tilt = tilt_.of(sample);
@@ -150,8 +150,8 @@ std::vector<PendingLayer> TiltPanel::draw(const timeline::FrameState& state) {
   canvas.disc(now, 2 * thickness_, {colors_.text});
   canvas.text(canvas::typeset(typeface_.regular, degrees_text(tilt)), 1.3 * size_, value_,
               {colors_.text}, canvas::Canvas::Align::right);
-  std::vector<PendingLayer> layers;
-  layers.push_back(ready(std::move(layer)));
+  std::vector<Layer> layers;
+  layers.push_back(std::move(layer));
   return layers;
 }
 

@@ -20,7 +20,7 @@ class TiltPanel : public Element {
   TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
             const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
   /// Returns the position in px at which a tilt in rad at a time in s is drawn.
   canvas::Canvas::Point place(double time, double tilt) const;

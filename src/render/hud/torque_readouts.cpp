@@ -50,9 +50,9 @@ TorqueReadouts::TorqueReadouts(const scene::Scene& scene,
   block_.finish({0, 0, scene.film.width, scene.film.height});
 }
 
-std::vector<PendingLayer> TorqueReadouts::draw(const timeline::FrameState& state) {
-  std::vector<PendingLayer> layers;
-  if (!block_.is_empty()) layers.push_back(ready(block_.draw(state)));
+std::vector<Layer> TorqueReadouts::draw(const timeline::FrameState& state) {
+  std::vector<Layer> layers;
+  if (!block_.is_empty()) layers.push_back(block_.draw(state));
   return layers;
 }
 

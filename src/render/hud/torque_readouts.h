@@ -13,7 +13,7 @@ class TorqueReadouts : public Element {
   TorqueReadouts(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                  const Layout& layout, const TextStyle& style);
 
-  std::vector<PendingLayer> draw(const timeline::FrameState& state) override;
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  private:
   TextBlock block_;

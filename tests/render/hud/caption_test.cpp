@@ -8,7 +8,6 @@
 
 #include "canvas/error.h"
 #include "canvas/typesetting.h"
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -114,17 +113,17 @@ TEST(Caption, IsDrawnInItsRoomAsStronglyAsItIsTold) {
     const OverlayScene with(scene);
     Caption caption(sentence, *with.layout.caption, with.typeface, with.colors);
     timeline::FrameState state = with.timeline.frame_state(0);
-    const auto full = drawn_layers(caption, state);
+    const auto full = caption.draw(state);
     ASSERT_EQ(full.size(), 1u);
     EXPECT_EQ(full[0].area(), with.layout.caption->area);
     state.caption_opacity = 0.5;
-    const auto half = drawn_layers(caption, state);
+    const auto half = caption.draw(state);
     ASSERT_EQ(half.size(), 1u);
     for (std::size_t i = 0; i < full[0].image.pixels.size(); ++i) {
       EXPECT_NEAR(half[0].image.pixels[i], full[0].image.pixels[i] / 2.0, 0.5 + 1e-9);
     }
     state.caption_opacity = 0;
-    EXPECT_TRUE(drawn_layers(caption, state).empty());
+    EXPECT_TRUE(caption.draw(state).empty());
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -47,7 +46,7 @@ TEST(ComponentPanel, BrightensWithTime) {
   ComponentPanel panel = panel_of(scene);
   double before = 0;
   for (const double t : {0.0, 24.0, 48.0, 72.0, 96.0}) {
-    const Layer layer = drawn_layers(panel, at(scene, t)).at(0);
+    const Layer layer = panel.draw(at(scene, t)).at(0);
     const double now = light(layer, 0, layer.image.width);
     EXPECT_GT(now, before) << t;
     before = now;
@@ -57,8 +56,8 @@ TEST(ComponentPanel, BrightensWithTime) {
 TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
-  const Layer early = drawn_layers(panel, at(scene, 24)).at(0);
-  const Layer late = drawn_layers(panel, at(scene, 72)).at(0);
+  const Layer early = panel.draw(at(scene, 24)).at(0);
+  const Layer late = panel.draw(at(scene, 72)).at(0);
   const image::Area area = *scene.layout.components;
   // The first plot of each row begins at the area's left edge; the past at both times is the same.
   const int plot = area.width / 3;
@@ -76,19 +75,19 @@ TEST(ComponentPanel, ChangesBehindTheCursorOnly) {
 TEST(ComponentPanel, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
-  const auto alone = drawn_layers(panel, at(scene, 30));
-  drawn_layers(panel, at(scene, 90));
-  drawn_layers(panel, at(scene, 10));
-  EXPECT_TRUE(same(drawn_layers(panel, at(scene, 30)), alone));
+  const auto alone = panel.draw(at(scene, 30));
+  panel.draw(at(scene, 90));
+  panel.draw(at(scene, 10));
+  EXPECT_TRUE(same(panel.draw(at(scene, 30)), alone));
 }
 
 TEST(ComponentPanel, PutsTheCursorsDotOnTheCurve) {
   const OverlayScene scene(film());
   ComponentPanel panel = panel_of(scene);
   timeline::FrameState state = at(scene, 48);
-  const auto drawn = drawn_layers(panel, state);
+  const auto drawn = panel.draw(state);
   state.solutions[0].sample.X.row(0).swap(state.solutions[0].sample.X.row(1));
-  EXPECT_FALSE(same(drawn_layers(panel, state), drawn)) << "it follows the sample of the state";
+  EXPECT_FALSE(same(panel.draw(state), drawn)) << "it follows the sample of the state";
 }
 
 TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
@@ -99,7 +98,7 @@ TEST(ComponentPanel, StaysInThePictureWithAMethodThatLeavesTheRotations) {
   ComponentPanel panel = panel_of(comparison);
   timeline::FrameState state = comparison.timeline.frame_state(0);
   state.solutions[0].sample.X *= 1e9;
-  const Layer layer = drawn_layers(panel, state).at(0);
+  const Layer layer = panel.draw(state).at(0);
   EXPECT_LE(layer.y + layer.image.height, 720);
   EXPECT_LE(layer.x + layer.image.width, 1280);
 }
@@ -115,7 +114,7 @@ TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
                                   {0, 40, 200, 9}}) {
     small.layout.components = area;
     ComponentPanel panel = panel_of(small);
-    for (const Layer& layer : drawn_layers(panel, at(small, 48))) {
+    for (const Layer& layer : panel.draw(at(small, 48))) {
       EXPECT_EQ(image::common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
     }
   }
@@ -133,7 +132,7 @@ TEST(ComponentPanel, IsCutOffAtThePicturesEdges) {
                                   {-20, -20, 240, 140}}) {
     small.layout.components = area;
     ComponentPanel panel = panel_of(small);
-    for (const Layer& layer : drawn_layers(panel, at(small, 96))) {
+    for (const Layer& layer : panel.draw(at(small, 96))) {
       EXPECT_EQ(image::common(layer.area(), picture), layer.area()) << area.x << " " << area.y;
     }
   }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -16,7 +15,7 @@ scene::Scene curve_film(int width = 1920, int height = 1080) {
 
 std::vector<Layer> drawn_curve(const OverlayScene& film, const timeline::FrameState& state) {
   CurvePanel panel(film.scene, film.timeline.solutions(), film.layout, film.typeface, film.colors);
-  return drawn_layers(panel, state);
+  return panel.draw(state);
 }
 
 std::vector<Layer> drawn_curve(const scene::Scene& scene) {
@@ -42,7 +41,7 @@ TEST(CurvePanel, TicksTheFlipsOfTheMethodItself) {
   CurvePanel one(film.scene, film.timeline.solutions(), film.layout, film.typeface, film.colors);
   CurvePanel other(film.scene, moved, film.layout, film.typeface, film.colors);
   const timeline::FrameState state = film.timeline.frame_state(0);
-  EXPECT_FALSE(same(drawn_layers(one, state), drawn_layers(other, state)));
+  EXPECT_FALSE(same(one.draw(state), other.draw(state)));
 }
 
 TEST(CurvePanel, PointsItsArrowsAsTheCameraSeesThem) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/drawn_layers.h"
 #include "render/look/force_style.h"
 #include "render/overlay_scene.h"
 
@@ -19,7 +18,7 @@ scene::Scene with_forces(int width, int height, scene::Frame frame) {
 std::vector<Layer> legend_of(const OverlayScene& all) {
   const TextStyle style{all.typeface, all.colors, all.layout.text, all.layout.compact, false};
   ForceLegend legend(all.scene, all.layout, style);
-  return drawn_layers(legend, all.timeline.frame_state(0));
+  return legend.draw(all.timeline.frame_state(0));
 }
 
 bool has(const Layer& layer, const scene::Color& color) {

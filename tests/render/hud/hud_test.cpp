@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "canvas/error.h"
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -81,10 +80,9 @@ TEST(Hud, ShowsEachMethodsDriftInTheSmallestPanes) {
       Hud hud = hud_of(film);
       ASSERT_EQ(film.layout.legends.size(), count);
       timeline::FrameState state = film.timeline.frame_state(0);
-      const auto before = drawn_layers(hud, state);
+      const auto before = hud.draw(state);
       state.solutions[1].diagnostics.energy_drift = 0.5;
-      EXPECT_FALSE(same(drawn_layers(hud, state), before))
-          << width << "x" << height << " " << count;
+      EXPECT_FALSE(same(hud.draw(state), before)) << width << "x" << height << " " << count;
     }
   }
 }
@@ -93,12 +91,12 @@ TEST(Hud, DrawsTheSameWhateverItDrewBefore) {
   const OverlayScene film(film_of(640, 360));
   Hud hud = hud_of(film);
   timeline::FrameState state = film.timeline.frame_state(0);
-  const auto first = drawn_layers(hud, state);
+  const auto first = hud.draw(state);
   state.solutions[0].sample.t = 42.5;
   state.solutions[0].diagnostics.energy_drift = -1.2e-15;
-  const auto later = drawn_layers(hud, state);
+  const auto later = hud.draw(state);
   EXPECT_FALSE(same(first, later));
-  EXPECT_TRUE(same(drawn_layers(hud, film.timeline.frame_state(0)), first));
+  EXPECT_TRUE(same(hud.draw(film.timeline.frame_state(0)), first));
 }
 
 TEST(Hud, HoldsWhateverTheNumbers) {
@@ -108,7 +106,7 @@ TEST(Hud, HoldsWhateverTheNumbers) {
     timeline::FrameState state = film.timeline.frame_state(0);
     state.solutions[0].diagnostics.energy_drift = drift;
     state.solutions[0].next_flip.reset();
-    for (const Layer& layer : drawn_layers(hud, state)) {
+    for (const Layer& layer : hud.draw(state)) {
       EXPECT_GE(layer.x, 0);
       EXPECT_LE(layer.x + layer.image.width, 320);
       EXPECT_LE(layer.y + layer.image.height, 180);
@@ -123,10 +121,10 @@ TEST(Hud, SaysNothingOfFlipsWhereThereAreNone) {
     const OverlayScene film(flips ? film_of(1920, 1080) : steady);
     Hud hud = hud_of(film);
     timeline::FrameState state = film.timeline.frame_state(0);
-    const auto before = drawn_layers(hud, state);
+    const auto before = hud.draw(state);
     state.solutions[0].flips = 7;
     state.solutions[0].next_flip = 77;
-    EXPECT_NE(same(drawn_layers(hud, state), before), flips);
+    EXPECT_NE(same(hud.draw(state), before), flips);
   }
 }
 
@@ -141,9 +139,9 @@ TEST(Hud, ShowsMethodAndDriftOnlyIfAsked) {
   for (const OverlayScene* film : {&plain, &with_drift}) {
     Hud hud = hud_of(*film);
     timeline::FrameState state = film->timeline.frame_state(0);
-    const auto before = drawn_layers(hud, state);
+    const auto before = hud.draw(state);
     state.solutions[0].diagnostics.energy_drift = 0.5;
-    EXPECT_EQ(same(drawn_layers(hud, state), before), film == &plain);
+    EXPECT_EQ(same(hud.draw(state), before), film == &plain);
   }
 }
 
@@ -157,9 +155,9 @@ TEST(Hud, RemarksWhatHappensInEachPane) {
       timeline::FrameState state = film.timeline.frame_state(0);
       // Shown by the readouts of a comparison too, where it changes no digit.
       state.solutions[i].diagnostics.orthogonality_error = 0.00996;
-      const auto before = drawn_layers(hud, state);
+      const auto before = hud.draw(state);
       state.solutions[i].diagnostics.orthogonality_error = 0.01001;
-      EXPECT_FALSE(same(drawn_layers(hud, state), before)) << count << " " << i;
+      EXPECT_FALSE(same(hud.draw(state), before)) << count << " " << i;
     }
   }
 }
@@ -205,7 +203,7 @@ TEST(Hud, LaysAPanelUnderAllItsWordsOnABackgroundOfAnotherColour) {
     if (!transparent) scene.look.background = scene::Color{255, 255, 255};
     const OverlayScene film(scene);
     Hud hud = hud_of(film);
-    const auto layers = drawn_layers(hud, film.timeline.frame_state(0));
+    const auto layers = hud.draw(film.timeline.frame_state(0));
     const auto extents = hud.extents();
     ASSERT_EQ(layers.size(), extents.size());
     const int least = static_cast<int>(255 * film.colors.panel_opacity);
@@ -262,7 +260,7 @@ TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
                 << font << " " << width << "x" << height << " " << i;
             EXPECT_LE(extents[i].height, places[i].height + 2) << width << "x" << height;
           }
-          for (const Layer& layer : drawn_layers(hud, film.timeline.frame_state(0))) {
+          for (const Layer& layer : hud.draw(film.timeline.frame_state(0))) {
             EXPECT_EQ(image::common(layer.area(), {0, 0, width, height}), layer.area());
           }
         }
@@ -277,7 +275,7 @@ TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
   film.layout.readouts = image::Area{40, 80, 4, 4};
   film.layout.momentum.reset();
   Hud hud = hud_of(film);
-  EXPECT_TRUE(drawn_layers(hud, film.timeline.frame_state(0)).empty());
+  EXPECT_TRUE(hud.draw(film.timeline.frame_state(0)).empty());
 }
 
 std::string refusal_of(const scene::Scene& scene) {

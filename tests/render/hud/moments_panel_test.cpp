@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -15,7 +14,7 @@ std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*
   const OverlayScene all(scene);
   colors = &style_of(scene.look.theme).overlay;
   MomentsPanel panel(all.scene, all.timeline.solutions(), all.layout, all.typeface, all.colors);
-  return drawn_layers(panel, all.timeline.frame_state(0));
+  return panel.draw(all.timeline.frame_state(0));
 }
 
 /// The rows that have pixels of exactly this colour.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/drawn_layers.h"
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
@@ -53,7 +52,7 @@ TEST(TiltPanel, DrawsThePredictionOfAnUnstableAxisOnly) {
     const OverlayScene all(with_tilt(omega));
     TiltPanel panel = panel_of(all);
     int count = 0;
-    for (const Layer& layer : drawn_layers(panel, all.timeline.frame_state(0))) {
+    for (const Layer& layer : panel.draw(all.timeline.frame_state(0))) {
       for (std::size_t i = 0; i < layer.image.pixels.size(); i += 4) {
         const std::uint8_t* p = &layer.image.pixels[i];
         count += p[0] > p[2] + 60 ? 1 : 0;
@@ -71,7 +70,7 @@ TEST(TiltPanel, ShowsThePastInFullStrength) {
   TiltPanel first = panel_of(start), last = panel_of(end);
   const auto bright = [](Element& panel, const timeline::FrameState& state) {
     int count = 0;
-    for (const Layer& layer : drawn_layers(panel, state)) {
+    for (const Layer& layer : panel.draw(state)) {
       for (std::size_t i = 0; i < layer.image.pixels.size(); i += 4) {
         count += layer.image.pixels[i] > 230 ? 1 : 0;
       }
@@ -88,7 +87,7 @@ TEST(TiltPanel, IsDrawnInPicturesOfAnySize) {
     const OverlayScene all(with_tilt({1, 0.05, 0}, width, height));
     if (!all.layout.tilt) continue;
     TiltPanel panel = panel_of(all);
-    EXPECT_EQ(drawn_layers(panel, all.timeline.frame_state(0)).size(), 1U) << width;
+    EXPECT_EQ(panel.draw(all.timeline.frame_state(0)).size(), 1U) << width;
   }
 }
 
