@@ -106,7 +106,9 @@ TEST_P(FramesInFlight, AreCompositedWhileOthersAreDrawn) {
         begun.emplace(renderer.begin(timeline.frame_state(i)));
         begun->fetch();
       }
-      if (composited.valid()) EXPECT_EQ(composited.get().image.pixels, expected[i - 1].pixels) << i;
+      if (composited.valid()) {
+        EXPECT_EQ(composited.get().image.pixels, expected[i - 1].pixels) << i;
+      }
       if (begun) {
         composited = std::async(std::launch::async, [frame = std::move(*begun)]() mutable {
           return frame.composite();
