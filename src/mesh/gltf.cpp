@@ -96,7 +96,7 @@ class GltfReader {
       throw document_.at("asset").at("version").bad("is not 2.0");
     }
     for (std::size_t i = 0; i < document_.size("extensionsRequired"); ++i) {
-      const std::string& name = document_.at("extensionsRequired").at(i).text();
+      const std::string name = document_.at("extensionsRequired").at(i).text();
       // These change the look, or types of numbers that are read all the same.
       constexpr std::array harmless{"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                                     "KHR_mesh_quantization"};

@@ -17,7 +17,7 @@ Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colo
   const ThemeStyle& style = style_of(look.theme);
   Finish unset{style.metallic, style.roughness};
   if (is_colored) {
-    const scene::Material& plastic = scene::find_material("plastic", "material");
+    const scene::Material plastic = scene::find_material("plastic", "material");
     unset = {plastic.metallic, plastic.roughness};
   }
   return {part.metallic.value_or(look.metallic.value_or(unset.metallic)),
