@@ -44,7 +44,7 @@ TEST(Materials, AreInTheDocument) {
 }
 
 TEST(Materials, OfTheWholeBodyGiveWayToExplicitValues) {
-  const Material& rubber = find_material("rubber", "");
+  const Material rubber = find_material("rubber", "");
   EXPECT_EQ(look_of("material = 'rubber'").color, rubber.color);
   EXPECT_EQ(look_of("material = 'rubber'").metallic, rubber.metallic);
   const Look look = look_of("roughness = 0.3\nmaterial = 'rubber'\n");

@@ -125,7 +125,7 @@ TEST(Part, HasItsOwnLook) {
   EXPECT_FALSE(look("").roughness);
   EXPECT_EQ(look("color = '#102030'").color, (Color{16, 32, 48}));
   EXPECT_FALSE(look("color = '#102030'").metallic);
-  const Material& wood = find_material("wood", "");
+  const Material wood = find_material("wood", "");
   EXPECT_EQ(look("material = 'wood'").color, wood.color);
   EXPECT_EQ(look("material = 'wood'").metallic, 0);
   EXPECT_EQ(look("material = 'wood'").roughness, wood.roughness);
