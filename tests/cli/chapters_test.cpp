@@ -33,8 +33,8 @@ std::string chapters_in(const ScratchFolder& folder, const std::string& video) {
 std::string stream_in(const ScratchFolder& folder, const std::string& video) {
   const std::string out = (folder / (video + ".stream")).string();
   run_command(
-      "ffprobe -v error -count_packets -of csv=p=0 -show_entries "
-      "stream=width,height,nb_read_packets '" +
+      "ffprobe -v error -count_frames -of csv=p=0 -show_entries "
+      "stream=width,height,nb_read_frames '" +
       (folder / video).string() + "' >'" + out + "'");
   return text_of(out);
 }

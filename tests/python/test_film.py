@@ -24,8 +24,8 @@ def recorded(folder: Path) -> list[str]:
 
 
 def probed_frames(film: Path) -> int:
-    command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-count_packets",
-               "-show_entries", "stream=nb_read_packets", "-of", "csv=p=0", str(film)]  # fmt: skip
+    command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-count_frames",
+               "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", str(film)]  # fmt: skip
     return int(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
 
@@ -69,7 +69,7 @@ def test_a_film_has_chapters_unless_it_should_not(small, tmp_path):
 def test_an_animated_image(small, tmp_path):
     for name in ("f.gif", "f.webp"):
         film = small.render(tmp_path / name, frames="0-3")
-        assert probed_frames(tmp_path / name) == 4 or name == "f.webp"
+        assert name == "f.webp" or probed_frames(tmp_path / name) == 4
         kind = name[2:]
         assert (film._repr_html_() or "").startswith("<img ") and f"image/{kind}" in film._repr_html_()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["f.gif", "f.webp"]
