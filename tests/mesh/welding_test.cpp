@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "mesh/samples.h"
@@ -52,6 +53,18 @@ TEST(Weld, JoinsWhatIsNoFartherApartThanTheTolerance) {
   EXPECT_EQ(welded.joined_vertices, 3 * whole.triangles.size() - mesh.vertices.size());
   EXPECT_EQ(weld(mesh, 2e-6).joined_vertices, 0U) << "again";
   EXPECT_GT(weld(mesh, 0.1).removed_triangles, 100U) << "more than its edges at the poles";
+}
+
+TEST(Weld, JoinsVerticesThatAreExactlyTheToleranceApart) {
+  const auto vertices_left = [](double distance) {
+    TriangleMesh mesh{{{0, 0, 0}, {distance, 0, 0}, {5, 0, 0}, {0, 5, 0}},
+                      {{0, 2, 3}, {1, 2, 3}},
+                      {}};
+    weld(mesh, 0.5);
+    return mesh.vertices.size();
+  };
+  EXPECT_EQ(vertices_left(0.5), 3U);
+  EXPECT_EQ(vertices_left(std::nextafter(0.5, 1)), 4U);
 }
 
 TEST(Weld, JoinsFromOneToTheNext) {

@@ -101,6 +101,18 @@ TEST(FilmTimeline, ThePreviousShotGoesOnWhileItIsSeen) {
   EXPECT_FALSE(film.frame(40).previous);
 }
 
+// The share is s^2 (3 - 2 s) of the share s of the time: at rest at both ends.
+TEST(FilmTimeline, FadesAndCameraMovesStartAndEndGently) {
+  const scene::Scene scene = story_of_three();  // fade = 1 s, move = 2 s, from frame 20 at 10 fps
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  EXPECT_DOUBLE_EQ(film.frame(21).faded, 0.028);
+  EXPECT_DOUBLE_EQ(film.frame(22).faded, 0.104);
+  EXPECT_DOUBLE_EQ(film.frame(29).faded, 0.972);
+  EXPECT_DOUBLE_EQ(film.frame(22).moved, 0.028);
+  EXPECT_DOUBLE_EQ(film.frame(25).moved, 0.15625);
+  EXPECT_DOUBLE_EQ(film.frame(38).moved, 0.972);
+}
+
 TEST(FilmTimeline, OneCaptionGoesBeforeAnotherComes) {
   const scene::Scene scene = story_of_three();
   const FilmTimeline film(scene, frames_of_all_shots(scene));
