@@ -17,6 +17,7 @@
 #include "plot/gnuplot.h"
 #include "system/disk_space.h"
 #include "system/file.h"
+#include "system/memory_file.h"
 #include "system/processors.h"
 #include "system/program.h"
 #include "video/encoder.h"
@@ -67,13 +68,14 @@ std::vector<Finding> examine_backends() {
   return findings;
 }
 
-/// The first line that ffmpeg prints without arguments.
+/// The first line that `ffmpeg -version` prints.
 std::string ffmpeg_version() {
-  auto ffmpeg =
-      system::start_program<video::EncoderError>({"ffmpeg"}, "install it: apt-get install ffmpeg");
+  const system::MemoryFile output("");
+  auto ffmpeg = system::start_program<video::EncoderError>(
+      {"ffmpeg", "-version"}, "install it: apt-get install ffmpeg", {}, output.descriptor());
   ffmpeg.wait();
-  const std::string& said = ffmpeg.error_output();
-  const std::string line = said.substr(0, said.find('\n'));
+  const std::string text = output.contents();
+  const std::string line = text.substr(0, text.find('\n'));
   return line.empty() ? "unknown version" : line;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <sys/types.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -34,10 +33,8 @@ class ChildProcess {
  public:
   using Time = std::chrono::milliseconds;
 
-  /// Where a child's standard output goes, if not to one of our descriptors.
+  /// Discards a child's standard output, which otherwise goes to one of our descriptors.
   static constexpr int output_dropped = -1;
-  /// To error_output().
-  static constexpr int output_with_errors = STDERR_FILENO;
 
   /// Starts `command[0]`, searched in PATH, with the rest as its arguments. Throws
   /// std::system_error if it cannot be started.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "system/descriptor.h"
@@ -7,14 +8,18 @@
 
 namespace twrench::system {
 
-/// A file without a name, in memory, that one child process can read: it inherits the descriptor.
+/// A file without a name, in memory, that a child process can read or write: it inherits the
+/// descriptor.
 class MemoryFile {
  public:
-  /// Throws FileError.
+  /// Creates a file with the text. Throws FileError.
   explicit MemoryFile(std::string_view text);
 
   /// Returns the descriptor, which is at the start of the text.
   int descriptor() const { return descriptor_.get(); }
+
+  /// Returns the whole contents, for example what a child wrote that has ended. Throws FileError.
+  std::string contents() const;
 
  private:
   Descriptor descriptor_;

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "system/error.h"
+#include "system/memory_file.h"
 #include "system/program.h"
 #include "system/sha256.h"
 #include "video/animated_image.h"
@@ -39,11 +40,12 @@ auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
   constexpr const char* entries =
       "stream=width,height,nb_read_packets:format=duration:format_tags=comment";
   command.insert(command.end(), {"-show_entries", entries, "-of", "json", "file:" + file.string()});
+  const system::MemoryFile output("");
   auto ffprobe = system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                                     {}, system::ChildProcess::output_with_errors);
+                                                     {}, output.descriptor());
   if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
   try {
-    return read(nlohmann::json::parse(ffprobe.error_output()));
+    return read(nlohmann::json::parse(output.contents()));
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }

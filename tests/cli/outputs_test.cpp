@@ -30,6 +30,18 @@ std::int64_t frames_of(const ScratchFolder& folder, const std::string& video) {
   return std::stoll(text_of(folder / "count"));
 }
 
+// The dynamic loader prints a warning to standard error in every program, ffprobe among them.
+TEST(Outputs, AreKeptWhenChildrenPrintWarnings) {
+  const ScratchFolder folder;
+  const std::string warning = "LD_PRELOAD=/nonexistent.so ";
+  EXPECT_EQ(run_twrench(folder, film_command + "-o a.mp4", warning).code, 0);
+  EXPECT_EQ(frames_of(folder, "a.mp4"), 5);
+  ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
+  EXPECT_EQ(run_twrench(folder, "encode f -o b.mp4 --progress none", warning).code, 0);
+  EXPECT_EQ(frames_of(folder, "b.mp4"), 5);
+  EXPECT_THAT(run_twrench(folder, "doctor", warning).out, HasSubstr("ffmpeg version"));
+}
+
 TEST(Outputs, AreNoInputs) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
