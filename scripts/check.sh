@@ -1,13 +1,21 @@
 #!/usr/bin/env bash
-# The checks beyond scripts/test.sh: the formatting of the sources, the rendering tests with EGL
+# Every check of a change: scripts/test.sh, the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
-# UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages, what
-# is exported as others' programs read it, pages in a browser, the tests that look for uninitialised
-# values under valgrind, and three minutes of scripts/torture.sh.
+# UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages,
+# exported files read by other programs, pages in a browser, the tests for uninitialised values under
+# valgrind, one minute of scripts/torture.sh, and both commands of README.md in a bare Debian 13.
+# docs/testing.md says what each step costs.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-step() { printf '\n== %s\n' "$*"; }
+source scripts/common.sh
+
+# step TITLE COMMAND...: runs the command and prints its wall time and processor time.
+step() {
+  local TIMEFORMAT='-- took %0R s, %0U + %0S s of processor time'
+  printf '\n== %s\n' "$1"
+  time "${@:2}"
+}
 
 launcher=()
 run_tests() {
@@ -15,14 +23,31 @@ run_tests() {
     --parallel "$(($(nproc) + 2))" "${@:2}"  # some tests mostly wait
 }
 
-scripts/setup.sh check
+draw_over_egl() {
+  scripts/build.sh --tests release
+  TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
+}
 
-step "The layout of the sources"
-scripts/lint.sh format
+test_threads() {
+  "${launcher[@]}" scripts/build.sh --tests tsan thread_tests
+  run_tests tsan --label-regex '^threads$'
+}
 
-step "The tests that draw, over EGL alone"
-scripts/build.sh --tests release
-TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
+test_under_asan() {
+  "${launcher[@]}" scripts/build.sh --tests asan
+  run_tests asan
+}
+
+# In a subshell, because scripts/chroot.sh ends what it started when the shell is interrupted.
+try_debian_13() (
+  source scripts/chroot.sh
+  reason=$(reason_against_roots)
+  if [[ $reason ]]; then
+    say "skipped: $reason"
+  else
+    scripts/distros.sh --commands trixie
+  fi
+)
 
 # GCC's sanitizers crash randomly where the kernel randomises more address bits than their shadow
 # memory allows for (vm.mmap_rnd_bits=32), so randomisation is switched off where permitted.
@@ -30,28 +55,18 @@ if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)
 fi
 
-step "The tests of the threads, under ThreadSanitizer"
-"${launcher[@]}" scripts/build.sh --tests tsan thread_tests
-run_tests tsan --label-regex '^threads$'
-
-step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer"
-"${launcher[@]}" scripts/build.sh --tests asan
-run_tests asan
-
-step "The library of the dynamics: alone, installed, and used from outside, static and shared"
-scripts/library.sh
-
-step "The reference pages, in which a warning is an error"
-scripts/docs.sh
-
-step "What is exported, read by the programs of others"
-scripts/interchange.sh
-
-step "Pages, in a browser"
-scripts/page_test.sh
-
-step "The core's tests that look for values nothing has set, under valgrind"
-scripts/valgrind.sh --quick
-
-step "Random scenes, motions and command lines, and injected faults: three minutes"
-scripts/torture.sh 3 2020
+step "All tests of the release build" scripts/test.sh
+step "The packages for the other checks" scripts/setup.sh check
+step "The layout of the sources" scripts/lint.sh format
+step "The tests that draw, over EGL alone" draw_over_egl
+step "The tests of the threads, under ThreadSanitizer" test_threads
+step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
+step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
+  scripts/library.sh
+step "The reference pages, in which a warning is an error" scripts/docs.sh
+step "Exported files, read by other programs" scripts/interchange.sh
+step "Pages, in a browser" scripts/page_test.sh
+step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick
+step "Random scenes, motions and command lines, and injected faults: one minute" \
+  scripts/torture.sh 1 2020
+step "Both commands of README.md in a bare Debian 13" try_debian_13

@@ -1,33 +1,46 @@
 #!/usr/bin/env bash
-# distros.sh [SUITE...]: tries both commands of README.md in bare installations of Debian, and
-# prints the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`:
+# distros.sh [--commands] [SUITE...]: tries both commands of README.md in bare installations of Debian,
+# and prints the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`:
 # the core cross-compiled for that architecture in Debian 13 and tested in an emulator. Default: all
 # of them.
 #
 # In each suite root runs scripts/render.sh in an installation of Debian's minimal base only; then a
-# user with sudo runs scripts/test.sh, the rendering tests with EGL only, scripts/render.sh, and
-# scripts/package.sh, whose packages scripts/try_packages.sh then tries. The committed sources (HEAD)
-# are tested. Takes about half an hour and 3 GB per suite. Needs root.
+# user with sudo runs scripts/test.sh. With --commands that is all. Without it, the user also runs the
+# rendering tests with EGL only, scripts/render.sh, and scripts/package.sh, whose packages
+# scripts/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
+# and 3 GB per suite, ten minutes with --commands. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 source scripts/chroot.sh
-((EUID == 0)) || die "distros.sh: only root can make an installation of Debian" "start it with sudo"
+commands_only=''
+if [[ ${1-} == --commands ]]; then
+  commands_only=yes
+  shift
+fi
+for suite; do
+  [[ $suite != -* ]] || die "distros.sh: unknown option '$suite'" "usage: distros.sh [--commands] [SUITE...]"
+done
+reason=$(reason_against_roots)
+[[ -z $reason ]] || die "distros.sh: $reason" "start it as root, for example with sudo"
+git rev-parse --quiet --verify HEAD >/dev/null 2>&1 ||
+  die "distros.sh: this folder is not a git checkout" "clone the repository: the committed sources are tested"
 scripts/setup.sh distros
 
 suites=("$@")
 ((${#suites[@]})) || suites=(bookworm trixie testing arm64)
 
-# timed LOG ROOT USER COMMAND: runs the command and prints the seconds it took, or "failed".
+# timed LOG ROOT USER COMMAND: runs the command and sets `took` to the seconds, or to "failed". Not in
+# a subshell, where it could not be interrupted.
 timed() {
   local start=$SECONDS
+  took=failed
   if inside "$2" "$3" "$4" >"$1" 2>&1; then
-    echo $((SECONDS - start))
+    took=$((SECONDS - start))
   else
     say "$4 failed: the end of $1:"
     tail -n 20 "$1" >&2
-    echo failed
   fi
 }
 
@@ -46,44 +59,58 @@ counts() {
     sed "s/\$/, $skipped skipped/"
 }
 
+# try_commands SUITE ROOT: both commands, each in its own way a first time; sets `film` and `tests`.
+try_commands() {
+  say "$1: scripts/render.sh as root, in a bare installation"
+  make_root "$2" "$1"
+  put_sources "$2"
+  timed "$2.render.log" "$2" root "scripts/render.sh"
+  film=$took
+
+  say "$1: scripts/test.sh as a user with sudo"
+  inside "$2" root "chown --recursive someone . && apt-get install --yes sudo" >"$2.sudo.log" 2>&1 ||
+    die "sudo cannot be installed in $1" "the full log is $2.sudo.log"
+  echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/someone"
+  timed "$2.test.log" "$2" someone "scripts/test.sh"
+  tests=$took
+  say "$1: render.sh: $film s, test.sh: $tests s, $(counts "$2.test.log")"
+  [[ "$film$tests" != *failed* ]] || failures=$((failures + 1))
+}
+
 rows=() failures=0
 try_suite() {
   local suite=$1 root=$place/$1 film tests egl again draws packages row
-  say "$suite: scripts/render.sh as root, in a bare installation"
-  make_root "$root" "$suite"
-  put_sources "$root"
-  film=$(timed "$root.render.log" "$root" root "scripts/render.sh")
+  try_commands "$suite" "$root"
+  [[ -z $commands_only ]] || return 0
   draws=$(inside "$root" root "build/release/bin/twrench doctor" 2>&1 |
     awk '/^OpenGL by .* found / { sub(/^OpenGL by /, ""); sub(/ +found .*/, ""); printf "%s%s", sep, $0; sep = ", " }')
-
-  say "$suite: scripts/test.sh as a user with sudo"
-  inside "$root" root "chown --recursive someone . && apt-get install --yes sudo" >"$root.sudo.log" 2>&1
-  echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$root/etc/sudoers.d/someone"
-  tests=$(timed "$root.test.log" "$root" someone "scripts/test.sh")
-  egl=$(timed "$root.egl.log" "$root" someone "TWRENCH_TEST_BACKEND=egl ctest \\
-    --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)")
-  again=$(timed "$root.again.log" "$root" someone "scripts/render.sh --frames 0-59 --overwrite")
+  timed "$root.egl.log" "$root" someone "TWRENCH_TEST_BACKEND=egl ctest \\
+    --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)"
+  egl=$took
+  timed "$root.again.log" "$root" someone "scripts/render.sh --frames 0-59 --overwrite"
+  again=$took
 
   say "$suite: the packages, in another bare installation"
-  packages=$(timed "$root.package.log" "$root" someone "scripts/package.sh")
+  timed "$root.package.log" "$root" someone "scripts/package.sh"
+  packages=$took
   [[ $packages == failed ]] || scripts/try_packages.sh "$suite" "$root/home/someone/twrench/out/packages" \
     --frames 0-59 || packages=failed
   row="| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0)"
   row+=" | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log")"
   row+=" | $(counts "$root.egl.log") | $draws |"
   rows+=("$row")
-  [[ "$film$tests$egl$again$packages" != *failed* ]] || failures=$((failures + 1))
+  [[ "$egl$again$packages" != *failed* ]] || failures=$((failures + 1))
   say "$row"
 }
 
 try_arm64() {
-  local root=$place/arm64 seconds
+  local root=$place/arm64
   say "arm64: the core, cross-compiled in trixie"
   make_root "$root" trixie
   put_sources "$root"
-  seconds=$(timed "$root.test.log" "$root" root "scripts/arm64.sh")
-  arm64="arm64, in $(version "$root" qemu-user) of QEMU: $seconds seconds, $(counts "$root.test.log")"
-  [[ $seconds != *failed* ]] || failures=$((failures + 1))
+  timed "$root.test.log" "$root" root "scripts/arm64.sh"
+  arm64="arm64, in $(version "$root" qemu-user) of QEMU: $took seconds, $(counts "$root.test.log")"
+  [[ $took != failed ]] || failures=$((failures + 1))
 }
 
 arm64=''

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every test, also on a bare Debian or Ubuntu: installs what is missing, builds what is out of
-# date, then runs all tests of the release build. scripts/check.sh runs the checks beyond them.
+# date, then runs all tests of the release build. scripts/check.sh runs every check of a change.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

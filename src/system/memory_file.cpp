@@ -26,8 +26,8 @@ std::string MemoryFile::contents() const {
   std::string text;
   std::array<char, 4096> buffer{};
   while (true) {
-    const ssize_t got = ::pread(descriptor_.get(), buffer.data(), buffer.size(),
-                                static_cast<off_t>(text.size()));
+    const ssize_t got =
+        ::pread(descriptor_.get(), buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw file_error("cannot read a file in memory", errno);
     if (got == 0) return text;

@@ -57,9 +57,8 @@ TEST(Weld, JoinsWhatIsNoFartherApartThanTheTolerance) {
 
 TEST(Weld, JoinsVerticesThatAreExactlyTheToleranceApart) {
   const auto vertices_left = [](double distance) {
-    TriangleMesh mesh{{{0, 0, 0}, {distance, 0, 0}, {5, 0, 0}, {0, 5, 0}},
-                      {{0, 2, 3}, {1, 2, 3}},
-                      {}};
+    TriangleMesh mesh{
+        {{0, 0, 0}, {distance, 0, 0}, {5, 0, 0}, {0, 5, 0}}, {{0, 2, 3}, {1, 2, 3}}, {}};
     weld(mesh, 0.5);
     return mesh.vertices.size();
   };
