@@ -16,6 +16,8 @@ reason_against_roots() {
 
 # The process that isolated() runs, while it runs.
 isolated_process=''
+# The standard error of this script, also while that of a command goes to a log.
+exec {own_errors}>&2
 
 # isolated COMMAND...: runs the command in namespaces of its own for mounts and processes. They end
 # with the command and with this script, however it ends, so that nothing stays mounted or running.
@@ -36,7 +38,7 @@ stop_isolated() {
     kill -KILL "$isolated_process" 2>/dev/null || true
     wait "$isolated_process" 2>/dev/null || true
   fi
-  say "interrupted: nothing is left running or mounted; the next run starts anew"
+  say "interrupted: nothing is left running or mounted; the next run starts anew" 2>&"$own_errors"
   exit 130
 }
 trap stop_isolated INT TERM HUP
