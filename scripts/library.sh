@@ -38,10 +38,12 @@ for shared in OFF ON; do
   say "the library of the dynamics, shared: $shared"
   build=$PWD/build/library/shared-$shared
   rm -rf "$build-installed" "$build-user"
+  # Where the tests are built, sources are compiled sixteen at a time; otherwise each alone.
   testing=OFF
   [[ $shared == ON ]] || testing=ON
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTWRENCH_RENDER=OFF \
     -DBUILD_SHARED_LIBS=$shared -DBUILD_TESTING=$testing \
+    -DCMAKE_UNITY_BUILD=$testing -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
     -DCMAKE_INSTALL_PREFIX="$build-installed" -DCMAKE_INSTALL_LIBDIR=lib >/dev/null
   cmake --build "$build"
   [[ $testing == OFF ]] || ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"
