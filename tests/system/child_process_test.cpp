@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -201,7 +202,10 @@ TEST(ChildProcess, IsKilledWithItsOwnerAndItsChildrenToo) {
 }
 
 TEST(ChildProcess, ThatTakesNothingIsKilled) {
-  ChildProcess child(shell("echo busy >&2; sleep 1000"), {milliseconds(200)});
+  const ScratchFolder scratch;
+  const std::string begun = (scratch / "begun").string();
+  ChildProcess child(shell("echo busy >&2; : >'" + begun + "'; sleep 1000"), {milliseconds(200)});
+  ASSERT_TRUE(soon([&] { return std::filesystem::exists(begun); }));
   EXPECT_FALSE(child.write(bytes(10'000'000)));
   EXPECT_TRUE(child.hung());
   EXPECT_EQ(child.wait(), 128 + SIGKILL);
@@ -211,7 +215,7 @@ TEST(ChildProcess, ThatTakesNothingIsKilled) {
 TEST(ChildProcess, ThatDoesNotEndIsKilled) {
   for (const char* script : {"cat >/dev/null; sleep 1000", "exec 2>&-; cat; sleep 1000"}) {
     ChildProcess child(shell(script), {milliseconds(200)});
-    EXPECT_TRUE(child.write(bytes(100'000)));
+    EXPECT_TRUE(child.write(bytes(1000)));  // which the pipe holds, if the child starts late
     EXPECT_EQ(child.wait(), 128 + SIGKILL);
     EXPECT_TRUE(child.hung());
   }
@@ -232,10 +236,12 @@ TEST(ChildProcess, IsKilledWhenAskedToStop) {
 }
 
 TEST(ChildProcess, MayTakeItsTimeWhileItTakesSomething) {
-  // A second and a half in total, which exceeds the patience.
-  ChildProcess child(shell("for i in 1 2 3 4 5; do head -c 1000000 >/dev/null; sleep 0.3; done"),
-                     {milliseconds(1200)});
-  EXPECT_TRUE(child.write(bytes(5'000'000)));
+  // The pauses before the last megabyte that the pipe cannot hold are 3 s in total, which exceeds
+  // the patience. Each is a fifth of it, because a busy machine prolongs them.
+  ChildProcess child(
+      shell("for i in 1 2 3 4 5 6 7 8; do head -c 1000000 >/dev/null; sleep 0.5; done"),
+      {milliseconds(2500)});
+  EXPECT_TRUE(child.write(bytes(8'000'000)));
   EXPECT_EQ(child.wait(milliseconds(10'000)), 0);
   EXPECT_FALSE(child.hung());
 }

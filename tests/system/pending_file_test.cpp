@@ -112,7 +112,9 @@ TEST(PendingFile, KeepsTheOwnerOfWhatItReplaces) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
   const ScratchFolder scratch;
   put(scratch / "theirs", "old");
-  ASSERT_EQ(::chown((scratch / "theirs").c_str(), 1234, 2345), 0);
+  if (::chown((scratch / "theirs").c_str(), 1234, 2345) != 0) {
+    GTEST_SKIP() << "root of this container gives no files away";
+  }
   put(scratch / "theirs", "new");
   struct stat status {};
   ASSERT_EQ(::stat((scratch / "theirs").c_str(), &status), 0);
