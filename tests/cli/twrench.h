@@ -1,7 +1,10 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +22,9 @@ namespace twrench {
 struct Outcome {
   int code = -1;
   std::string out, err;
+  /// Peak resident memory of the largest process, kB. Unlike the address space, it does not depend
+  /// on what the threads reserve for stacks and allocation.
+  long peak_memory = 0;
 };
 
 inline std::string text_of(const std::filesystem::path& path) {
@@ -35,6 +41,21 @@ inline std::string program() {
   return TWRENCH_TESTS_DIR "/cli/twrench-egl.sh";
 }
 
+/// Runs the script in a shell and returns its wait status. Stores in `used` what the shell and its
+/// children used. It calls fork() instead of std::system(): the child of the latter shares the
+/// memory of this process until it starts the shell, and the kernel counts this memory as well.
+inline int run_script(const std::string& script, rusage& used) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", script.c_str(), nullptr);
+    ::_exit(127);
+  }
+  int status = -1;
+  while (child > 0 && ::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 /// Runs `command` in a shell in `folder`, where `$TWRENCH` is the real program.
 inline Outcome run_shell(const ScratchFolder& folder, const std::string& command) {
   const auto out = folder / "stdout.txt", err = folder / "stderr.txt";
@@ -42,8 +63,9 @@ inline Outcome run_shell(const ScratchFolder& folder, const std::string& command
                             "' && export TWRENCH_BINARY='" TWRENCH_BINARY "' TWRENCH='" +
                             program() + "'; { " + command + "; } </dev/null >'" + out.string() +
                             "' 2>'" + err.string() + "'";
-  const int status = std::system(whole.c_str());  // NOLINT(cert-env33-c): our own words
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+  rusage used{};
+  const int status = run_script(whole, used);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err), used.ru_maxrss};
 }
 
 /// Runs the real program in `folder` with `arguments`, split as by a shell; `before` may set its
