@@ -50,14 +50,18 @@ std::pair<std::string, std::string> in_two_lines(const std::string& text,
   return best;
 }
 
+/// Returns the first whole pixel at or after `x`. A line that was scaled to the width of its area
+/// may exceed it by a rounding error, which must not count as another pixel.
+int pixel_after(double x) { return static_cast<int>(std::ceil(x - 1e-9)); }
+
 }  // namespace
 
 TextBlock::TextBlock(const TextStyle& style, const image::Area& area)
     : style_(style), area_(area), extent_{area.x, area.y, 0, 0}, y_(area.y) {}
 
 void TextBlock::extend(double right, double bottom) {
-  extent_.width = std::max(extent_.width, static_cast<int>(std::ceil(right)) - extent_.x);
-  extent_.height = std::max(extent_.height, static_cast<int>(std::ceil(bottom)) - extent_.y);
+  extent_.width = std::max(extent_.width, pixel_after(right) - extent_.x);
+  extent_.height = std::max(extent_.height, pixel_after(bottom) - extent_.y);
 }
 
 void TextBlock::add_line(const std::string& text, const canvas::Font& font, double size,
