@@ -95,21 +95,27 @@ TEST_F(LabelPainterTest, MovesLabelsContinuously) {
   }
 }
 
+// The label is blank: as wide as a digit, so that it is placed like a letter, and all ink is the
+// leader's, whatever glyphs look like and however FreeType and Cairo draw them.
 TEST_F(LabelPainterTest, LeadsToALabelThatWasMoved) {
-  const auto line_pixels = [&](double angle) {
-    const auto labels = labels_at(angle);
+  const auto leader_at = [&](double angle) {
+    auto labels = labels_at(angle);
+    labels[1].text = "\u2007";
     const Layer layer = painter.paint(labels)[1];
-    const image::Area letter = letters(layer, pink);
-    int count = 0;
+    std::vector<int> rows;
     for (int y = 0; y < layer.image.height; ++y) {
       for (int x = 0; x < layer.image.width; ++x) {
-        const bool beside = layer.y + y >= letter.y + letter.height || layer.x + x < letter.x;
-        count += beside && is_ink(layer, x, y, pink) ? 1 : 0;
+        if (layer.image.pixels[static_cast<std::size_t>(4 * (y * layer.image.width + x) + 3)] > 0)
+          rows.push_back(layer.y + y);
       }
     }
-    return count;
+    return rows;
   };
-  EXPECT_GT(line_pixels(0), line_pixels(0.5) + 6);
+  EXPECT_TRUE(leader_at(0.5).empty()) << "it was not moved";
+  const std::vector<int> rows = leader_at(0);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_NEAR(rows.back(), arrow_start.y(), 0.25 * em) << "from the tip of the arrow";
+  EXPECT_GT(rows.back() - rows.front(), 0.2 * em) << "up to the label";
 }
 
 TEST_F(LabelPainterTest, StaysInThePictureAndOutOfWhatIsTaken) {
