@@ -86,8 +86,9 @@ TEST(Canvas, DrawsEachGlyphWithItsFont) {
   Canvas canvas(one_by_one, 0, 0);
   canvas.text(typeset(typeface.regular, "S"), 20, {5, 30}, {ink});
   canvas.text(typeset(font, "k"), 20, {5 + 20 * line.glyphs.back().x, 30}, {ink});
-  // Cairo rounds the edges of two letters at once a little differently.
-  const auto near = [](int a, int b) { return std::abs(a - b) <= 4; };
+  // Cairo rounds the edges of two letters at once a little differently, and releases of it differ.
+  // A letter of another font or in another place changes whole pixels.
+  const auto near = [](int a, int b) { return std::abs(a - b) <= 32; };
   EXPECT_TRUE(std::ranges::equal(picture_of(line, 5, 30).pixels, one_by_one.pixels, near));
 }
 
@@ -116,7 +117,8 @@ TEST(Canvas, LaysTheHaloAroundTheLetters) {
   const Line line = typeset(typeface.regular, "I");
   image::Image image(40, 40, 4);
   Canvas(image, 0, 0).text_halo(line, 30, {10, 30}, 4, {ink});
-  EXPECT_EQ(pixel(image, 11, 32)[3], 255) << "below the foot of the I";
+  const int middle = static_cast<int>(10 + 30 * line.width / 2);
+  EXPECT_EQ(pixel(image, middle, 32)[3], 255) << "below the foot of the I";
 }
 
 TEST(Canvas, RoundsThePanelsCorners) {
