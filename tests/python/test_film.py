@@ -203,9 +203,9 @@ def test_an_exception_of_the_callback_ends_the_run_whole(small, tmp_path):
 
 INTERRUPTED = """
 import twrench
-scene = twrench.Scene(size=(320, 180))
-print("begun", flush=True)
+scene = twrench.Scene(size=(320, 180), duration=960)  # longer than the longest delay
 try:
+    print("begun", flush=True)
     scene.render("f.mp4", frames_dir="f")
 except KeyboardInterrupt:
     print("interrupted", flush=True)

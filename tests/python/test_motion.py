@@ -303,8 +303,8 @@ def work():
         twrench.simulate(body, (1, 0.05, 0), [9.6], "suzuki4", step=2e-7, max_steps=10**9)
     elif sys.argv[1] == "study":
         twrench.study(body, (1, 0.05, 0), ["suzuki4"], duration=9.6, steps=[2e-6])
-print("begun", flush=True)
 try:
+    print("begun", flush=True)
     work()
 except KeyboardInterrupt:
     print("interrupted", flush=True)
