@@ -367,7 +367,12 @@ const tests = {
       let count = 0;
       const request = globalThis.requestAnimationFrame;
       globalThis.requestAnimationFrame = (call) => (++count, request(call));
-      await new Promise((done) => setTimeout(done, 500));
+      // On a busy machine the page may still be starting: it has five chances to be at rest.
+      for (let chance = 0; chance < 5; ++chance) {
+        count = 0;
+        await new Promise((done) => setTimeout(done, 500));
+        if (count <= 1) break;
+      }
       return count;
     });
     assert.ok(asked <= 1, `${asked} frames in half a second of rest`);

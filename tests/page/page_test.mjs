@@ -24,9 +24,10 @@ const simulated = (...words) => {
 
 const distance = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
 
-// Edges are drawn another way, so that they may lie a pixel elsewhere; the rest is within 8 of 255, but
-// for 4 pixels of a thousand. Measured: at most 2.3 of a thousand, 3.6 of the racket's strings, and 0.4
-// of 255 on average.
+// Edges are drawn in another way and may lie a pixel elsewhere. At most 8 of 1000 other pixels may
+// differ by more than 8 of 255. This is twice what was measured (2.3 of 1000, and 3.6 for the racket's
+// strings), because browsers change their renderers. Wrong light or a wrong colour changes the whole
+// body, which is a twentieth of the picture or more.
 async function expectPictureOfFilm(page, scene, frame, theme) {
   const frames = join(folder, `${scene.replace(/\W/g, '')}-${theme}`);
   const show = ['floor', 'momentum', 'omega', 'trail'];
@@ -40,7 +41,7 @@ async function expectPictureOfFilm(page, scene, frame, theme) {
   writeFileSync(picture, Buffer.from(url.split(',')[1], 'base64'));
   execFileSync('convert', [picture, '-alpha', 'off', `PNG24:${picture}`]);
   twrench('compare', join(frames, `frame_${String(frame).padStart(6, '0')}.png`), picture,
-    '--threshold', '8', '--edges', '1', '--share', '0.004');
+    '--threshold', '8', '--edges', '1', '--share', '0.008');
 }
 
 const coloredCube = `ply
