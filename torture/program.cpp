@@ -68,10 +68,11 @@ std::string first_megabytes(const fs::path& path) {
 
 Ended run(const Program& program) {
   const fs::path out = program.said.string() + ".out", err = program.said.string() + ".err";
-  // The limits are in kilobytes, and for files in blocks of 512 bytes.
+  // The limits are in kilobytes, and for files in blocks of 512 bytes. Data, not address space, of
+  // which 256 threads may reserve more than that without using it.
   std::vector<std::string> words{
       "sh", "-c",
-      R"(cd "$1" && ulimit -c 0 && ulimit -v 6000000 && ulimit -f 400000 && shift && exec "$@")",
+      R"(cd "$1" && ulimit -c 0 && ulimit -d 6000000 && ulimit -f 400000 && shift && exec "$@")",
       "sh", program.folder.string()};
   words.insert(words.end(), program.command.begin(), program.command.end());
   const pid_t pid = start(words, out, err);

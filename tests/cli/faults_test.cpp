@@ -183,9 +183,11 @@ TEST(Faults, AnOpenGlWithoutACoreProfile) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
 TEST(Faults, TooLittleMemory) {
   const ScratchFolder folder;
+  // The picture needs several times as much. Data, because each thread reserves much more address
+  // space than it uses, and there are as many threads as processors.
   const Outcome run = run_shell(
       folder,
-      "ulimit -v 1500000; \"$TWRENCH\" render --size 8192x8192 --samples 4 --no-video --frames 0");
+      "ulimit -d 1500000; \"$TWRENCH\" render --size 8192x8192 --samples 4 --no-video --frames 0");
   EXPECT_THAT(run.code, AnyOf(3, 70)) << run.err;
   EXPECT_THAT(run.err, StartsWith("twrench: error: "));
   EXPECT_THAT(run.err, HasSubstr("fewer"));
