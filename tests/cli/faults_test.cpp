@@ -61,11 +61,13 @@ void put_program(const ScratchFolder& folder, const std::string& name, const std
 const std::string with_bin = "PATH=\"$PWD/bin:$PATH\" ";
 
 /// Runs the commands in a file system of limited size mounted at d, and copies its final contents
-/// to `after`. If mounting is not permitted, the outcome's code is -1. As root of the namespace,
+/// to `after`. If mounting is not permitted, or if root of the namespace may not enter the folder
+/// because it lies in the home of another user, the outcome's code is -1. As root of the namespace,
 /// Mesa would look for its cache in root's home and complain that it may not.
 Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
                           const std::string& commands) {
-  if (run_shell(folder, "unshare -rm mount -t tmpfs tmpfs /tmp").code != 0) return {};
+  const std::string try_mount = "unshare -rm sh -c 'mount -t tmpfs tmpfs /tmp && cd \"$PWD\"'";
+  if (run_shell(folder, try_mount).code != 0) return {};
   return run_shell(folder,
                    "mkdir d && export TWRENCH XDG_CACHE_HOME=\"$PWD/cache\" && unshare -rm sh -c "
                    "'mount -t tmpfs -o size=" +
