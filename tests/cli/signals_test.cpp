@@ -12,6 +12,11 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+/// Succeeds a moment after the program has blocked SIGTERM, which it does before it waits for
+/// signals. A signal that comes earlier ends the process without a message.
+const std::string heeds_signals =
+    "{ grep -q '^SigBlk:.*[4567cdef]...$' /proc/$pid/status && sleep 0.3; }";
+
 /// Runs the command with all signals enabled, sends it the signal once `ready` succeeds, and waits.
 /// `before` sets its environment.
 Outcome run_and_signal(const ScratchFolder& folder, const std::string& command,
@@ -41,7 +46,7 @@ TEST(Signals, EndAnIntegration) {
     const ScratchFolder folder;
     const auto start = std::chrono::steady_clock::now();
     const Outcome run = run_and_signal(folder, "simulate --step 2e-6 --method suzuki4 -o x.csv",
-                                       signal, "sleep 0.3");
+                                       signal, heeds_signals);
     expect_ended(folder, run, code, {});
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
   }
@@ -50,9 +55,9 @@ TEST(Signals, EndAnIntegration) {
 TEST(Signals, EndAWaitForAPipe) {
   const ScratchFolder folder;
   ASSERT_EQ(run_shell(folder, "mkfifo pipe").code, 0);
-  expect_ended(folder, run_and_signal(folder, "compare pipe pipe", "INT", "sleep 0.3"), 130,
+  expect_ended(folder, run_and_signal(folder, "compare pipe pipe", "INT", heeds_signals), 130,
                {"pipe"});
-  expect_ended(folder, run_and_signal(folder, "simulate -o pipe", "TERM", "sleep 0.3"), 143,
+  expect_ended(folder, run_and_signal(folder, "simulate -o pipe", "TERM", heeds_signals), 143,
                {"pipe"});
 }
 
@@ -91,13 +96,15 @@ TEST(Signals, EndAnEncodingWithoutATemporary) {
 
 TEST(Signals, TellHowManyFramesTheRunHasDrawn) {
   const ScratchFolder folder;
+  // Thousands of frames, so that the signal comes before the last one on a busy machine too.
   const std::string film =
-      "render --size 160x90 --no-video --progress none --frames-dir f --frames ";
+      "render --size 160x90 --fps 10 --speed 6 --duration 3000 --no-video --progress none "
+      "--frames-dir f --frames ";
   ASSERT_EQ(run_twrench(folder, film + "0-9").code, 0);
-  const Outcome run = run_and_signal(folder, film + "100-499", "INT", "[ -e f/frame_000104.png ]");
+  const Outcome run = run_and_signal(folder, film + "100-4999", "INT", "[ -e f/frame_000104.png ]");
   EXPECT_EQ(run.code, 130);
   const std::size_t drawn = digests(folder / "f").size() - 10;
-  EXPECT_THAT(run.err, HasSubstr("after " + std::to_string(drawn) + " of 400 frames"));
+  EXPECT_THAT(run.err, HasSubstr("after " + std::to_string(drawn) + " of 4900 frames"));
 }
 
 TEST(Signals, ThatTheParentIgnoresStayIgnored) {
