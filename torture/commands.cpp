@@ -3,7 +3,7 @@
 // single one of them. Case k is drawn by a generator seeded only from SEED and k. Faults are: a
 // wrong end or output of the run (messages.h); a file that was not requested; a changed input or
 // foreign file; an output that is missing although success was reported; invalid JSON; a small run
-// that takes 30 seconds, and a long one that ignores SIGTERM.
+// that takes 120 seconds, and a long one that ignores SIGTERM.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -265,7 +265,7 @@ void Commands::try_case(std::uint32_t number, bool aloud) {
   const Tried tried = run_case(line, folder);
   Faults faults = faults_in_manner(tried.ended, manner_of(line));
   if (tried.ended.asked_to_stop && !line.may_last && !line.is_odd) {
-    faults.emplace_back("it takes more than 30 s");
+    faults.emplace_back("it takes more than 120 s");
   }
   if (!line.is_odd) {
     judge_old_entries(tried, faults);

@@ -3,7 +3,7 @@
 // over or each call has failed in every way; or the single CASE,
 // SCENARIO/KIND/NUMBER/ERRNO/once|always. Faults are: a wrong end or output of the run
 // (messages.h); existing files that are neither unchanged nor complete and new; leftovers; a run
-// that takes 30 seconds; and a repeated command, with --resume where frames are drawn, that does
+// that takes 120 seconds; and a repeated command, with --resume where frames are drawn, that does
 // not reach the result of an undisturbed run.
 //
 // A lack of memory may end a run with exit code 70 and the corresponding message or, if there is
@@ -126,7 +126,7 @@ Words Faults::judge(const FaultPoint& point, const Ended& ended) {
   manner.may_lack_memory = is_memory;
   manner.may_be_mute = point.always && (is_memory || point.kind == "write");
   Words faults = faults_in_manner(ended, manner);
-  if (ended.asked_to_stop) faults.emplace_back("it takes more than 30 s");
+  if (ended.asked_to_stop) faults.emplace_back("it takes more than 120 s");
   memory_points_ += is_memory ? 1 : 0;
   without_memory_ += is_memory && ended.code == 70 ? 1 : 0;
   return faults;

@@ -14,8 +14,8 @@ struct Program {
   std::vector<std::string> command;
   std::filesystem::path folder;  ///< its working directory
   std::filesystem::path said;    ///< the output goes to files of this name with .out and .err
-  Seconds until_asked{30};       ///< after which it gets SIGTERM
-  Seconds until_killed{5};       ///< after that, SIGKILL
+  Seconds until_asked{120};      ///< after which it gets SIGTERM; long, for a busy machine
+  Seconds until_killed{20};      ///< after that, SIGKILL
 };
 
 /// The result of a run. The first megabytes of its output are kept.
