@@ -31,7 +31,7 @@ import time
 from collections import Counter
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, TextIO
 
 sys.dont_write_bytecode = True
 from mutation.changes import Change, draw, possible_changes, room_of
@@ -268,6 +268,16 @@ def run(options: argparse.Namespace, tree: Tree) -> int:
     return 1 if report.finish() > ACCEPTED else 0
 
 
+def take(lock: TextIO, seconds: int) -> None:
+    """Locks the file. The children of a run hold its lock, too: those of a killed run may still work."""
+    for _ in range(10 * seconds):
+        try:
+            return fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            time.sleep(0.1)
+    raise CannotRun(f"another run is not over; wait for its end, or find it with: fuser {lock.name}")
+
+
 def interrupt(*_: object) -> NoReturn:
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # restoring the copy takes less than a second
@@ -282,10 +292,7 @@ def main() -> int:
     try:
         home.mkdir(parents=True, exist_ok=True)
         with (home / "lock").open("w") as lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise CannotRun(f"another run uses {home}; wait for its end, or see: fuser {home}/lock") from None
+            take(lock, 10)
             return run(options, Tree(PROJECT, lock.fileno()))
     except KeyboardInterrupt:
         print("mutate.py: interrupted; your sources are unchanged", file=sys.stderr)

@@ -110,11 +110,13 @@ class Process:
         return failed[1] if failed else f"{self.job.name} (exit code {code})"
 
     def kill(self) -> None:
-        try:
-            os.killpg(self.child.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self.child.wait()
+        """Ends the group: at first with SIGTERM, at which ninja ends the groups of its compilers."""
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            try:
+                os.killpg(self.child.pid, number)
+                self.child.wait(2)
+            except (ProcessLookupError, subprocess.TimeoutExpired):
+                pass
 
 
 def _limit() -> None:
