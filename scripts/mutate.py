@@ -138,13 +138,13 @@ class Tester:
         nearest rooms above it, the quick ones first, and last those that run the whole program."""
         distance: dict[str, int] = {}
         for name, steps in self.above[room].items():
-            program = f"{name.split('/')[0]}_test"
-            distance[program] = min(steps, distance.get(program, steps))
-        rooms = {f"{name.split('/')[0]}_test" for name in self.above}
+            folder = name.split("/")[0]
+            distance[folder] = min(steps, distance.get(folder, steps))
+        rooms = {name.split("/")[0] for name in self.above}
         objects = {o for file in self.sources if room_of(file) == room for o in self.tree.objects[file]}
         programs = [p for p in self.programs
-                    if p.objects & objects and (p.name in distance or p.name not in rooms)]
-        return sorted(programs, key=lambda p: (distance.get(p.name, len(self.above)), p.seconds, p.name))
+                    if p.objects & objects and (p.folder in distance or p.folder not in rooms)]
+        return sorted(programs, key=lambda p: (distance.get(p.folder, len(self.above)), p.seconds, p.name))
 
     def test(self, change: Change) -> Result:
         begin = time.monotonic()

@@ -35,6 +35,7 @@ class Program:
     """A test program, or the tests of one kind that have no program, such as those of pytest."""
 
     name: str
+    folder: str  # of tests: "base", "cli"
     jobs: list[Job] = field(default_factory=list)
     targets: set[str] = field(default_factory=set)  # of ninja
     binaries: dict[str, bytes] = field(default_factory=dict)  # file -> digest when unchanged
@@ -59,12 +60,12 @@ def list_programs(build: Path) -> list[Program]:
         command = test.get("command") or [""]
         is_gtest = any(word.startswith("--gtest_filter=") for word in command)
         name = Path(command[0]).name if is_gtest else test["name"].split(".")[0]
-        program = programs.setdefault(name, Program(name))
+        job = _job(test, command[:1] if is_gtest else command)
+        program = programs.setdefault(name, Program(name, Path(job.folder).name))
         if not is_gtest:
-            program.jobs.append(_job(test, command))
+            program.jobs.append(job)
         elif not program.jobs:
-            program.jobs = [_shard(_job(test, command[:1]), k, os.cpu_count() or 1)
-                            for k in range(os.cpu_count() or 1)]
+            program.jobs = [_shard(job, k, os.cpu_count() or 1) for k in range(os.cpu_count() or 1)]
     return list(programs.values())
 
 

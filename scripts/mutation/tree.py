@@ -98,7 +98,7 @@ class Tree:
             program.targets = self._targets(program, known)
             inputs = set(self._query("inputs", *program.targets).split("\n")) if program.targets else set()
             program.objects = {file for file in inputs if file.endswith(".o")}
-            files = [f for f in inputs | program.targets if f.startswith(("bin/", "python/"))]
+            files = [f for f in inputs | program.targets if f.startswith(("bin/", "python/twrench/"))]
             program.binaries = {file: self.digest(file) for file in files if (self.build / file).is_file()}
 
     def _targets(self, program: Program, known: set[str]) -> set[str]:
