@@ -16,7 +16,8 @@ from typing import Any
 FAILED = re.compile(r"^(?:\[  FAILED  \]|FAILED|ERROR) (\S+)", re.MULTILINE)
 STARTED = re.compile(r"^\[ RUN      \] (\S+)", re.MULTILINE)
 MAX_DATA = 6 << 30  # bytes of each process
-MAX_FILE = 2 << 30
+MAX_FILE = 8 << 30  # a test makes a sparse file of 6 GiB
+MAX_SILENCE = 120.0  # seconds without output; no test takes as long
 
 
 @dataclass
@@ -74,6 +75,7 @@ def _job(test: dict[str, Any], command: list[str]) -> Job:
     environment = dict(word.split("=", 1) for word in properties.get("ENVIRONMENT", []))
     if "pytest" in command:
         command = [*command, "--exitfirst"]
+        environment["PYTHONUNBUFFERED"] = "1"  # output shows that it has not stopped
     return Job(test["name"], command, environment, properties["WORKING_DIRECTORY"],
                "|".join(properties.get("PASS_REGULAR_EXPRESSION", [])) or None)
 
@@ -97,6 +99,13 @@ class Process:
     def output(self) -> str:
         return self.log.read_text(errors="replace")
 
+    def last_test(self) -> str:
+        started: list[str] = STARTED.findall(self.output())
+        return started[-1] if started else self.job.name
+
+    def is_silent(self) -> bool:
+        return time.time() - self.log.stat().st_mtime > MAX_SILENCE
+
     def failure(self) -> str:
         """Describes the failing test after the end; "" if it passed."""
         code, output = self.child.returncode, self.output()
@@ -105,8 +114,7 @@ class Process:
         if self.job.expected is not None:
             return "" if re.search(self.job.expected, output, re.DOTALL) else self.job.name
         if code < 0:
-            started = STARTED.findall(output)
-            return f"{started[-1] if started else self.job.name} ({signal.Signals(-code).name})"
+            return f"{self.last_test()} ({signal.Signals(-code).name})"
         failed = FAILED.search(output)
         return failed[1] if failed else f"{self.job.name} (exit code {code})"
 
@@ -135,13 +143,14 @@ def run_program(program: Program, logs: Path, kept_open: Sequence[int], seconds:
             while waiting and len(running) < (os.cpu_count() or 1):
                 job = waiting.pop(0)
                 running.append(Process(job, logs / f"{job.name}.txt", kept_open))
-            for process in [p for p in running if p.child.poll() is not None]:
-                running.remove(process)
-                process.kill()  # the rest of its group
-                if failure := process.failure():
-                    return Outcome(failure, time.monotonic() - begin)
-            if running and time.monotonic() - begin > seconds:
-                return Outcome(f"{running[0].job.name} (timeout)", time.monotonic() - begin)
+            for process in list(running):
+                if process.child.poll() is not None:
+                    process.kill()  # the rest of its group
+                    running.remove(process)
+                    if failure := process.failure():
+                        return Outcome(failure, time.monotonic() - begin)
+                elif time.monotonic() - begin > seconds or process.is_silent():
+                    return Outcome(f"{process.last_test()} (timeout)", time.monotonic() - begin)
             time.sleep(0.02)
         return Outcome("", time.monotonic() - begin)
     finally:
