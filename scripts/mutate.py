@@ -278,7 +278,7 @@ def take(lock: TextIO, seconds: int) -> None:
             return fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             time.sleep(0.1)
-    raise CannotRun(f"another run is not over; wait for its end, or find it with: fuser {lock.name}")
+    raise CannotRun(f"another run uses {Path(lock.name).parent}; wait for its end, then try again")
 
 
 def interrupt(*_: object) -> NoReturn:
