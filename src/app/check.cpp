@@ -175,6 +175,7 @@ ExitCode answer(const CheckResult& result) {
 }
 
 ExitCode run_check(const CheckOptions& options) {
+  system::require_different_outputs(options.output, options.plot);
   for (const std::string& file : options.files) {
     system::require_not_input(options.output, file);
     system::require_not_input(options.plot, file);

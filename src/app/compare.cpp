@@ -108,6 +108,7 @@ Inputs inputs_of(const CompareOptions& options) {
 
 /// Nothing that is written may take the place of what is compared.
 void require_free_outputs(const CompareOptions& options, const Inputs& inputs) {
+  system::require_different_outputs(options.diff, options.report);
   for (const std::string& output : {options.diff, options.report}) {
     if (output == "-")
       throw InvalidArgument("compare", "standard output is for the findings", "name a file");

@@ -1,7 +1,6 @@
 #include "app/mesh_options.h"
 
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -12,10 +11,6 @@
 
 namespace twrench::app {
 namespace {
-
-double positive(const std::string& text, const char* option) {
-  return require_positive(option, parse_number(text, option));
-}
 
 /// The remedy in options rather than in the keys of a scene file.
 std::string remedy_in_options(const mesh::MeshError& error) {
@@ -69,17 +64,15 @@ mesh::ReadOptions MeshOptions::read_options() const {
   }
   mesh::ReadOptions options;
   if (!unit_.empty()) options.scale = mesh::unit_length("--unit", unit_);
-  if (!scale_.empty()) options.scale = positive(scale_, "--scale");
-  if (!shell_.empty()) options.shell = positive(shell_, "--shell");
-  options.weld =
-      scene::limits::check({0.0, scene::limits::huge}, "--weld", parse_number(weld_, "--weld"));
+  if (!scale_.empty()) options.scale = parse_number(scale_, "--scale", scene::limits::mesh_scale);
+  if (!shell_.empty()) options.shell = parse_number(shell_, "--shell", scene::limits::length);
+  options.weld = parse_number(weld_, "--weld", scene::limits::length_or_none);
   return options;
 }
 
 double MeshOptions::density(double volume) const {
-  if (!mass_.empty()) return positive(mass_, "--mass") / volume;
-  return scene::limits::check(scene::limits::density, "--density",
-                              parse_number(density_, "--density"));
+  if (mass_.empty()) return parse_number(density_, "--density", scene::limits::density);
+  return scene::limits::density_of_mass("--mass", parse_number(mass_, "--mass"), volume);
 }
 
 MeshBody MeshOptions::read(const std::string& file) const try {

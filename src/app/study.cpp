@@ -126,6 +126,7 @@ std::string report(const StudyOptions& options, const study::Study& study,
 }
 
 ExitCode run_study(const StudyOptions& options) {
+  system::require_different_outputs(options.output, options.plot);
   options.scene.require_not_input(options.output);
   options.scene.require_not_input(options.plot);
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);

@@ -43,6 +43,14 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
                         moments[0], moments[1], moments[2], max_moment_ratio));
 }
 
+double density_of_mass(const std::string& what, double grams, double volume) {
+  const double result = check(mass, what, grams) / volume;
+  if (density.allows(result)) return result;
+  throw InvalidArgument(
+      what, fmt::format("is {} g, which makes the density {:.6g} g/cm^3, but that must be {}", grams,
+                        result, density.describe()));
+}
+
 int check_whole(const Limit& limit, const std::string& what, double value) {
   if (limit.allows(value) && value == std::floor(value)) return static_cast<int>(value);
   throw OutOfRange(what, fmt::format("is {}, but must be an integer, {}", value, limit.describe()),

@@ -1,6 +1,5 @@
 #include "scene/part_tables.h"
 
-#include <fmt/format.h>
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 #include <twrench/math/so3.h>
@@ -101,13 +100,8 @@ double read_density(TomlTable& part, const body::Shape& shape) {
   if (part.has("density")) {
     throw InvalidArgument(part.place("mass"), "cannot be combined with density");
   }
-  const double mass = part.required_number("mass", limits::mass);
-  const double density = mass / body::volume(shape);
-  if (limits::density.allows(density)) return density;
-  throw InvalidArgument(
-      part.place("mass"),
-      fmt::format("is {} g, which makes the density {:.6g} g/cm^3, but that must be {}", mass,
-                  density, limits::density.describe()));
+  return limits::density_of_mass(part.place("mass"), part.required_number("mass", limits::mass),
+                                 body::volume(shape));
 }
 
 Eigen::Matrix3d read_orientation(TomlTable& part) {

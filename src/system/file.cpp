@@ -107,6 +107,21 @@ void require_not_input(const std::filesystem::path& output, const std::filesyste
                        "choose another name for the output");
 }
 
+void require_different_outputs(const std::filesystem::path& a, const std::filesystem::path& b) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const auto names_no_file = [&](const fs::path& path) {
+    return path.empty() || path == "-" || fs::is_other(path, unknown);
+  };
+  if (names_no_file(a) || names_no_file(b)) return;
+  if (!fs::equivalent(a, b, unknown) &&
+      fs::weakly_canonical(a, unknown) != fs::weakly_canonical(b, unknown)) {
+    return;
+  }
+  throw OverwriteError(b.string(), "two outputs of this command would be written to this file",
+                       "choose another name for one of them");
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   PendingFile file(path);
   file.write(bytes);

@@ -26,6 +26,10 @@ void make_folder(const std::filesystem::path& folder);
 /// there is no error.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
+/// Throws OverwriteError if two outputs are the same file, by whatever names. An empty name and "-"
+/// name no file; a device can be shared.
+void require_different_outputs(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Replaces the contents of `path` with exactly these bytes through a PendingFile. Throws
 /// FileError.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

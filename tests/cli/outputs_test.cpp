@@ -30,6 +30,19 @@ std::int64_t frames_of(const ScratchFolder& folder, const std::string& video) {
   return std::stoll(text_of(folder / "count"));
 }
 
+TEST(Outputs, OfOneCommandAreDifferentFiles) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "simulate --times 0,1,2 -o run.csv").code, 0);
+  ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
+  const auto before = folder.names().size();
+  for (const char* command :
+       {"check run.csv -o x.svg --plot ./x.svg", "study --methods rk4 -o x.svg --plot x.svg",
+        "compare f/frame_000000.png f/frame_000001.png --diff d.png --report ./d.png"}) {
+    expect_refused(run_twrench(folder, command), 2, "two outputs of this command");
+  }
+  EXPECT_EQ(folder.names().size(), before);
+}
+
 // The dynamic loader prints a warning to standard error in every program, ffprobe among them.
 TEST(Outputs, AreKeptWhenChildrenPrintWarnings) {
   const ScratchFolder folder;

@@ -88,6 +88,31 @@ TEST(File, AnInputIsNoOutput) {
   EXPECT_NO_THROW(require_not_input(scratch / "new", scratch / "none"));
 }
 
+TEST(File, TwoOutputsAreNotOneFile) {
+  const ScratchFolder folder;
+  const auto refuses = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+    try {
+      require_different_outputs(a, b);
+      return false;
+    } catch (const OverwriteError&) {
+      return true;
+    }
+  };
+  write_file_atomically(folder / "old", "1");
+  std::filesystem::create_symlink("old", folder / "link");
+  std::filesystem::create_hard_link(folder / "old", folder / "hard");
+  std::filesystem::create_directory(folder / "sub");
+  EXPECT_TRUE(refuses(folder / "old", folder / "old"));
+  EXPECT_TRUE(refuses(folder / "old", folder / "link"));
+  EXPECT_TRUE(refuses(folder / "hard", folder / "old"));
+  EXPECT_TRUE(refuses(folder / "new", folder / "sub/../new")) << "neither is there yet";
+  EXPECT_FALSE(refuses(folder / "new", folder / "sub/new"));
+  EXPECT_FALSE(refuses(folder / "old", folder / "new"));
+  EXPECT_FALSE(refuses("", ""));
+  EXPECT_FALSE(refuses("-", "-"));
+  EXPECT_FALSE(refuses("/dev/null", "/dev/null"));
+}
+
 TEST(File, SaysWhichFileCannotBeReadAndWhy) {
   const ScratchFolder scratch;
   EXPECT_EQ(failure([&] { read_file("/no/such.png", 10); }),
