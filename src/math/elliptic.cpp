@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "math/elliptic_series.h"
+
 namespace twrench::elliptic {
 
 namespace {
@@ -43,6 +45,10 @@ Jacobi::Jacobi(double m, double mc, double a_prime) : K_(complete_first(mc)) {
   } else {
     expand_in_nome(Kc, a_prime);
   }
+}
+
+Jacobi::Values Jacobi::at(double u) const {
+  return hyperbolic_ ? JacobiSeries::hyperbolic(*this, u) : JacobiSeries::circular(*this, u);
 }
 
 void Jacobi::expand_in_nome(double Kc, double a_prime) {

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "math/so3_formulas.h"
+
 namespace twrench::so3 {
 
 Matrix3d hat(const Vector3d& w) {
@@ -15,8 +17,18 @@ Matrix3d hat(const Vector3d& w) {
 
 Vector3d vee(const Matrix3d& Omega) { return {Omega(2, 1), Omega(0, 2), Omega(1, 0)}; }
 
+AngleFunctions angle_functions(const Vector3d& u) { return Formulas::angle_functions(u); }
+
+Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vector3d& v) {
+  return Formulas::exp_times(f, u, v);
+}
+
+Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega) {
+  return Formulas::dexpinv(f, u, omega);
+}
+
 Matrix3d exp(const Vector3d& u) {
-  const AngleFunctions f = angle_functions(u);
+  const AngleFunctions f = Formulas::angle_functions(u);
   const double a = f.a, b = f.b;
   const double xx = u.x() * u.x(), yy = u.y() * u.y(), zz = u.z() * u.z();
   const double xy = b * u.x() * u.y(), xz = b * u.x() * u.z(), yz = b * u.y() * u.z();

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "math/elementary.h"
+#include "math/elliptic_series.h"
 
 namespace twrench::motion {
 namespace {
@@ -94,15 +96,17 @@ struct ExactMotion::Samples {
   }
 
   [[gnu::always_inline]] static void fill(const Orbit& orbit, Block& block) {
-    using elliptic::Jacobi;
-    if (orbit.jacobi.is_hyperbolic()) {
+    using elliptic::Jacobi, elliptic::JacobiSeries;
+    if (JacobiSeries::is_hyperbolic(orbit.jacobi)) {
       fill(
-          orbit, block,
-          [](const Jacobi& j, double u) __attribute__((always_inline)) { return j.hyperbolic(u); });
+          orbit, block, [](const Jacobi& j, double u) __attribute__((always_inline)) {
+            return JacobiSeries::hyperbolic(j, u);
+          });
     } else {
       fill(
-          orbit, block,
-          [](const Jacobi& j, double u) __attribute__((always_inline)) { return j.circular(u); });
+          orbit, block, [](const Jacobi& j, double u) __attribute__((always_inline)) {
+            return JacobiSeries::circular(j, u);
+          });
     }
   }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "math/so3_formulas.h"
+
 namespace twrench::motion {
 namespace {
 
@@ -35,7 +37,7 @@ Vector3d weighted_sum(const TableauRow& row, const Stages& s, int count) {
 
 /// exp(-hat(u)) m: the body momentum m after the body has rotated by exp(hat(u)).
 Vector3d turned_back(const Vector3d& u, const Vector3d& m) {
-  return so3::exp_times(so3::angle_functions(u), -u, m);
+  return so3::Formulas::exp_times(so3::Formulas::angle_functions(u), -u, m);
 }
 
 Vector3d body_momentum(const FreeBody& body, bool linear, const Matrix3d& X) {
@@ -53,11 +55,11 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
   for (int k = 1; k < tableau.stages; ++k) {
     const auto row = static_cast<std::size_t>(k);
     const Vector3d u = h * weighted_sum(tableau.a[row], s, k);
-    const so3::AngleFunctions f = so3::angle_functions(u);
-    s[row] = body.inverse() * so3::exp_times(f, -u, momentum);
+    const so3::AngleFunctions f = so3::Formulas::angle_functions(u);
+    s[row] = body.inverse() * so3::Formulas::exp_times(f, -u, momentum);
     if (method.update != Update::munthe_kaas) continue;
     if (!(u.squaredNorm() < longest_turn * longest_turn)) return {X, infinite, k + 1};
-    s[row] = so3::dexpinv(f, u, s[row]);
+    s[row] = so3::Formulas::dexpinv(f, u, s[row]);
   }
   const Vector3d u = h * weighted_sum(tableau.weights, s, tableau.stages);
   if (method.update == Update::linear) return {X + X * so3::hat(u), 0.0, tableau.stages};

@@ -1,5 +1,6 @@
+#include "math/elementary.h"
+
 #include <gtest/gtest.h>
-#include <twrench/math/elementary.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>

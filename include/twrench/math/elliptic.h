@@ -1,9 +1,6 @@
 #pragma once
 
-#include <twrench/math/elementary.h>
-
 #include <array>
-#include <cmath>
 
 /// Jacobi's elliptic functions and one theta function, as the exact motion needs them
 /// (docs/exact.md, which numbers its equations (E1), (E2) and so on). All functions take the
@@ -42,15 +39,7 @@ class Jacobi {
   };
   /// Evaluates all functions at u. The absolute error is a few eps, in addition to the eps |u|
   /// inherent in u.
-  Values at(double u) const { return hyperbolic_ ? hyperbolic(u) : circular(u); }
-
-  /// Whether the series are in q' = exp(-pi K/K') rather than q = exp(-pi K'/K).
-  bool is_hyperbolic() const { return hyperbolic_; }
-  /// What at() returns where the series are in q. It has no branch, so that a loop over it runs in
-  /// vector registers.
-  Values circular(double u) const;
-  /// The same where the series are in q'.
-  Values hyperbolic(double u) const;
+  Values at(double u) const;
 
   /// Returns K; infinite at mc = 0.
   double quarter_period() const { return K_; }
@@ -59,6 +48,9 @@ class Jacobi {
   double slope() const { return slope_; }
 
  private:
+  /// Evaluates the series in the library only, with the library's compiler flags.
+  friend struct JacobiSeries;
+
   void expand_in_nome(double Kc, double a_prime);
   void expand_in_complementary_nome(double Kc, double a_prime);
 
@@ -91,47 +83,5 @@ class Jacobi {
     Cubic re_rest, im_rest;  ///< In x, without a factor x.
   } hyperbolic_series_{};
 };
-
-[[gnu::always_inline]] inline Jacobi::Values Jacobi::circular(double u) const {  // Eq. (E12).
-  const Circular& k = circular_;
-  const auto [s, c] = elementary::sincos_quarter_turns(k.quarter_turns * u);
-  const double C = (c - s) * (c + s), S = 2 * c * s, D = C * C;
-  const double even12 = k.even12[0] + D * k.even12[1];
-  const double odd12 = C * (k.odd12[0] + D * k.odd12[1]);
-  const double even34 = k.even34[0] + D * (k.even34[1] + D * k.even34[2]);
-  const double odd34 = C * (k.odd34[0] + D * k.odd34[1]);
-  const double inverse = 1 / (even34 - odd34);
-  return {.sn = sn_scale_ * (s * (even12 + odd12)) * inverse,
-          .cn = cn_scale_ * (c * (even12 - odd12)) * inverse,
-          .dn = dn_scale_ * (even34 + odd34) * inverse,
-          .re = (k.re[0] + D * k.re[2]) + C * (k.re[1] + D * k.re[3]),
-          .im = S * ((k.im[0] + D * k.im[2]) + C * k.im[1]),
-          .angle = 0};
-}
-
-[[gnu::always_inline]] inline Jacobi::Values Jacobi::hyperbolic(double u) const {  // Eq. (E13).
-  const Hyperbolic& k = hyperbolic_series_;
-  const auto [turns, bits] = elementary::nearest_integer(k.turns * u);
-  const double r = u - turns * k.period, side = std::copysign(1.0, r);
-  const double size = std::abs(r) < K_ ? std::abs(r) : K_;
-  // Hyperbolic functions of w without their growing factor e^|w|, which cancels.
-  const double x = elementary::exp_minus(k.scale * size), y = k.root / x;
-  const double x2 = x * x, x4 = x2 * x2, y2 = y * y, y4 = y2 * y2;
-  const double x_even = 1 + k.q6 * x4, x_odd = k.q2 * x2;
-  const double y_even = 1 + k.q4 * y4, y_odd = k.q * y2;
-  const double even34 = 1 + k.q2 * (y4 + k.q2 * x4);
-  const double odd34 = (y2 + k.q * x2) + k.q6 * (y2 * y4);
-  const double theta1 = (y_even - y_odd) - x2 * (x_even - x_odd);
-  const double inverse = 1 / ((y_even + y_odd) + x2 * (x_even + x_odd));
-  const auto sum = [](const Cubic& a, double at) __attribute__((always_inline)) {
-    return a[0] + at * (a[1] + at * (a[2] + at * a[3]));
-  };
-  return {.sn = elementary::negated_if_odd(side * sn_scale_ * theta1 * inverse, bits),
-          .cn = elementary::negated_if_odd(cn_scale_ * x * (even34 - odd34) * inverse, bits),
-          .dn = dn_scale_ * x * (even34 + odd34) * inverse,
-          .re = sum(k.re, y) + x * sum(k.re_rest, x),
-          .im = side * (sum(k.im, y) - x * sum(k.im_rest, x)),
-          .angle = k.drift * (side * size)};
-}
 
 }  // namespace twrench::elliptic

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cmath>
 
 /// The rotation group SO(3) and its Lie algebra, with the specification's names.
 namespace twrench::so3 {
@@ -27,19 +26,10 @@ struct AngleFunctions {
 /// Computes the functions in half-angle form, such as b = sinc(t/2)^2/2, which loses no digits at
 /// any angle, whereas 1 - cos t cancels for small t. The rounding error of c at small t is
 /// harmless, because every use of c multiplies it by t^2.
-inline AngleFunctions angle_functions(const Vector3d& u) {
-  const double half = 0.5 * u.norm();
-  if (half == 0.0) return {1.0, 0.5, 1.0 / 12.0};
-  const double cosine = std::cos(half);
-  const double sinc = std::sin(half) / half;
-  return {sinc * cosine, 0.5 * sinc * sinc, (1.0 - cosine / sinc) / (4.0 * half * half)};
-}
+AngleFunctions angle_functions(const Vector3d& u);
 
 /// Returns exp(hat(u)) v, given the functions of |u|.
-inline Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vector3d& v) {
-  const Vector3d w = u.cross(v);
-  return v + f.a * w + f.b * u.cross(w);
-}
+Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vector3d& v);
 
 /// Returns the derivative u' of the canonical coordinates u in X = X_0 exp(hat(u)) for the body
 /// angular velocity omega (X' = X hat(omega)): u' = omega + 1/2 u x omega + c u x (u x omega).
@@ -51,10 +41,7 @@ inline Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vect
 /// dexpinv_{-u}. Names do not settle which is meant (the left-trivialised differential is the right
 /// Jacobian), so check the sign of the commutator. Source: Munthe-Kaas, Appl. Numer. Math. 29
 /// (1999).
-inline Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega) {
-  const Vector3d w = u.cross(omega);
-  return omega + 0.5 * w + f.c * u.cross(w);
-}
+Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega);
 
 /// Returns exp(hat(u)), eq. (21) with u = h omega: the rotation by the angle |u| in rad about u.
 /// Accurate to round-off for every u, including zero.
