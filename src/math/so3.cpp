@@ -1,9 +1,9 @@
 #include <twrench/math/so3.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "math/so3_formulas.h"
+#include "math/unaligned.h"
 
 namespace twrench::so3 {
 
@@ -44,7 +44,7 @@ Matrix3d exp(double h, const Matrix3d& Omega) { return exp(h * vee(Omega)); }
 Vector3d log(const Matrix3d& X) {
   // The unit quaternion (w, v) keeps full accuracy at both ends of the range: near 0, where the
   // trace does not determine the angle, and near pi, where X - X^T vanishes.
-  Eigen::Quaterniond q(X);
+  Quaternion q(X);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
   Vector3d v = q.vec();
   const double sine = v.norm();

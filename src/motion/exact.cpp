@@ -7,14 +7,16 @@
 #include <limits>
 #include <numbers>
 
+#include "math/unaligned.h"
+
 namespace twrench::motion {
 
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Matrix4d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using so3::Matrix4;
+using so3::Quaternion;
 
 /// A number of twice the digits of double, as the sum of two.
 struct Twofold {
@@ -69,8 +71,8 @@ double excess(const Vector3d& I, const Vector3d& mu, int i) {
 }
 
 /// The matrices that multiply the quaternion (w, x, y, z) from the left and from the right.
-Matrix4d left_product(const Quaterniond& q) {
-  Matrix4d L;
+Matrix4 left_product(const Quaternion& q) {
+  Matrix4 L;
   L << q.w(), -q.x(), -q.y(), -q.z(),  //
       q.x(), q.w(), -q.z(), q.y(),     //
       q.y(), q.z(), q.w(), -q.x(),     //
@@ -78,8 +80,8 @@ Matrix4d left_product(const Quaterniond& q) {
   return L;
 }
 
-Matrix4d right_product(const Quaterniond& q) {
-  Matrix4d R;
+Matrix4 right_product(const Quaternion& q) {
+  Matrix4 R;
   R << q.w(), -q.x(), -q.y(), -q.z(),  //
       q.x(), q.w(), q.z(), -q.y(),     //
       q.y(), -q.z(), q.w(), q.x(),     //
@@ -113,8 +115,8 @@ ExactMotion::ExactMotion(const FreeBody& body)
   kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   orbit_.omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();
-  const Quaterniond motion_from_body = Quaterniond(body_from_motion).conjugate();
-  const Quaterniond start = turn_at_start(orbit_).normalized() * motion_from_body;
+  const Quaternion motion_from_body = Quaternion(body_from_motion).conjugate();
+  const Quaternion start = turn_at_start(orbit_).normalized() * motion_from_body;
   orbit_.attitude_from_turn = left_product(start.conjugate()) * right_product(motion_from_body);
 }
 

@@ -138,7 +138,7 @@ struct ExactMotion::Samples {
   }
 };
 
-Eigen::Quaterniond ExactMotion::turn_at_start(const Orbit& orbit) {
+ExactMotion::Quaternion ExactMotion::turn_at_start(const Orbit& orbit) {
   const Turn start = Samples::turn(orbit, orbit.jacobi.at(orbit.phase), 0);
   return {start.w, start.x, start.y, start.z};
 }

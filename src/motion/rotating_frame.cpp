@@ -2,7 +2,7 @@
 #include <twrench/motion/rotating_frame.h>
 #include <twrench/motion/stability.h>
 
-#include <Eigen/Geometry>
+#include "math/unaligned.h"
 
 namespace twrench::motion {
 
@@ -19,7 +19,7 @@ Vector3d angular_acceleration(const FreeBody& body, const Vector3d& omega) {
 }
 
 RotatingFrame body_frame(const FreeBody& body, const Sample& sample) {
-  return {Eigen::Quaterniond(sample.X).normalized().toRotationMatrix(), sample.omega,
+  return {so3::Quaternion(sample.X).normalized().toRotationMatrix(), sample.omega,
           angular_acceleration(body, sample.omega)};
 }
 

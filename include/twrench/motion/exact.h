@@ -85,6 +85,11 @@ class ExactMotion {
   std::vector<double> flip_times(double t_end) const;
 
  private:
+  // Without Eigen's alignment, which depends on compiler flags: a program may have other flags than
+  // the library.
+  using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+  using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+
   /// The constants of a motion, in the axes (a, b, c) of docs/exact.md: L circles a, and b is the
   /// intermediate axis. A steady spin has an orbit too, with L along a and k = 0.
   struct Orbit {
@@ -96,7 +101,7 @@ class ExactMotion {
     Eigen::Vector3d amplitude;  ///< Amplitudes of mu = m/G = (a dn u, b sn u, c cn u).
     /// Maps the quaternion (w, x, y, z) of Rot(e_a, psi) P, eq. (E5), to that of X. Both are
     /// determined up to a factor.
-    Eigen::Matrix4d attitude_from_turn = Eigen::Matrix4d::Zero();
+    Matrix4 attitude_from_turn = Matrix4::Zero();
     Eigen::Matrix3d omega_from_mu = Eigen::Matrix3d::Zero();  ///< In rad/s.
   };
   struct Samples;
@@ -104,7 +109,7 @@ class ExactMotion {
   static Orbit steady_orbit(const Eigen::Vector3d& omega);
   static Orbit orbit(double G, const Eigen::Vector3d& mu, const Eigen::Vector3d& I, double D2);
   /// The quaternion of Rot(e_a, psi) P at t = 0, up to a factor.
-  static Eigen::Quaterniond turn_at_start(const Orbit& orbit);
+  static Quaternion turn_at_start(const Orbit& orbit);
   template <class Write>
   void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
 
@@ -112,5 +117,7 @@ class ExactMotion {
   Sample start_;  ///< At t = 0, where the constants give it up to their rounding only.
   Orbit orbit_;
 };
+static_assert(alignof(ExactMotion) == alignof(elliptic::Jacobi),
+              "the layout depends on compiler flags");
 
 }  // namespace twrench::motion
