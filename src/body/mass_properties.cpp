@@ -76,7 +76,9 @@ struct CheckShape {
   }
 };
 
-void check(const Part& part) {
+// Eigen's functions are inlined: those of a program that is compiled with -ffast-math, which the
+// linker may use for both, might accept a NaN.
+[[gnu::flatten]] void check(const Part& part) {
   std::visit(CheckShape(), part.shape);
   require_positive("density", part.density);
   for (const double coordinate : part.position) require_finite("position", coordinate);
