@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # library.sh: builds the library of the dynamics alone, static and shared, and tests it; installs it
 # to a folder of its own; and builds and runs examples/cpp against what was installed, through
-# find_package and through pkg-config.
+# find_package and through pkg-config. It also links tests/library/consumer.cpp, compiled with other
+# flags than the library.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -32,6 +33,49 @@ find_component() {
   printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(finds LANGUAGES CXX)' \
     "find_package(twrench REQUIRED COMPONENTS $1)" >"$2/CMakeLists.txt"
   cmake -S "$2" -B "$2/build" -DCMAKE_PREFIX_PATH="$build-installed"
+}
+
+consumers=$PWD/build/library/consumers
+
+# Prints the flags with which programs are compiled, one set a line.
+consumer_flags() {
+  printf '%s\n' '-O0' '-O2 -ffast-math' '-O2 -DEIGEN_DONT_VECTORIZE' '-O2 -DEIGEN_MAX_ALIGN_BYTES=0' \
+    '-O2 -march=native' '-O0 -march=native -ffast-math'
+  # Eigen rejects -mavx512f without -mfma.
+  [[ $(uname -m) != x86_64 ]] || printf '%s\n' '-O2 -mavx2 -mfma' '-O2 -mavx512f -mfma'
+}
+
+# compile_consumers: compiles the program with each set of flags. Both kinds of library have the same
+# headers, so this is done once.
+compile_consumers() {
+  rm -rf "$consumers"
+  mkdir -p "$consumers"
+  # shellcheck disable=SC2016 # expanded by the shell that xargs starts
+  consumer_flags | xargs -P "$(nproc)" -I{} bash -c 'flags="{}"
+    c++ -std=c++20 $flags $(pkg-config --cflags twrench) -c tests/library/consumer.cpp -o "$0/${flags// /}.o" ||
+      exit 255' "$consumers"
+}
+
+# can_run FLAGS: whether this processor has the registers that the flags ask for.
+can_run() {
+  local name
+  for name in avx2 avx512f; do
+    [[ $1 != *-m$name* ]] || grep -qw "$name" /proc/cpuinfo || return 1
+  done
+}
+
+# run_consumers FOLDER [FLAGS]: links the programs with the library that pkg-config finds, and runs
+# them; with FLAGS, only the program that was compiled with them.
+run_consumers() {
+  local flags program
+  while read -r flags; do
+    program=$1/consumer${flags// /}
+    # shellcheck disable=SC2046,SC2086 # the flags are words
+    c++ $flags "$consumers/${flags// /}.o" -o "$program" $(pkg-config --libs twrench)
+    can_run "$flags" || continue
+    "$program" >"$program.log" 2>&1 || die "a program compiled with $flags got wrong results" \
+      "it says: $(tail -n 3 "$program.log")"
+  done < <(if (($# > 1)); then echo "$2"; else consumer_flags; fi)
 }
 
 for shared in OFF ON; do
@@ -65,8 +109,31 @@ for shared in OFF ON; do
   done
   run_examples "$build-user/by_pkg_config"
 
+  [[ $shared == ON ]] || compile_consumers
+  mkdir -p "$build-user/consumers"
+  run_consumers "$build-user/consumers"
+  if [[ $shared == ON ]]; then
+    nm -DC --defined-only "$build-installed/lib/libtwrench-dynamics.so" >"$build-user/exports.log"
+    ! grep -v ' twrench::\|for twrench::' "$build-user/exports.log" >&2 ||
+      die "the shared library exports symbols that are not its own" "see src/dynamics.map"
+  fi
+
   if find_component render "$build-user/none" >"$build-user/none.log" 2>&1; then
     die "a component that is not there was found" "see $build-user/none.log"
   fi
   expect_line "twrench has no component 'render'; it has: dynamics" "$build-user/none.log"
 done
+
+say "the library compiled for this processor, in programs that are not"
+build=$PWD/build/library/native
+rm -rf "$build-installed"
+# Little is inlined at -O1, so that more of Eigen's functions are shared with the program.
+cmake -S . -B "$build" -G Ninja -DTWRENCH_RENDER=OFF -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_CXX_FLAGS='-march=native -w' -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
+  -DCMAKE_INSTALL_PREFIX="$build-installed" -DCMAKE_INSTALL_LIBDIR=lib >/dev/null
+cmake --build "$build"
+cmake --install "$build" >/dev/null
+export PKG_CONFIG_PATH=$build-installed/lib/pkgconfig
+run_consumers "$build" '-O0'
+run_consumers "$build" '-O2 -ffast-math'
