@@ -75,7 +75,7 @@ def _job(test: dict[str, Any], command: list[str]) -> Job:
     environment = dict(word.split("=", 1) for word in properties.get("ENVIRONMENT", []))
     if "pytest" in command:
         command = [*command, "--exitfirst"]
-        environment["PYTHONUNBUFFERED"] = "1"  # output shows that it has not stopped
+        environment["PYTHONUNBUFFERED"] = "1"  # is_silent() needs the output at once
     return Job(test["name"], command, environment, properties["WORKING_DIRECTORY"],
                "|".join(properties.get("PASS_REGULAR_EXPRESSION", [])) or None)
 
