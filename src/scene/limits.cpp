@@ -47,8 +47,8 @@ double density_of_mass(const std::string& what, double grams, double volume) {
   const double result = check(mass, what, grams) / volume;
   if (density.allows(result)) return result;
   throw InvalidArgument(
-      what, fmt::format("is {} g, which makes the density {:.6g} g/cm^3, but that must be {}", grams,
-                        result, density.describe()));
+      what, fmt::format("is {} g, which makes the density {:.6g} g/cm^3, but that must be {}",
+                        grams, result, density.describe()));
 }
 
 int check_whole(const Limit& limit, const std::string& what, double value) {

@@ -77,8 +77,8 @@ Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omeg
 /// Checks the principal moments of one body in g cm^2, whose ratio is limited too. Throws
 /// InvalidArgument.
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
-/// Returns the density in g/cm^3 of a body whose mass is `grams` and whose volume is in cm^3. Throws InvalidArgument
-/// if the mass or the density exceeds its limits.
+/// Returns the density in g/cm^3 of a body whose mass is `grams` and whose volume is in cm^3.
+/// Throws InvalidArgument if the mass or the density exceeds its limits.
 double density_of_mass(const std::string& what, double grams, double volume);
 int check_whole(const Limit& limit, const std::string& what, double value);
 

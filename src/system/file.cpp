@@ -114,10 +114,10 @@ void require_different_outputs(const std::filesystem::path& a, const std::filesy
     return path.empty() || path == "-" || fs::is_other(path, unknown);
   };
   if (names_no_file(a) || names_no_file(b)) return;
-  if (!fs::equivalent(a, b, unknown) &&
-      fs::weakly_canonical(a, unknown) != fs::weakly_canonical(b, unknown)) {
-    return;
-  }
+  const auto place_of = [&](const fs::path& path) {
+    return fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+  };
+  if (!fs::equivalent(a, b, unknown) && place_of(a) != place_of(b)) return;
   throw OverwriteError(b.string(), "two outputs of this command would be written to this file",
                        "choose another name for one of them");
 }

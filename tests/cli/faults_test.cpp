@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "cli/twrench.h"
 #include "system/file.h"
@@ -278,6 +280,17 @@ TEST(Doctor, SaysWhatIsThere) {
   EXPECT_THAT(run.out, HasSubstr("llvmpipe"));
   EXPECT_THAT(run.out, HasSubstr("can run."));
   EXPECT_TRUE(json::parse(run_twrench(folder, "doctor --format json").out)["can_render"]);
+}
+
+TEST(Doctor, AlignsTheColumns) {
+  const ScratchFolder folder;
+  std::istringstream lines(run_twrench(folder, "doctor").out);
+  std::set<std::size_t> columns;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t found = line.find("  found    "), missing = line.find("  missing  ");
+    if (std::min(found, missing) != std::string::npos) columns.insert(std::min(found, missing));
+  }
+  EXPECT_EQ(columns.size(), 1U);
 }
 
 TEST(Doctor, SaysWhatIsMissingAndTheRemedy) {

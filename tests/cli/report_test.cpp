@@ -47,6 +47,7 @@ TEST(Report, HasTheNumbersOfTheOtherCommands) {
   EXPECT_THAT(report, HasSubstr("<td>252.58405</td>"));  // mass
   EXPECT_THAT(report, HasSubstr("<td>23.630725</td>"));  // between flips
   EXPECT_THAT(report, HasSubstr("4 predicted, 4 seen in the solution of rkmk45"));
+  EXPECT_THAT(report, HasSubstr("<th scope=\"row\">1</th><td>11.815363</td>"));  // flip
   EXPECT_THAT(report, ContainsRegex("rkmk4</th><td>4</td><td>[34]\\.[0-9]+</td>"));
 }
 

@@ -45,6 +45,11 @@ TEST(ManPages, HaveEachExitCode) {
   }
 }
 
+TEST(ManPages, HaveTheExitStatusOfCommandsThatDescribeIt) {
+  EXPECT_THAT(written("twrench-doctor.1"), HasSubstr(".SH EXIT STATUS\nExit codes: 0 twrench"));
+  EXPECT_THAT(written("twrench-scenes.1"), testing::Not(HasSubstr(".SH EXIT STATUS")));
+}
+
 TEST(ManPages, OfTheSceneHaveEachField) {
   const std::string page = written("twrench-scene.5");
   for (const scene::Field& field : scene::fields()) {

@@ -157,6 +157,19 @@ TEST(PageJson, KeepsASmallMeshBesideALargeOne) {
   EXPECT_EQ(surface.mesh.part_ends[1] - surface.mesh.part_ends[0], 36U);
 }
 
+TEST(PageJson, CountsTheTrianglesOfAllMeshesTogether) {
+  scene::Scene scene = ball(40, 0, 0.05);
+  scene.body.parts.push_back(scene.body.parts[0]);
+  EXPECT_FALSE(surface_of(scene.body).simplification) << "12,480 triangles are few enough";
+  scene = ball(100, 0, 0.05);
+  scene.body.parts.push_back(scene.body.parts[0]);
+  const Surface surface = surface_of(scene.body);
+  ASSERT_TRUE(surface.simplification);
+  EXPECT_EQ(surface.simplification->given, 2U * 4 * 99 * 100);
+  EXPECT_EQ(surface.simplification->drawn, surface.mesh.indices.size() / 3);
+  EXPECT_GT(surface.simplification->drawn, 15'000U);
+}
+
 TEST(PageJson, HoldsTheInertiaRowByRow) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;

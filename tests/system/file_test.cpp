@@ -108,6 +108,7 @@ TEST(File, TwoOutputsAreNotOneFile) {
   EXPECT_TRUE(refuses(folder / "new", folder / "sub/../new")) << "neither is there yet";
   EXPECT_FALSE(refuses(folder / "new", folder / "sub/new"));
   EXPECT_FALSE(refuses(folder / "old", folder / "new"));
+  EXPECT_TRUE(refuses("not-there", "./not-there"));
   EXPECT_FALSE(refuses("", ""));
   EXPECT_FALSE(refuses("-", "-"));
   EXPECT_FALSE(refuses("/dev/null", "/dev/null"));

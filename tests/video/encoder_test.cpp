@@ -535,11 +535,14 @@ TEST(Encoder, RefusesOddSizesBeforeAnythingIsStarted) {
     EXPECT_THROW(require_encoder(odd), FilmSizeError);
     EXPECT_THROW(VideoEncoder(scratch / "film.mp4", odd), FilmSizeError);
   }
-  try {
-    require_encoder({641, 481, 30});
-  } catch (const FilmSizeError& error) {
-    EXPECT_EQ(error.width(), 642);
-    EXPECT_EQ(error.height(), 482);
+  for (const auto& [width, height] : {std::pair{641, 481}, {643, 483}, {645, 485}, {1, 1}}) {
+    try {
+      require_encoder({width, height, 30});
+      ADD_FAILURE() << width << "x" << height;
+    } catch (const FilmSizeError& error) {
+      EXPECT_EQ(error.width(), width + 1);
+      EXPECT_EQ(error.height(), height + 1);
+    }
   }
 }
 
