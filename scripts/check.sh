@@ -4,7 +4,6 @@
 # UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages,
 # exported files read by other programs, pages in a browser, the tests for uninitialised values under
 # valgrind, one minute of scripts/torture.sh, and both commands of README.md in a bare Debian 13.
-# docs/testing.md says what each step costs.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -19,7 +19,7 @@ isolated_process=''
 # The standard error of this script, also while that of a command goes to a log.
 exec {own_errors}>&2
 
-# isolated COMMAND...: runs the command in namespaces of its own for mounts and processes. They end
+# isolated COMMAND...: runs the command in separate namespaces for mounts and processes. They end
 # with the command and with this script, however it ends, so that nothing stays mounted or running.
 isolated() {
   local status=0
@@ -38,7 +38,7 @@ stop_isolated() {
     kill -KILL "$isolated_process" 2>/dev/null || true
     wait "$isolated_process" 2>/dev/null || true
   fi
-  say "interrupted: nothing is left running or mounted; the next run starts anew" 2>&"$own_errors"
+  say "interrupted: nothing is left running or mounted; the next run starts again" 2>&"$own_errors"
   exit 130
 }
 trap stop_isolated INT TERM HUP
@@ -74,7 +74,7 @@ put_sources() {
 }
 
 # inside ROOT USER COMMAND: runs the command in the source folder. The installation is the root of a
-# mount namespace, not only of a process, so that the tests can create namespaces of their own.
+# mount namespace, not only of a process, so that the tests can create their own namespaces.
 inside() {
   # The shell must not be replaced by su: executing a program that sets user IDs would clear the
   # signal by which --kill-child ends it.
