@@ -62,7 +62,7 @@ step "The tests of the threads, under ThreadSanitizer" test_threads
 step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
 step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
   scripts/library.sh
-step "The reference pages, in which a warning is an error" scripts/docs.sh
+step "The reference pages; warnings are errors" scripts/docs.sh
 step "Exported files, read by other programs" scripts/interchange.sh
 step "Pages, in a browser" scripts/page_test.sh
 step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick

@@ -25,8 +25,8 @@ const simulated = (...words) => {
 const distance = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
 
 // Edges are drawn in another way and may lie a pixel elsewhere. At most 8 of 1000 other pixels may
-// differ by more than 8 of 255. This is twice what was measured (2.3 of 1000, and 3.6 for the racket's
-// strings), because browsers change their renderers. Wrong light or a wrong colour changes the whole
+// differ by more than 8 of 255. This bound is twice the measured share (2.3 of 1000, and 3.6 for the
+// racket's strings), because browsers change their renderers. Wrong light or a wrong colour changes the whole
 // body, which is a twentieth of the picture or more.
 async function expectPictureOfFilm(page, scene, frame, theme) {
   const frames = join(folder, `${scene.replace(/\W/g, '')}-${theme}`);
