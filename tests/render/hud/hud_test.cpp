@@ -196,6 +196,12 @@ TEST(Hud, CanBeReadOnWhateverLiesBelow) {
   }
 }
 
+/// Returns the alpha of a pixel of the picture.
+int alpha_at(const Layer& layer, int x, int y) {
+  return layer.image.pixels[static_cast<std::size_t>(y - layer.y) * layer.image.row_bytes() +
+                            4 * static_cast<std::size_t>(x - layer.x) + 3];
+}
+
 TEST(Hud, LaysAPanelUnderAllItsWordsOnABackgroundOfAnotherColour) {
   for (const bool transparent : {false, true}) {
     scene::Scene scene = film_of(1920, 1080);
@@ -207,14 +213,19 @@ TEST(Hud, LaysAPanelUnderAllItsWordsOnABackgroundOfAnotherColour) {
     const auto extents = hud.extents();
     ASSERT_EQ(layers.size(), extents.size());
     const int least = static_cast<int>(255 * film.colors.panel_opacity);
+    // Each side has a margin of 0.4 em; the corners are rounded.
+    const int margin = static_cast<int>(0.4 * film.layout.text.caption);
+    ASSERT_GE(margin, 4);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      const Layer& layer = layers[i];
-      for (int y = extents[i].y; y < extents[i].y + extents[i].height; ++y) {
-        for (int x = extents[i].x; x < extents[i].x + extents[i].width; ++x) {
-          const auto at = static_cast<std::size_t>(y - layer.y) * layer.image.row_bytes() +
-                          4 * static_cast<std::size_t>(x - layer.x);
-          ASSERT_GE(layer.image.pixels[at + 3], least);
+      const image::Area& text = extents[i];
+      for (int y = text.y; y < text.y + text.height; ++y) {
+        for (int x = text.x - margin; x < text.x + text.width + margin; ++x) {
+          ASSERT_GE(alpha_at(layers[i], x, y), least) << x << " " << y;
         }
+      }
+      for (int x = text.x; x < text.x + text.width; ++x) {
+        ASSERT_GE(alpha_at(layers[i], x, text.y - margin), least) << x;
+        ASSERT_GE(alpha_at(layers[i], x, text.y + text.height - 1 + margin), least) << x;
       }
     }
   }
