@@ -177,7 +177,7 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   const double first = phase < 0 ? -phase / rate : interval - phase / rate;
   // At sn u = 1, L has no component along c, and its component along a is smallest.
   const double swing = 2 * std::atan2(o.amplitude[1], std::sqrt(o.mc) * o.amplitude[0]);
-  return Flips{interval, first, (std::log(16) - std::log(o.mc)) / rate, swing};
+  return Flips{interval, first, (std::log(16) - std::log(o.mc)) / rate, swing, rate, o.mc};
 }
 
 std::vector<double> ExactMotion::flip_times(double t_end) const {

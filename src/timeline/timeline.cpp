@@ -107,7 +107,7 @@ std::vector<Solution> solutions_of(const scene::Scene& scene) {
 
 std::optional<double> next_flip(const Solution& solution, double t) {
   if (!solution.flips) return std::nullopt;
-  const auto& [interval, first, asymptotic, swing] = *solution.flips;
+  const double interval = solution.flips->interval, first = solution.flips->first;
   if (t < first) return std::isfinite(first) ? std::optional(first) : std::nullopt;
   if (!std::isfinite(interval)) return std::nullopt;
   return first + interval * (std::floor((t - first) / interval) + 1);

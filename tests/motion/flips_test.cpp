@@ -53,6 +53,33 @@ TEST(Flips, OfTheWrench) {
   EXPECT_LT(ExactMotion(reference_case("wrench-c").body).flips()->swing, 0.1);
 }
 
+// The formulas that the report prints, with the standard library's elliptic integrals of the
+// modulus.
+TEST(Flips, FollowFromMomentsAndEnergy) {
+  for (const ReferenceCase& reference : reference_cases()) {
+    const FreeBody& body = reference.body;
+    const auto flips = ExactMotion(body).flips();
+    if (!flips || flips->mc < 1e-6) continue;  // there the modulus rounds to 1
+    const Vector3d I = body.principal().moments;
+    const Vector3d omega = body.principal().axes.transpose() * body.omega();
+    const double G2 = body.momentum().squaredNorm(), T2 = body.omega().dot(body.momentum());
+    const Vector3d D = Vector3d::Constant(G2) - T2 * I;
+    const bool least = D[1] < 0;
+    const double own = least ? I[1] - I[0] : I[2] - I[1], far = least ? -D[2] : D[0];
+    const double lambda = std::sqrt(own * far / I.prod());
+    const double mc = std::abs(D[1]) * (I[2] - I[0]) / (far * own);
+    const double A = std::sqrt((least ? D[0] : -D[2]) / (I[1] * own));
+    const double k = std::sqrt(1 - mc), sine = std::min(1.0, std::abs(omega[1]) / A);
+    const double F = std::ellint_1(k, std::asin(sine));
+    const bool decreases = omega[1] * omega[2] * omega[0] * (I[2] - I[0]) / I[1] < 0;
+    const double first = (decreases ? F : 2 * std::comp_ellint_1(k) - F) / lambda;
+    EXPECT_NEAR(flips->rate, lambda, 1e-9 * lambda) << reference.name;
+    EXPECT_NEAR(flips->mc, mc, 1e-8) << reference.name;
+    EXPECT_NEAR(flips->first, first, 1e-5 * flips->interval) << reference.name;
+    EXPECT_NEAR(std::sin(flips->swing / 2), I[1] * A / std::sqrt(G2), 1e-9) << reference.name;
+  }
+}
+
 TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
   RandomBodies random;
   for (int n = 0; n < 200; ++n) {

@@ -71,6 +71,10 @@ class ExactMotion {
     double asymptotic_interval;
     /// The angle through which the intermediate axis swings, in rad, from 0 to pi.
     double swing;
+    /// |lambda| in 1/s: the rate of the argument of Jacobi's functions, (E3).
+    double rate;
+    /// Their complementary parameter 1 - k^2, from 0 (the separatrix) to below 1.
+    double mc;
 
     /// Returns whether the intermediate axis swings through at least a right angle: only then is
     /// the motion a turning over rather than a wobble.
