@@ -9,7 +9,7 @@
 
 #include "system/error.h"
 #include "system/file.h"
-#include "system/pending_file.h"
+#include "system/memory_file.h"
 #include "system/program.h"
 
 namespace twrench::plot {
@@ -38,10 +38,12 @@ const Format& format_of(const std::string& path) {
 
 /// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
 /// reproducible.
-system::ChildProcess start(const std::vector<std::string>& arguments) {
+system::ChildProcess start(const std::vector<std::string>& arguments,
+                           int output = system::ChildProcess::output_dropped) {
   std::vector<std::string> command{"gnuplot", "--default-settings"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return system::start_program<PlotError>(command, "install it: apt-get install gnuplot-nox");
+  return system::start_program<PlotError>(command, "install it: apt-get install gnuplot-nox", {},
+                                          output);
 }
 
 /// The same size in all formats, each in its own units; PNG has twice the resolution.
@@ -62,22 +64,10 @@ std::string terminal(const Format& format, const Plot& plot) {
                      2 * plot.width, 2 * plot.height);
 }
 
-/// gnuplot does not check its own writes.
-bool is_complete(const std::filesystem::path& path, const Format& format) {
-  const std::vector<std::uint8_t> bytes = system::read_file(path, longest_figure);
-  std::size_t size = bytes.size();
-  while (size > 0 && bytes[size - 1] == '\n') --size;
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), size);
-  return text.ends_with(format.last_bytes);
-}
-
-/// Draws the plot into the file; `name` is what messages call it.
-void draw(const std::filesystem::path& file, const Format& format, const Plot& plot,
-          const std::string& name) {
-  const std::string script = terminal(format, plot) +
-                             fmt::format("set output {}\n", gnuplot_string(file.string())) +
-                             plot.script + "\nunset output\n";
-  system::ChildProcess gnuplot = start({});
+/// Feeds gnuplot, which writes to the descriptor, with the plot; `name` is what messages call it.
+void draw(int output, const Format& format, const Plot& plot, const std::string& name) {
+  const std::string script = terminal(format, plot) + plot.script + "\nunset output\n";
+  system::ChildProcess gnuplot = start({}, output);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
   gnuplot.write({bytes, script.size()});
   if (const int status = gnuplot.wait(); status != 0) {
@@ -85,6 +75,14 @@ void draw(const std::filesystem::path& file, const Format& format, const Plot& p
                     fmt::format("gnuplot ended with exit status {}: {}", status,
                                 system::last_words(gnuplot.error_output())));
   }
+}
+
+/// gnuplot does not check its own writes.
+void require_complete(std::string_view text, const Format& format, const std::string& name) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  if (text.ends_with(format.last_bytes)) return;
+  throw system::FileError("cannot write " + name, "gnuplot left it incomplete",
+                          "check whether the disk is full");
 }
 
 }  // namespace
@@ -109,22 +107,26 @@ void require_gnuplot(const std::string& path) {
 }
 
 std::string svg(const Plot& plot) {
-  // Never committed, and so removed.
-  const system::PendingFile file(std::filesystem::temp_directory_path() / "twrench-figure.svg");
-  draw(file.path(), formats[0], plot, "the figure");
-  const std::vector<std::uint8_t> bytes = system::read_file(file.path(), longest_figure);
-  return {bytes.begin(), bytes.end()};
+  const system::MemoryFile file("");
+  draw(file.descriptor(), formats[0], plot, "the figure");
+  std::string text = file.contents();
+  require_complete(text, formats[0], "the figure");
+  return text;
+}
+
+std::unique_ptr<system::PendingFile> draw_pending_plot(const std::string& path, const Plot& plot) {
+  const Format& format = format_of(path);
+  auto file = std::make_unique<system::PendingFile>(path);
+  draw(file->descriptor(), format, plot, path);
+  if (!file->is_direct()) {
+    const std::vector<std::uint8_t> bytes = system::read_file(file->path(), longest_figure);
+    require_complete({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, format, path);
+  }
+  return file;
 }
 
 void draw_plot(const std::string& path, const Plot& plot) {
-  const Format& format = format_of(path);
-  system::PendingFile file(path);
-  draw(file.path(), format, plot, path);
-  if (!file.is_direct() && !is_complete(file.path(), format)) {
-    throw system::FileError("cannot write " + path, "gnuplot left it incomplete",
-                            "check whether the disk is full");
-  }
-  file.commit();
+  draw_pending_plot(path, plot)->commit();
 }
 
 }  // namespace twrench::plot

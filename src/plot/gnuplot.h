@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "system/error.h"
+#include "system/pending_file.h"
 
 namespace twrench::plot {
 
@@ -38,8 +40,12 @@ std::string gnuplot_string(std::string_view text);
 void require_gnuplot(const std::string& path);
 
 /// Returns the plot as the text of an SVG file. Throws PlotError if gnuplot is missing or fails,
-/// and FileError where temporary files cannot be written.
+/// and FileError where it left the plot incomplete.
 std::string svg(const Plot& plot);
+
+/// Draws the plot into a file that appears when it is committed, in the format of its ending.
+/// Throws as draw_plot() does.
+std::unique_ptr<system::PendingFile> draw_pending_plot(const std::string& path, const Plot& plot);
 
 /// Draws the plot into the file, in the format of its ending; the file appears complete or not at
 /// all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
