@@ -97,11 +97,12 @@ std::string plot_column(std::size_t curve, int column) {
 }  // namespace
 
 Plot nine_panels(std::span<const AttitudeCurve> curves) {
-  Plot plot{1200, 820, data(curves)};
+  // One motion has a short key: a smaller plot has larger letters in a text.
+  const bool single = curves.size() == 1;
+  Plot plot{single ? 900 : 1200, single ? 740 : 820, data(curves)};
   std::string& script = plot.script;
   script.append(diagram_style).append(ranges(curves)).append("set multiplot\n");
   std::string keys;
-  const bool single = curves.size() == 1;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::string_view flip_color = single ? single_flip_color : color_of(c);
     script += flip_lines(curves[c], flip_color);

@@ -19,8 +19,8 @@ bool has_ladder(const study::MethodStudy& m) { return m.method->order > 0 && !m.
 
 const study::StudyRun& middle(const study::MethodStudy& m) { return m.runs[m.runs.size() / 2]; }
 
-/// The data blocks $run0, ... of step, early error and milliseconds, and $drift0, ... of t and
-/// energy drift. Omits values that have no logarithm.
+/// The data blocks $run0, ... of step, early error, milliseconds, error and energy drift, and
+/// $drift0, ... of t and energy drift. Omits values that have no logarithm.
 std::string data(const study::Study& study) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -29,8 +29,8 @@ std::string data(const study::Study& study) {
     fmt::format_to(out, "$run{} << END\n", i);
     for (const study::StudyRun& run : m.runs) {
       if (!run.failure.empty() || !(run.error > 0.0)) continue;
-      fmt::format_to(out, "{:.6g} {:.6g} {:.6g} {:.6g}\n", run.step, run.early_error,
-                     1e3 * run.cpu_seconds, run.error);
+      fmt::format_to(out, "{:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", run.step, run.early_error,
+                     1e3 * run.cpu_seconds, run.error, run.energy_drift);
     }
     fmt::format_to(out, "END\n$drift{} << END\n", i);
     const std::vector<double>& drift = middle(m).drift_in_time;
@@ -51,9 +51,10 @@ std::string style(std::size_t i, bool points) {
   return fmt::format("with linespoints {} pt {} ps 0.8", line, symbols[i % symbols.size()]);
 }
 
+/// `behind` is plotted first.
 std::string run_curves(const study::Study& study, std::string_view block, std::string_view columns,
-                       bool points) {
-  std::string text = "plot ";
+                       bool points, std::string_view behind = {}) {
+  std::string text = fmt::format("plot {}", behind);
   for (std::size_t i = 0; i < study.methods.size(); ++i) {
     if (!has_ladder(study.methods[i])) continue;
     text += fmt::format("${}{} using {} {} notitle, ", block, i, columns, style(i, points));
@@ -217,42 +218,64 @@ std::string time_range(const study::Study& study) {
   return decades(times);
 }
 
+/// The range of the energy drifts of all runs.
+std::string energy_range(const study::Study& study) {
+  std::vector<double> drifts;
+  for (const study::MethodStudy& m : study.methods) {
+    if (!has_ladder(m)) continue;
+    for (const study::StudyRun& run : m.runs) drifts.push_back(run.energy_drift);
+  }
+  return decades(drifts);
+}
+
+std::string order_panel(const study::Study& study, const PanelGrid& grid) {
+  return fmt::format("set format '10^{{%T}}'\nset logscale xy\nset yrange [{}:{}]\n", lowest_error,
+                     highest_error) +
+         OrderDiagram(study, grid.panel_width(), grid.panel_height()).slopes() +
+         fmt::format(
+             "set title 'Order'\nset xlabel 'step h (s)'\n"
+             "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
+             study.early) +
+         run_curves(study, "run", "1:2", true) + "unset arrow\nunset label\n";
+}
+
+std::string work_panel(const study::Study& study) {
+  return fmt::format(
+             "set xrange {}\nset title 'Work and precision'\nset xlabel 'CPU time (ms)'\n"
+             "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
+             time_range(study), study.duration) +
+         run_curves(study, "run", "3:4", true);
+}
+
+/// The error and the drift are equal on the broad line.
+std::string energy_panel(const study::Study& study) {
+  return fmt::format(
+             "set xrange {}\nset title 'Error against energy'\n"
+             "set xlabel 'energy drift (relative)'\n",
+             energy_range(study)) +
+         run_curves(study, "run", "5:4", true, "x with lines lw 5 lc rgb '#e4e4e4' notitle, ");
+}
+
+std::string drift_panel(const study::Study& study) {
+  return fmt::format(
+             "unset logscale x\nset format x '%g'\nset yrange {}\nset xrange [0:{:.7g}]\n"
+             "set title {}\nset xlabel 't (s)'\nset ylabel 'energy drift (relative)' offset 1.5, "
+             "0\n",
+             drift_range(study), study.duration, gnuplot_string("Energy: " + drift_title(study))) +
+         run_curves(study, "drift", "1:2", false);
+}
+
 }  // namespace
 
 Plot study_plot(const study::Study& study) {
-  Plot plot{1380, 600, data(study)};
-  const PanelGrid grid{plot.width, plot.height, 1, 3, 78, 18, 146, 42, 84, 0};
-  std::string& script = plot.script;
-  script.append(diagram_style)
-      .append("set multiplot\n" + grid.place(0, 0))
-      .append(
-          "set format '10^{%T}'\n"
-          "set logscale xy\n"
-          "set xlabel 'step h (s)'\n")
-      .append(fmt::format("set yrange [{}:{}]\n", lowest_error, highest_error))
-      .append(OrderDiagram(study, grid.panel_width(), grid.panel_height()).slopes())
-      .append(fmt::format("set title 'Order'\n"
-                          "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
-                          study.early))
-      .append(run_curves(study, "run", "1:2", true))
-      .append("unset arrow\nunset label\nset xrange " + time_range(study) + "\n" + grid.place(0, 1))
-      .append(fmt::format("set title 'Work and precision'\n"
-                          "set xlabel 'CPU time (ms)'\n"
-                          "set ylabel 'error of X at {:.4g} s'\n",
-                          study.duration))
-      .append(run_curves(study, "run", "3:4", true))
-      .append(grid.place(0, 2))
-      .append(fmt::format("unset logscale x\n"
-                          "set format x '%g'\n"
-                          "set yrange {}\n"
-                          "set xrange [0:{:.7g}]\n"
-                          "set title {}\n"
-                          "set xlabel 't (s)'\n"
-                          "set ylabel 'energy drift (relative)' offset 0.8, 0\n",
-                          drift_range(study), study.duration,
-                          gnuplot_string("Energy: " + drift_title(study))))
-      .append(run_curves(study, "drift", "1:2", false))
-      .append(key_plot(key_entries(study), 7, 42.0 / plot.height) + "unset multiplot\n");
+  Plot plot{900, 960, data(study)};
+  const PanelGrid grid{plot.width, plot.height, 2, 2, 80, 18, 158, 36, 88, 106};
+  plot.script.append(diagram_style)
+      .append("set multiplot\n" + grid.place(0, 0) + order_panel(study, grid))
+      .append(grid.place(0, 1) + work_panel(study))
+      .append(grid.place(1, 0) + energy_panel(study))
+      .append(grid.place(1, 1) + drift_panel(study))
+      .append(key_plot(key_entries(study), 4, 50.0 / plot.height) + "unset multiplot\n");
   return plot;
 }
 

@@ -83,7 +83,8 @@ TEST(StudyCommand, DrawsItsDiagrams) {
       run_twrench(folder, "study --methods rk4,rkmk45 --duration 20 --plot study.svg -o a.txt");
   EXPECT_EQ(run.code, 0) << run.err;
   const std::string svg = text_of(folder / "study.svg");
-  for (const char* text : {"Order", "Work and precision", "energy drift", "rk4", "rkmk45"}) {
+  for (const char* text :
+       {"Order", "Work and precision", "Error against energy", "energy drift", "rk4", "rkmk45"}) {
     EXPECT_THAT(svg, HasSubstr(text));
   }
 }

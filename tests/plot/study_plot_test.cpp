@@ -56,7 +56,7 @@ TEST(StudyPlot, PutsTheLabelsOfSlopesWhereThereAreNoMarkers) {
   const Plot plot = study_plot(study);
   const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
   const double low = std::stod(ranges.at(0)[1]), high = std::stod(ranges.at(0)[2]);
-  const double width = 372, height = 412;  // of the panel in pixels
+  const double width = 357, height = 330;  // of the panel in pixels
   const auto pixel = [&](double step, double error) {
     return std::pair(width * std::log(step / low) / std::log(high / low),
                      height * std::log(error / 1e-15) / std::log(1e16));
