@@ -219,9 +219,15 @@ void SceneOptions::require_drawable(const scene::Scene& scene) const {
 std::vector<scene::Scene> SceneOptions::scenes() const {
   std::vector<scene::Scene> scenes = load();
   const bool as_json = Progress::is_json(command_);
+  // Several scenes with the moments of --inertia are one body.
+  const CLI::Option* inertia = command_.get_option_no_throw("--inertia");
+  const bool are_given = inertia != nullptr && inertia->count() > 0;
+  if (are_given) warn_of_unreal_moments("--inertia", *scenes.front().body.moments, as_json);
   for (const scene::Scene& scene : scenes) {
     for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
-    if (scene.body.moments) warn_of_unreal_moments(scene.name, *scene.body.moments, as_json);
+    if (scene.body.moments && !are_given) {
+      warn_of_unreal_moments(scene.name, *scene.body.moments, as_json);
+    }
   }
   return scenes;
 }
