@@ -1,11 +1,10 @@
-#include "report/body_section.h"
-
 #include <fmt/format.h>
 #include <twrench/motion/stability.h>
 
 #include <cmath>
 
 #include "report/numbers.h"
+#include "report/sections.h"
 #include "scene/prediction.h"
 
 namespace twrench::report {
@@ -17,7 +16,7 @@ std::vector<std::string> row_of(std::string name, const Eigen::Vector3d& values)
 
 Table inertia_table(const body::MassProperties& body, const std::string& command) {
   Table table{.caption = "Inertia matrix about the centre of mass, in body axes",
-              .command = command,
+              .commands = {command},
               .header = {"I, g cm²", "x", "y", "z"},
               .rows = {}};
   for (int i = 0; i < 3; ++i) {
@@ -28,16 +27,19 @@ Table inertia_table(const body::MassProperties& body, const std::string& command
 
 Table mass_table(const body::MassProperties& body, const std::string& command) {
   return {.caption = "Mass and centre of mass",
-          .command = command,
+          .commands = {command},
           .header = {"Quantity", "Value", "Unit"},
           .rows = {{"Mass", digits(body.mass), "g"},
                    {"Centre of mass", triple(body.centre_of_mass), "cm"}}};
 }
 
-Table axes_table(const body::MassProperties& body, const std::string& command) {
+}  // namespace
+
+Table axes_table(const Experiment& experiment) {
+  const body::MassProperties body = scene::mass_properties(experiment.scene.body);
   Table table{
       .caption = "Principal moments and axes, and a small tilt of a steady rotation at 1 rad/s",
-      .command = command,
+      .commands = {experiment.commands.inertia},
       .header = {"Axis", "Moment, g cm²", "Direction in body axes", "A small tilt",
                  "Rate, rad/s or 1/s", "Period or doubling time, s"},
       .rows = {}};
@@ -55,15 +57,13 @@ Table axes_table(const body::MassProperties& body, const std::string& command) {
   return table;
 }
 
-}  // namespace
-
 Section body_section(const Experiment& experiment) {
   const body::MassProperties body = scene::mass_properties(experiment.scene.body);
   const std::string& command = experiment.commands.inertia;
   Section section{.heading = "The body", .content = {}};
   if (std::isfinite(body.mass)) section.content.emplace_back(mass_table(body, command));
   section.content.emplace_back(inertia_table(body, command));
-  section.content.emplace_back(axes_table(body, command));
+  section.content.emplace_back(axes_table(experiment));
   return section;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,12 +9,23 @@
 
 namespace twrench::report {
 
+/// A paragraph of plain text.
+struct Paragraph {
+  std::string text;
+};
+
+/// A heading within a section.
+struct Subheading {
+  std::string text;
+};
+
 /// A table. Its texts are plain; the first column names the rows.
 struct Table {
   std::string caption;                         ///< What it shows.
-  std::string command;                         ///< The command line that prints these numbers.
+  std::vector<std::string> commands;           ///< The command lines that print these numbers.
   std::vector<std::string> header;             ///< With units.
   std::vector<std::vector<std::string>> rows;  ///< Each as long as the header.
+  std::size_t text_columns = 1;  ///< The number of columns of words; those of numbers follow.
 };
 
 /// A plot.
@@ -26,9 +38,8 @@ struct Figure {
 
 /// A numbered equation.
 struct Formula {
-  std::string mathml;  ///< The content of <math>.
-  std::string tex;     ///< The same for Markdown.
-  std::string says;    ///< What its letters are and where it is from.
+  std::string tex;   ///< In TeX, as far as mathml() supports it.
+  std::string says;  ///< Its symbols and its source.
 };
 
 /// A list, as of references.
@@ -39,12 +50,14 @@ struct List {
 /// A part of a document under a heading.
 struct Section {
   std::string heading;
-  std::vector<std::variant<Table, Figure, Formula, List>> content;
+  std::vector<std::variant<Paragraph, Subheading, Table, Figure, Formula, List>> content;
 };
 
 /// Results as they are read, whatever the format.
 struct Document {
   std::string title;
+  std::string author;   ///< May be empty.
+  std::string date;     ///< May be empty.
   std::string command;  ///< The command line that made it.
   std::string program;  ///< The program and its version.
   std::vector<Section> sections;

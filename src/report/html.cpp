@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "embedded/report_style.h"
+#include "report/mathml.h"
 
 namespace twrench::report {
 namespace {
@@ -51,22 +52,31 @@ class HtmlWriter {
  public:
   explicit HtmlWriter(const Write& write) : write_(write) {}
 
+  void operator()(const Paragraph& paragraph) { write_("<p>" + html(paragraph.text) + "</p>\n"); }
+
+  void operator()(const Subheading& heading) { write_("<h3>" + html(heading.text) + "</h3>\n"); }
+
   void operator()(const Table& table) {
     write_(fmt::format(
         "<figure class=\"table\"><table>\n<caption><b>Table {}.</b> {}</caption>\n<thead><tr>",
         ++tables_, html(table.caption)));
-    for (const std::string& cell : table.header)
-      write_("<th scope=\"col\">" + html(cell) + "</th>");
+    const auto align = [&](std::size_t i) {
+      return i < table.text_columns ? " class=\"words\"" : "";
+    };
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      write_(fmt::format("<th scope=\"col\"{}>{}</th>", align(i), html(table.header[i])));
+    }
     write_("</tr></thead>\n<tbody>\n");
     for (const auto& row : table.rows) {
-      write_("<tr>");
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        write_(i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>"
-                      : "<td>" + html(row[i]) + "</td>");
+      write_(fmt::format("<tr><th scope=\"row\"{}>{}</th>", align(0), html(row.front())));
+      for (std::size_t i = 1; i < row.size(); ++i) {
+        write_(fmt::format("<td{}>{}</td>", align(i), html(row[i])));
       }
       write_("</tr>\n");
     }
-    write_("</tbody></table>\n" + command_html(table.command) + "</figure>\n");
+    write_("</tbody></table>\n");
+    for (const std::string& command : table.commands) write_(command_html(command));
+    write_("</figure>\n");
   }
 
   void operator()(const Figure& figure) {
@@ -81,7 +91,7 @@ class HtmlWriter {
     write_(
         fmt::format("<div class=\"formula\"><math display=\"block\">{}</math><span>({})</span>"
                     "<p>{}</p></div>\n",
-                    formula.mathml, ++formulas_, html(formula.says)));
+                    mathml(formula.tex), ++formulas_, html(formula.says)));
   }
 
   void operator()(const List& list) {
@@ -99,15 +109,29 @@ constexpr const char* own_policy =
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
     "'unsafe-inline'; img-src data:\">";
 
+/// The author and the date, as far as they are given.
+std::string byline(const Document& document) {
+  std::string lines;
+  for (const std::string& text : {document.author, document.date}) {
+    if (!text.empty()) lines += "<p class=\"byline\">" + html(text) + "</p>\n";
+  }
+  return lines;
+}
+
 void write_head(const Document& document, const Viewer* viewer, const Write& write) {
+  write(
+      fmt::format("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
+                  "<meta name=\"viewport\" content=\"width=device-width\">\n"
+                  "<meta name=\"generator\" content=\"{}\">\n",
+                  viewer ? viewer->policy : own_policy, html(document.program)));
+  if (!document.author.empty()) {
+    write(fmt::format("<meta name=\"author\" content=\"{}\">\n", html(document.author)));
+  }
   write(fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n"
-      "<meta name=\"generator\" content=\"{}\">\n<title>{}</title>\n<style>\n{}</style>\n"
-      "</head>\n<body>\n<main>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n{}</header>\n",
-      viewer ? viewer->policy : own_policy, html(document.program), html(document.title),
-      embedded::report_style().at("report.css"), html(document.title), html(document.program),
-      command_html(document.command)));
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>{}</h1>\n"
+      "{}<p>{}</p>\n{}</header>\n",
+      html(document.title), embedded::report_style().at("report.css"), html(document.title),
+      byline(document), html(document.program), command_html(document.command)));
 }
 
 }  // namespace

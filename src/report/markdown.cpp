@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace twrench::report {
 namespace {
 
 /// The text with what Markdown would read as markup escaped.
 std::string markdown(std::string_view text) {
-  constexpr std::string_view special = "\\`*_[]<>|#&";
+  constexpr std::string_view special = "\\`*_[]<>|#&$~^{}";
   std::string result;
   for (const char c : text) {
     if (special.find(c) != std::string_view::npos) result += '\\';
@@ -19,9 +23,13 @@ std::string markdown(std::string_view text) {
 }
 
 /// Indented, so that nothing in it is markup.
-std::string command_markdown(std::string command) {
-  for (char& c : command) c = c == '\n' ? ' ' : c;
-  return "\n    " + command + "\n\n";
+std::string command_markdown(const std::vector<std::string>& commands) {
+  std::string lines = "\n";
+  for (std::string command : commands) {
+    std::ranges::replace(command, '\n', ' ');
+    lines += "    " + command + "\n";
+  }
+  return lines + "\n";
 }
 
 std::string line_of(const std::vector<std::string>& cells) {
@@ -30,26 +38,43 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
+/// A file name as the destination of a link.
+std::string link_destination(std::string_view file) {
+  std::string result;
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || c == '-' || c == '.' || c == '_';
+    result += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return result;
+}
+
 /// Writes the parts of a section.
 class MarkdownWriter {
  public:
   MarkdownWriter(const std::filesystem::path& folder, const std::string& stem, const Write& write)
       : folder_(folder), stem_(stem), write_(write) {}
 
+  void operator()(const Paragraph& paragraph) { write_(markdown(paragraph.text) + "\n\n"); }
+
+  void operator()(const Subheading& heading) { write_("### " + markdown(heading.text) + "\n\n"); }
+
   void operator()(const Table& table) {
     write_(fmt::format("**Table {}.** {}\n\n{}|", ++tables_, markdown(table.caption),
                        line_of(table.header)));
-    for (std::size_t i = 0; i < table.header.size(); ++i) write_("---|");
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      write_(i < table.text_columns ? "---|" : "---:|");
+    }
     write_("\n");
     for (const auto& row : table.rows) write_(line_of(row));
-    write_(command_markdown(table.command));
+    write_(command_markdown(table.commands));
   }
 
   void operator()(const Figure& figure) {
-    const std::string file = fmt::format("{}-{}.svg", stem_, figure.name);
-    plot::draw_plot((folder_ / file).string(), figure.plot);
-    write_(fmt::format("![{0}](<{1}>)\n\n**Figure {2}.** {0}\n{3}", markdown(figure.caption), file,
-                       ++figures_, command_markdown(figure.command)));
+    const std::string file = file_of(figure);
+    pending_.push_back(plot::draw_pending_plot((folder_ / file).string(), figure.plot));
+    write_(fmt::format("![{0}]({1})\n\n**Figure {2}.** {0}\n{3}", markdown(figure.caption),
+                       link_destination(file), ++figures_, command_markdown({figure.command})));
   }
 
   void operator()(const Formula& formula) {
@@ -65,24 +90,41 @@ class MarkdownWriter {
     write_("\n");
   }
 
+  /// The files of the figures, which are complete but not yet there.
+  Figures figures() && { return std::move(pending_); }
+
  private:
+  /// Gives each figure a separate file, even if two scenes have the same name.
+  std::string file_of(const Figure& figure) {
+    std::string file = fmt::format("{}-{}.svg", stem_, figure.name);
+    for (int n = 2; !names_.insert(file).second; ++n) {
+      file = fmt::format("{}-{}-{}.svg", stem_, figure.name, n);
+    }
+    return file;
+  }
+
   const std::filesystem::path& folder_;
   const std::string& stem_;
   const Write& write_;
   int tables_ = 0, figures_ = 0, formulas_ = 0;
+  std::set<std::string> names_;
+  Figures pending_;
 };
 
 }  // namespace
 
-void write_markdown(const Document& document, const std::filesystem::path& folder,
-                    const std::string& stem, const Write& write) {
-  write(fmt::format("# {}\n\n{}\n{}", markdown(document.title), markdown(document.program),
-                    command_markdown(document.command)));
+Figures write_markdown(const Document& document, const std::filesystem::path& folder,
+                       const std::string& stem, const Write& write) {
+  write(fmt::format("# {}\n\n", markdown(document.title)));
+  if (!document.author.empty()) write("Author: " + markdown(document.author) + "\n\n");
+  if (!document.date.empty()) write("Date: " + markdown(document.date) + "\n\n");
+  write(markdown(document.program) + "\n" + command_markdown({document.command}));
   MarkdownWriter writer(folder, stem, write);
   for (const Section& section : document.sections) {
     write("## " + markdown(section.heading) + "\n\n");
     for (const auto& part : section.content) std::visit(writer, part);
   }
+  return std::move(writer).figures();
 }
 
 }  // namespace twrench::report

@@ -1,15 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 #include "report/document.h"
 #include "report/html.h"
 
 namespace twrench::report {
 
-/// Writes the document as Markdown with TeX formulas, and its plots into SVG files beside it, whose
-/// names begin with `stem`. Throws PlotError and FileError.
-void write_markdown(const Document& document, const std::filesystem::path& folder,
-                    const std::string& stem, const Write& write);
+/// Files of figures, complete, that appear when they are committed.
+using Figures = std::vector<std::unique_ptr<system::PendingFile>>;
+
+/// Writes the document as Markdown with TeX formulas. Returns its plots as SVG files beside it,
+/// whose names begin with `stem`; commit them once the document is written, so that either all of
+/// it appears or nothing. Throws PlotError and FileError.
+Figures write_markdown(const Document& document, const std::filesystem::path& folder,
+                       const std::string& stem, const Write& write);
 
 }  // namespace twrench::report

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -15,7 +17,7 @@ std::string brief(double value);
 /// Returns three values in parentheses.
 template <typename Vector>
 std::string triple(const Vector& v) {
-  return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")";
+  return fmt::format("({}, {}, {})", digits(v[0]), digits(v[1]), digits(v[2]));
 }
 
 }  // namespace twrench::report

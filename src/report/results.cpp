@@ -2,28 +2,60 @@
 
 #include <algorithm>
 
-#include "report/body_section.h"
-#include "report/equations.h"
-#include "report/methods_section.h"
-#include "report/motion_section.h"
+#include "report/sections.h"
 
 namespace twrench::report {
+namespace {
 
-std::vector<Section> results(std::span<const Experiment> experiments) {
-  std::vector<Section> sections{equations()};
+/// A section for each body: several scenes may have the same one.
+std::vector<Section> body_sections(std::span<const Experiment> experiments) {
+  std::vector<Section> sections;
   std::vector<Eigen::Matrix3d> described;
   for (const Experiment& experiment : experiments) {
     const Eigen::Matrix3d inertia = scene::mass_properties(experiment.scene.body).inertia;
     if (std::ranges::find(described, inertia) != described.end()) continue;
     described.push_back(inertia);
     sections.push_back(body_section(experiment));
-    if (experiments.size() > 1 && described.size() > 1) {
-      sections.back().heading += " of " + experiment.scene.name;
-    }
+    if (described.size() > 1) sections.back().heading += " of " + experiment.scene.name;
   }
-  for (const Experiment& experiment : experiments) sections.push_back(motion_section(experiment));
-  sections.push_back(methods_section(experiments.front()));
-  sections.push_back(references());
+  return sections;
+}
+
+}  // namespace
+
+std::vector<Section> report_on_motions(std::span<const Experiment> experiments) {
+  Citations citations;
+  std::vector<Section> sections{introduction_to_motions(citations), theory_section(citations)};
+  for (Section& body : body_sections(experiments)) sections.push_back(std::move(body));
+  for (const Experiment& experiment : experiments) {
+    sections.push_back(motion_section(solve(experiment)));
+  }
+  const study::Study study = study_of_all(experiments.front());
+  sections.push_back(methods_section(study, experiments.front(), citations));
+  sections.push_back(discussion_of_motions(study, citations));
+  sections.push_back(citations.references());
+  return sections;
+}
+
+std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
+                                     const TaskCommands& commands) {
+  std::vector<PrintedSolution> solutions;
+  for (const Experiment& experiment : experiments) {
+    solutions.push_back(solve_as_printed(experiment));
+  }
+  const Experiment& studied = experiments.front();
+  const study::Study study = study_of_all(studied);
+  Citations citations;
+  std::vector<Section> sections{introduction_to_tasks(citations), theory_section(citations)};
+  sections.push_back(functions_section(solutions, commands, citations));
+  sections.push_back(sphere_section(commands, citations));
+  sections.push_back(lie_euler_section(study, studied, commands));
+  sections.push_back(runge_kutta_section(study, studied, citations));
+  sections.push_back(wrench_section(solutions));
+  sections.push_back(components_section(solutions));
+  sections.push_back(methods_section(study, studied, citations));
+  sections.push_back(discussion_of_tasks(solutions, study, citations));
+  sections.push_back(citations.references());
   return sections;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,14 +10,37 @@
 
 namespace twrench::report {
 
-/// What makes the numbers and figures of an experiment, as a reader can repeat it.
+/// The command lines that print or draw what the report shows of an experiment. This library knows
+/// no options.
 struct Commands {
   std::string inertia;     ///< The mass properties.
-  std::string constants;   ///< What the exact motion is.
-  std::string components;  ///< The nine components of X.
+  std::string start;       ///< The state at t = 0.
+  std::string constants;   ///< The kind of the exact motion and its flips.
   std::string own_method;  ///< The flips and drifts of the scene's method.
-  std::string methods;     ///< All methods.
-  std::string diagrams;    ///< Their order and work.
+  std::string study;       ///< All methods.
+  std::string diagrams;    ///< The diagrams of all methods.
+  /// The study of some methods.
+  std::function<std::string(const std::vector<std::string>& methods)> study_of;
+  /// The flips and drifts of a method with a fixed step in s.
+  std::function<std::string(const std::string& method, double step)> solution;
+  /// The nine components of the exact motion, or of that by a method with a fixed step in s.
+  std::string components;
+  std::function<std::string(const std::string& method, double step)> components_of;
+};
+
+/// The command lines of tasks that belong to no experiment.
+struct TaskCommands {
+  /// Lie-Euler on the sphere with that omega, so that X at each time, up to the step, is one
+  /// exponential.
+  std::function<std::string(const std::string& omega, double step,
+                            const std::vector<double>& times)>
+      exponentials;
+  /// The exact motion of the sphere at times in s.
+  std::function<std::string(const std::vector<double>& times)> sphere;
+  /// A study of methods on the sphere, with steps and a duration in s.
+  std::function<std::string(const std::vector<std::string>& methods,
+                            const std::vector<double>& steps, double duration)>
+      sphere_study;
 };
 
 /// A scene whose motion is reported.
@@ -25,9 +49,14 @@ struct Experiment {
   Commands commands;
 };
 
-/// Returns the results of the experiments: the bodies, the equations, each motion, the methods on
-/// the first of them, and references. All numbers are computed here. There must be at least one.
+/// Returns the report on motions: the equations, the bodies, each motion, the methods on the first
+/// of them, and references. All numbers are computed here. There must be at least one experiment.
 /// Throws MotionError where a scene's own method cannot compute its motion.
-std::vector<Section> results(std::span<const Experiment> experiments);
+std::vector<Section> report_on_motions(std::span<const Experiment> experiments);
+
+/// Returns the report that solves the specification's tasks. The experiments must be the three of
+/// task 5. The first defines the T-wrench by its two cylinders. Throws as report_on_motions().
+std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
+                                     const TaskCommands& commands);
 
 }  // namespace twrench::report

@@ -121,6 +121,32 @@ TEST(Faults, AFilmThatOutgrowsItsDisk) {
   EXPECT_EQ(count_temporaries(folder.path()), 0U);
 }
 
+// The second figure of a report fills the disk, and gnuplot reports success.
+TEST(Faults, AReportWhoseFiguresDoNotFit) {
+  const ScratchFolder folder;
+  put_program(folder, "gnuplot",
+              "case \"$*\" in *-e*) exit 0;; esac\n[ -e drawn ] || echo '<svg></svg>'\n"
+              ": >drawn\ncat >/dev/null");
+  const Outcome run = run_twrench(folder, "report stable-y --duration 5 -o r.md", with_bin);
+  expect_told(run, 5, "cannot write r-methods.svg");
+  EXPECT_TRUE(fs::exists(folder / "drawn"));
+  EXPECT_FALSE(fs::exists(folder / "r.md"));
+  EXPECT_FALSE(fs::exists(folder / "r-components-stable-y.svg"));
+  EXPECT_EQ(count_temporaries(folder.path()), 0U);
+}
+
+// The first figure fits, the second does not.
+TEST(Faults, AReportThatFillsItsDisk) {
+  const ScratchFolder folder;
+  const Outcome run =
+      run_on_small_disk(folder, "240k",
+                        "cd d && \"$TWRENCH\" report stable-y --duration 5 -o r.md; "
+                        "code=$?; cd ..; (exit $code)");
+  if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
+  expect_told(run, 5, "cannot write r");
+  EXPECT_TRUE(fs::is_empty(folder / "after"));
+}
+
 TEST(Faults, AManifestThatCannotBeWritten) {
   const ScratchFolder folder;
   const auto start = std::chrono::steady_clock::now();

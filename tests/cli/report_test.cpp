@@ -22,18 +22,40 @@ std::size_t count(const std::string& text, const std::string& word) {
   return n;
 }
 
-TEST(Report, HasThreeExperimentsUnlessASceneIsGiven) {
+TEST(Report, SolvesEveryTaskUnlessASceneIsGiven) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, "report --static -o a.html").code, 0);
   const std::string all = text_of(folder / "a.html");
   for (const char* heading :
-       {"Equations", "The body", "The Dzhanibekov effect", "Stable rotation about y",
-        "Stable rotation about z", "The methods", "References"}) {
+       {"Introduction", "Theory and methods", "Task 1: the functions",
+        "Task 2: the sphere, exactly", "Task 3: the Lie-Euler method", "Task 4: RK4 and RKF45",
+        "Task 5: the T-wrench", "Task 6: the nine components of X", "All methods", "Discussion",
+        "References"}) {
     EXPECT_EQ(count(all, std::string("<h2>") + heading + "</h2>"), 1U) << heading;
   }
+  for (const char* heading :
+       {"(a) The exponential", "(b) The energy", "(c) The inertia", "RKF45"}) {
+    EXPECT_EQ(count(all, std::string("<h3>") + heading), 1U) << heading;
+  }
+  EXPECT_EQ(count(all, "<h3>(b) Stable rotation about y: ω(0) = (0, 1, 0.05) rad/s</h3>"), 2U);
   EXPECT_EQ(count(all, "<svg"), 4U);
-  EXPECT_EQ(count(all, "<math "), 4U);
+  EXPECT_EQ(count(all, "<math "), 15U);
   EXPECT_THAT(all, Not(HasSubstr("<iframe")));
+}
+
+TEST(Report, OfASceneIsAboutItsMotion) {
+  const ScratchFolder folder;
+  for (const char* options : {"stable-z", "--inertia 2,3,4", "--omega 1,2,3"}) {
+    ASSERT_EQ(
+        run_twrench(folder, std::string("report --duration 10 --static -o b.html ") + options).code,
+        0);
+    const std::string one = text_of(folder / "b.html");
+    EXPECT_THAT(one, Not(HasSubstr("Task 1"))) << options;
+    for (const char* heading : {"Introduction", "Theory and methods", "The body", "All methods",
+                                "Discussion", "References"}) {
+      EXPECT_EQ(count(one, std::string("<h2>") + heading + "</h2>"), 1U) << heading;
+    }
+  }
   ASSERT_EQ(run_twrench(folder, "report stable-z --duration 10 --static -o b.html").code, 0);
   const std::string one = text_of(folder / "b.html");
   EXPECT_EQ(count(one, "<svg"), 2U);
@@ -47,8 +69,8 @@ TEST(Report, HasTheNumbersOfTheOtherCommands) {
   EXPECT_THAT(report, HasSubstr("<td>252.58405</td>"));  // mass
   EXPECT_THAT(report, HasSubstr("<td>23.630725</td>"));  // between flips
   EXPECT_THAT(report, HasSubstr("4 predicted, 4 seen in the solution of rkmk45"));
-  EXPECT_THAT(report, HasSubstr("<th scope=\"row\">1</th><td>11.815363</td>"));  // flip
-  EXPECT_THAT(report, ContainsRegex("rkmk4</th><td>4</td><td>[34]\\.[0-9]+</td>"));
+  EXPECT_THAT(report, HasSubstr("1</th><td>11.815363</td><td>11.815363</td>"));  // flip
+  EXPECT_THAT(report, ContainsRegex("rkmk4</th>.*<td>4</td><td>[34]\\.[0-9]+</td>"));
 }
 
 // The names in one figure would take the place of those in another.
@@ -74,26 +96,137 @@ TEST(Report, IsMarkdownWithItsFiguresBesideIt) {
   const std::string report = text_of(folder / "a.md");
   EXPECT_THAT(report, StartsWith("# Stable rotation about y\n"));
   for (const char* figure : {"a-components-stable-y.svg", "a-methods.svg"}) {
-    EXPECT_THAT(report, HasSubstr(std::string("](<") + figure + ">)"));
+    EXPECT_THAT(report, HasSubstr(std::string("](") + figure + ")"));
     EXPECT_THAT(text_of(folder / figure), HasSubstr("</svg>"));
   }
 }
 
-// Each command that it names runs.
+// Scenes of the same name do not share a figure, and no name ends a link.
+TEST(Report, GivesEachFigureAFileOfItsOwn) {
+  const ScratchFolder folder;
+  const std::string scene = "[body]\nmoments = [1.0, 2.0, 3.0]\n[motion]\nduration = 5.0\n";
+  for (const char* name : {"x", "y"}) {
+    std::filesystem::create_directory(folder / name);
+    std::ofstream(folder / (std::string(name) + "/a) b.toml")) << "title = '" << name << "'\n"
+                                                               << scene;
+  }
+  ASSERT_EQ(run_twrench(folder, "report 'x/a) b.toml' 'y/a) b.toml' -o r.md").code, 0);
+  const std::string report = text_of(folder / "r.md");
+  EXPECT_THAT(report, HasSubstr("](r-components-a%29%20b.svg)"));
+  EXPECT_THAT(report, HasSubstr("](r-components-a%29%20b-2.svg)"));
+  EXPECT_THAT(text_of(folder / "r-components-a) b.svg"), HasSubstr(">x<"));
+  EXPECT_THAT(text_of(folder / "r-components-a) b-2.svg"), HasSubstr(">y<"));
+}
+
+/// The commands that a report in Markdown names.
+std::set<std::string> commands_in(const std::string& report) {
+  std::istringstream lines(report);
+  std::set<std::string> commands;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("    twrench ")) commands.insert(line.substr(12));
+  }
+  return commands;
+}
+
+void expect_all_run(const ScratchFolder& folder, const std::set<std::string>& commands) {
+  for (const std::string& command : commands) {
+    const Outcome run = run_twrench(folder, command);
+    EXPECT_EQ(run.code, 0) << command << "\n" << run.err;
+  }
+}
+
 TEST(Report, NamesCommandsThatRun) {
   const ScratchFolder folder;
   ASSERT_EQ(
       run_twrench(folder, "report --inertia 2,3,4 --omega=-0.1,2,0.1 --duration 5 -o a.md").code,
       0);
-  std::istringstream lines(text_of(folder / "a.md"));
-  std::set<std::string> commands;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("    twrench ")) commands.insert(line.substr(12));
-  }
+  const std::set<std::string> commands = commands_in(text_of(folder / "a.md"));
   EXPECT_GE(commands.size(), 10U);
-  for (const std::string& command : commands) {
-    const Outcome run = run_twrench(folder, command);
-    EXPECT_EQ(run.code, 0) << command << "\n" << run.err;
+  expect_all_run(folder, commands);
+}
+
+TEST(Report, OfTheTasksNamesCommandsThatRun) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "report --duration 3 -o a.md").code, 0);
+  const std::set<std::string> commands = commands_in(text_of(folder / "a.md"));
+  EXPECT_GE(commands.size(), 25U);
+  expect_all_run(folder, commands);
+}
+
+// A name that looks like an option, and one that a shell would split.
+TEST(Report, NamesCommandsThatRunForAnyName) {
+  const ScratchFolder folder;
+  for (const char* name : {"--help", "$(touch 'x') y.toml"}) {
+    std::ofstream(folder / name) << "[body]\nmoments = [1.0, 2.0, 3.0]\n[motion]\nduration = 5.0\n";
+  }
+  for (const char* name : {"--help", "'$(touch '\\''x'\\'') y.toml'"}) {
+    const Outcome run = run_twrench(folder, std::string("report --output=-a.md -- ") + name);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::set<std::string> commands = commands_in(text_of(folder / "-a.md"));
+    EXPECT_THAT(commands, testing::Contains(StartsWith("plot ")));
+    EXPECT_THAT(commands, Not(testing::Contains(HasSubstr(" --help"))));
+    expect_all_run(folder, commands);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+}
+
+TEST(Report, CitesEveryReferenceInItsOrder) {
+  const ScratchFolder folder;
+  for (const char* scene : {"", "stable-y ", "dzhanibekov sphere "}) {
+    ASSERT_EQ(run_twrench(folder, std::string("report --duration 5 -o a.md ") + scene).code, 0);
+    const std::string report = text_of(folder / "a.md");
+    const std::size_t list = report.find("## References\n");
+    ASSERT_NE(list, std::string::npos);
+    const std::regex item("(?:^|\n)([0-9]+)\\. "), citation("\\\\\\[([0-9]+)\\\\\\]");
+    const std::string text = report.substr(0, list), references = report.substr(list);
+    std::set<int> listed, cited;
+    for (std::sregex_iterator i(references.begin(), references.end(), item), end; i != end; ++i) {
+      listed.insert(std::stoi((*i)[1]));
+    }
+    for (std::sregex_iterator i(text.begin(), text.end(), citation), end; i != end; ++i) {
+      const int number = std::stoi((*i)[1]);
+      EXPECT_LE(number, static_cast<int>(cited.size()) + 1) << "cited before its predecessor";
+      cited.insert(number);
+    }
+    EXPECT_GE(listed.size(), 13U);
+    EXPECT_EQ(cited, listed) << scene;
+  }
+}
+
+TEST(Report, HasAFormulaForEverySymbol) {
+  const ScratchFolder folder;
+  for (const char* scene : {"", "stable-y"}) {
+    ASSERT_EQ(run_twrench(folder, std::string("report --duration 5 -o a.md ") + scene).code, 0);
+    const std::string report = text_of(folder / "a.md");
+    for (const char* symbol : {"L = X",
+                               "T =",
+                               R"(\dot X =)",
+                               R"(\omega =)",
+                               R"(\Omega =)",
+                               R"(\exp(h \Omega) =)",
+                               R"(W' = W \exp(h \Omega))",
+                               "s_1 &=",
+                               "s_4 &=",
+                               "s_k &=",
+                               "E =",
+                               R"(\dot u =)",
+                               "D_i =",
+                               "G =",
+                               R"(\lambda =)",
+                               "1 - m =",
+                               "A =",
+                               "t_n =",
+                               "t_1 =",
+                               "K(m) =",
+                               R"(F(\varphi, m) =)",
+                               R"(\sin \varphi =)",
+                               R"(\sin \frac{\theta_s}{2} =)",
+                               "e_X =",
+                               "e_T =",
+                               "e_{SO(3)} =",
+                               "e_L ="}) {
+      EXPECT_THAT(report, HasSubstr(symbol)) << scene;
+    }
   }
 }
 
@@ -106,6 +239,59 @@ TEST(Report, KeepsHostileTextText) {
   EXPECT_THAT(text_of(folder / "a.html"), Not(HasSubstr("<script>")));
   ASSERT_EQ(run_twrench(folder, "report s.toml -o a.md").code, 0);
   EXPECT_THAT(text_of(folder / "a.md"), HasSubstr("\\<script\\>alert(1)\\</script\\>\\|\\`\\*"));
+}
+
+TEST(Report, ShowsAuthorAndDateAsText) {
+  const ScratchFolder folder;
+  const std::string given = R"( --author '<script>alert(1)</script> & "A" $x$ ![i](j)')"
+                            R"( --date '</h1>`*8 November*`' )";
+  ASSERT_EQ(run_twrench(folder, "report stable-y --duration 5 --static -o a.html" + given).code, 0);
+  const std::string html = text_of(folder / "a.html");
+  EXPECT_EQ(count(html, "<script>"), 0U);
+  EXPECT_THAT(html, HasSubstr("<p class=\"byline\">&lt;script&gt;alert(1)&lt;/script&gt; &amp; "
+                              "&quot;A&quot; $x$ ![i](j)</p>\n"
+                              "<p class=\"byline\">&lt;/h1&gt;`*8 November*`</p>"));
+  ASSERT_EQ(run_twrench(folder, "report stable-y --duration 5 -o a.md" + given).code, 0);
+  EXPECT_THAT(text_of(folder / "a.md"),
+              HasSubstr("\nAuthor: \\<script\\>alert(1)\\</script\\> \\& \"A\" \\$x\\$ "
+                        "!\\[i\\](j)\n\nDate: \\</h1\\>\\`\\*8 November\\*\\`\n"));
+}
+
+// Other programs refuse a file that is not UTF-8 altogether.
+TEST(Report, StaysUtf8WithALineEach) {
+  const ScratchFolder folder;
+  const std::string given =
+      "--author \"$(printf 'A\\351\\nB')\" --date \"$(printf '1\\342\\200\\2562')\"";
+  ASSERT_EQ(run_twrench(folder, "report sphere --duration 5 -o a.md " + given).code, 0);
+  const std::string report = text_of(folder / "a.md");
+  EXPECT_THAT(report, HasSubstr("Author: A\\\\xe9\\\\nB\n\nDate: 1\\\\u202e2\n"));
+  EXPECT_EQ(count(report, "\xe9"), 0U);
+  EXPECT_EQ(run_twrench(folder, "report sphere --duration 5 --author '' -o b.md").code, 2);
+}
+
+TEST(Report, HasNoDateOfItsOwn) {
+  const ScratchFolder folder;
+  const std::string report =
+      "report sphere --duration 5 --method exact -o - --static | "
+      "sed 's/<td>[0-9.]*<\\/td><\\/tr>$//; /<svg/,/<\\/svg>/d'";
+  const Outcome now = run_shell(folder, "\"$TWRENCH\" " + report);
+  EXPECT_EQ(count(now.out, "byline\">"), 0U);
+  EXPECT_EQ(now.out, run_shell(folder, "TZ=Asia/Tokyo \"$TWRENCH\" " + report).out);
+}
+
+TEST(Report, NeedsNoFolderForTemporaryFiles) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "report stable-y --duration 5 --static -o a.html",
+                                  "TMPDIR=/nonexistent ");
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+TEST(Report, WarnsOfMomentsOnce) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "report --inertia 3,5,9 --duration 5 --static -o a.html");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(count(run.err, "no real body has them"), 1U) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("--inertia"));
 }
 
 TEST(Report, RefusesWhatItCannotDo) {

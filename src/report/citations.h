@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/document.h"
+
+namespace twrench::report {
+
+// References other than the sources of methods.
+inline constexpr std::string_view landau =
+    "L. D. Landau, E. M. Lifshitz, Mechanics, 3rd ed. (Pergamon, 1976), section 37";
+inline constexpr std::string_view feynman =
+    "R. P. Feynman, R. B. Leighton, M. Sands, The Feynman Lectures on Physics, vol. I "
+    "(Addison-Wesley, 1963), chapter 20";
+inline constexpr std::string_view ashbaugh =
+    "M. S. Ashbaugh, C. C. Chicone, R. H. Cushman, The twisting tennis racket, J. Dyn. Differ. "
+    "Equ. 3 (1991), 67-85";
+inline constexpr std::string_view sauer =
+    "T. Sauer, Numerical Analysis, 2nd ed. (Pearson, 2014), section 6.5";
+inline constexpr std::string_view lie_integrators =
+    "E. Celledoni, H. Marthinsen, B. Owren, An introduction to Lie group integrators - basics, new "
+    "developments and applications, J. Comput. Phys. 257 (2014), 1040-1061";
+inline constexpr std::string_view hairer =
+    "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. (Springer, 2006)";
+
+/// Numbers the references of a report in the order in which they are cited. The list of references
+/// contains exactly those that were cited.
+class Citations {
+ public:
+  /// Returns the number of a reference in brackets, as "[2]", and adds it to the list if it is new.
+  std::string cite(std::string_view reference);
+
+  /// Returns the number of the specification.
+  std::string specification();
+
+  /// Returns the citation of a method's source, Method::source; with the equation or section if
+  /// this is the specification.
+  std::string cite_method(std::string_view source);
+
+  /// Returns the cited references in the order of their numbers.
+  Section references() const;
+
+ private:
+  std::vector<std::string> cited_;
+};
+
+}  // namespace twrench::report

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <twrench/math/elliptic.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/stability.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "report/motion_parts.h"
+#include "report/numbers.h"
+#include "scene/prediction.h"
+
+namespace twrench::report {
+namespace {
+
+constexpr double in_degrees = 180 / std::numbers::pi;
+constexpr std::array<std::string_view, 3> subscripts{"₁", "₂", "₃"};
+
+std::string short_number(double value) {
+  return (value < 0 ? "−" : "") + fmt::format("{:.3g}", std::abs(value));
+}
+
+/// "x₁₁" for a body axis, and words for another axis of the body.
+std::string component_name(const std::string& axis) {
+  const std::size_t k = std::string_view("xyz").find(axis);
+  if (k == std::string_view::npos)
+    return fmt::format("The component of the principal axis {} along its initial direction", axis);
+  return fmt::format("x{0}{0}", subscripts[k]);
+}
+
+/// How far an axis of the body goes from its initial direction.
+struct Excursion {
+  double least_cosine = 1;   ///< Cosine of the largest angle from the initial direction.
+  double largest_cross = 0;  ///< Largest component perpendicular to it.
+};
+
+Excursion excursion(const Solution& solution, const Eigen::Vector3d& axis) {
+  Excursion result;
+  for (const motion::Sample& sample : solution.exact.at(plot_times(solution.scene().motion))) {
+    const Eigen::Vector3d now = sample.X * axis;
+    const double cosine = now.dot(axis);
+    result.least_cosine = std::min(result.least_cosine, cosine);
+    result.largest_cross =
+        std::max(result.largest_cross, (now - cosine * axis).cwiseAbs().maxCoeff());
+  }
+  return result;
+}
+
+/// After two sign changes omega repeats; X has then turned about L.
+std::string repetition(const Solution& solution, const motion::ExactMotion::Flips& flips) {
+  const double period = 2 * flips.interval;
+  return fmt::format(
+      "ω repeats after {} s, 4K(m)/λ. X does not: in that time it turns about L by {} degrees, "
+      "apart "
+      "from whole turns.",
+      digits(period), short_number(so3::log(solution.exact.at(period).X).norm() * in_degrees));
+}
+
+std::string spin_period(const Solution& solution) {
+  return short_number(2 * std::numbers::pi / solution.body.omega().norm());
+}
+
+/// The text about the waiting between flips, for a rotation that begins near the intermediate axis.
+std::string waiting(const Solution& solution, const motion::ExactMotion::Flips& flips) {
+  const motion::Tilt tilt(solution.body);
+  if (tilt.axis() != 1) return {};
+  const motion::Stability unstable =
+      motion::stability(solution.body.principal().moments, 1, tilt.steady_rate());
+  // sn = 0.9.
+  const double crossing =
+      2 * elliptic::incomplete_first(0.9, std::sqrt(1 - 0.81), flips.mc) / flips.rate;
+  return fmt::format(
+      "ω₂ crosses from 90 % of its largest value to −90 % in {} s of the {} s between flips. For "
+      "the rest the body turns almost steadily about the intermediate axis, because a small tilt "
+      "grows only as exp(rt), r = {} 1/s. Meanwhile the components of the other two axes oscillate "
+      "with about the period of the spin, 2π/|ω| = {} s. ",
+      short_number(crossing), short_number(flips.interval), short_number(unstable.rate),
+      spin_period(solution));
+}
+
+std::string turning_over(const Solution& solution, const motion::ExactMotion::Flips& flips) {
+  const body::PrincipalAxes& principal = solution.body.principal();
+  const Excursion far = excursion(solution, principal.axes.col(1));
+  std::vector<double> times = solution.own.flip_times;
+  const bool all = times.size() <= 6;
+  times.resize(std::min<std::size_t>(times.size(), 6));
+  if (times.empty()) {
+    return fmt::format("The body turns over, but not yet in this time: the first flip is at {} s. ",
+                       short_number(flips.first)) +
+           waiting(solution, flips) + repetition(solution, flips);
+  }
+  return fmt::format(
+             "{} starts at 1 and falls to {}: the body turns over. Its intermediate axis swings "
+             "through {} degrees, from one side of the plane normal to L to the other, and the "
+             "body "
+             "goes on spinning in the same sense in space. The other components of this axis reach "
+             "{}. The body flips, as ω₂ changes sign, at {:.4g}{} s. ",
+             component_name(scene::axis_name(principal.axes, 1)), short_number(far.least_cosine),
+             short_number(flips.swing * in_degrees), short_number(far.largest_cross),
+             fmt::join(times, ", "), all ? "" : ", …") +
+         waiting(solution, flips) + repetition(solution, flips);
+}
+
+std::string wobbling(const Solution& solution, const motion::ExactMotion::Flips& flips) {
+  const body::PrincipalAxes& principal = solution.body.principal();
+  const bool least = solution.exact.kind() == motion::ExactMotion::Kind::about_least;
+  const int axis = least ? 0 : 2;
+  const Excursion far = excursion(solution, principal.axes.col(axis));
+  const motion::Stability stable = motion::stability(
+      principal.moments, axis, solution.body.momentum().norm() / principal.moments[axis]);
+  return fmt::format(
+             "{} stays above {:.3f}: the axis of {} moment stays within {} degrees of its initial "
+             "direction, and its other components below {}. The body wobbles and does not turn "
+             "over. The "
+             "components of the other two axes oscillate with about the period of the spin, 2π/|ω| "
+             "= {} s, "
+             "and the wobble has the period 4K(m)/λ = {} s, {} s in the limit of a small tilt. ",
+             component_name(scene::axis_name(principal.axes, axis)),
+             std::floor(far.least_cosine * 1000) / 1000, least ? "least" : "greatest",
+             short_number(std::acos(std::max(far.least_cosine, -1.0)) * in_degrees),
+             short_number(far.largest_cross), spin_period(solution),
+             short_number(2 * flips.interval), short_number(stable.period())) +
+         repetition(solution, flips);
+}
+
+/// The motion of a body with two equal moments, or of one that turns about a fixed axis.
+std::string without_flips(const Solution& solution) {
+  if (solution.body.omega().isZero()) return "The body is at rest: X = Id at all times.";
+  if (solution.exact.kind() == motion::ExactMotion::Kind::steady) {
+    return fmt::format(
+        "ω is constant, and the body turns about an axis fixed in space: X(t) = exp(tω̂). All "
+        "components are constants and sinusoids with the period 2π/|ω| = {} s.",
+        spin_period(solution));
+  }
+  return fmt::format(
+      "Two principal moments are equal. The axis of symmetry circles L at a constant angle, with "
+      "the "
+      "period 2πI₂/|L| = {} s, and the body turns about this axis at a constant rate.",
+      short_number(2 * std::numbers::pi * solution.body.principal().moments[1] /
+                   solution.body.momentum().norm()));
+}
+
+}  // namespace
+
+std::string interpretation(const Solution& solution) {
+  const auto flips = solution.exact.flips();
+  if (!flips) return without_flips(solution);
+  if (solution.exact.kind() == motion::ExactMotion::Kind::separatrix) {
+    return "The motion is on the separatrix: as time passes, L tends to the intermediate axis, and "
+           "the body to a steady rotation about it. It turns over at most once.";
+  }
+  return flips->turns_over() ? turning_over(solution, *flips) : wobbling(solution, *flips);
+}
+
+}  // namespace twrench::report

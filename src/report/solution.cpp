@@ -1,0 +1,87 @@
+#include "report/solution.h"
+
+#include <twrench/motion/error.h>
+#include <twrench/study/ladder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twrench::report {
+namespace {
+
+constexpr std::int64_t most_study_steps = 1'000'000;
+
+/// The plan of a study with the default steps and tolerances.
+study::StudyPlan ladder_plan(const scene::Motion& motion) {
+  study::StudyPlan plan;
+  plan.steps = study::step_ladder(motion.duration, motion.omega.norm());
+  plan.tolerances = study::tolerance_ladder();
+  plan.first_step = plan.steps.front();
+  plan.duration = motion.duration;
+  plan.max_steps = most_study_steps;
+  return plan;
+}
+
+motion::FreeBody free_body(const scene::Scene& scene) {
+  return {scene::mass_properties(scene.body).inertia, scene.motion.omega};
+}
+
+}  // namespace
+
+Solution solve(const Experiment& experiment) {
+  const scene::Motion& motion = experiment.scene.motion;
+  study::StudyPlan plan;
+  plan.methods = {&motion::find_method(motion.method)};
+  plan.steps = {motion.control.step};
+  plan.tolerances = {motion.control.tolerance};
+  plan.first_step = motion.control.step;
+  plan.duration = motion.duration;
+  plan.max_steps = most_study_steps;
+  const motion::FreeBody body = free_body(experiment.scene);
+  Solution solution{&experiment, body, motion::ExactMotion(body), study::run_study(body, plan)};
+  if (!solution.run().failure.empty()) {
+    throw motion::MotionError("report " + experiment.scene.name, solution.run().failure,
+                              motion::MotionError::Reason::step_too_long);
+  }
+  return solution;
+}
+
+PrintedSolution solve_as_printed(const Experiment& experiment) {
+  study::StudyPlan plan = ladder_plan(experiment.scene.motion);
+  plan.methods = {&motion::find_method("rk4")};
+  PrintedSolution result{solve(experiment), {}, 0};
+  result.rk4 = study::run_study(result.solution.body, plan);
+  const std::vector<study::StudyRun>& runs = result.rk4.methods.front().runs;
+  const auto is_quiet = [](const study::StudyRun& run) {
+    return run.failure.empty() && run.energy_drift <= unnoticed_drift;
+  };
+  const auto found = std::ranges::find_if(runs, is_quiet);
+  result.quiet = static_cast<std::size_t>(std::min(found, runs.end() - 1) - runs.begin());
+  if (!result.run().failure.empty()) {
+    throw motion::MotionError("report " + experiment.scene.name, result.run().failure,
+                              motion::MotionError::Reason::too_many_steps);
+  }
+  return result;
+}
+
+study::Study study_of_all(const Experiment& experiment) {
+  study::StudyPlan plan = ladder_plan(experiment.scene.motion);
+  for (const motion::Method& method : motion::methods()) plan.methods.push_back(&method);
+  return study::run_study(free_body(experiment.scene), plan);
+}
+
+std::vector<double> plot_times(const scene::Motion& motion) {
+  constexpr double a_turn = 60.0, fewest = 600.0, most = 4000.0;
+  const double turns = motion.duration * motion.omega.norm() / (2 * std::numbers::pi);
+  const double count = std::clamp(std::ceil(a_turn * turns), fewest, most);
+  std::vector<double> times;
+  for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(motion.duration * i / count);
+  return times;
+}
+
+const std::string& title_of(const scene::Scene& scene) {
+  return scene.title.empty() ? scene.name : scene.title;
+}
+
+}  // namespace twrench::report

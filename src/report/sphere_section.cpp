@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+#include <twrench/motion/method.h>
+
+#include <cmath>
+#include <vector>
+
+#include "report/numbers.h"
+#include "report/sections.h"
+#include "report/study_tables.h"
+
+namespace twrench::report {
+namespace {
+
+/// The body of task 2.
+motion::FreeBody unit_sphere() { return {Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX()}; }
+
+/// The solution of task 2, written out.
+Eigen::Matrix3d sphere_attitude(double t) {
+  Eigen::Matrix3d X = Eigen::Matrix3d::Identity();
+  X(1, 1) = X(2, 2) = std::cos(t);
+  X(2, 1) = std::sin(t);
+  X(1, 2) = -X(2, 1);
+  return X;
+}
+
+Table sphere_table(const TaskCommands& commands) {
+  const std::vector<double> times{1, 10, 100};
+  const motion::ExactMotion exact(unit_sphere());
+  Table table{.caption = "The solution at three times, and the library's closed form",
+              .commands = {commands.sphere(times)},
+              .header = {"t, s", "cos t", "x₂₂", "sin t", "x₃₂", "Difference of X"},
+              .rows = {}};
+  for (const double t : times) {
+    const Eigen::Matrix3d X = exact.at(t).X, ours = sphere_attitude(t);
+    table.rows.push_back({digits(t), digits(ours(1, 1)), digits(X(1, 1)), digits(ours(2, 1)),
+                          digits(X(2, 1)), brief((X - ours).norm())});
+  }
+  return table;
+}
+
+/// Lie-Euler and Euler on the sphere.
+Table sphere_errors_table(const TaskCommands& commands) {
+  study::StudyPlan plan;
+  plan.methods = {&motion::find_method("lie-euler"), &motion::find_method("euler")};
+  plan.steps = {0.1, 0.01, 0.001};
+  plan.duration = 100;
+  const study::Study study = study::run_study(unit_sphere(), plan);
+  Table table{
+      .caption = "The sphere: errors after 100 s against the solution of task 2",
+      .commands = {commands.sphere_study({"lie-euler", "euler"}, plan.steps, plan.duration)},
+      .header = {"Step, s", "Lie-Euler: error of X", "‖XᵀX − Id‖", "Euler: error of X",
+                 "‖XᵀX − Id‖"},
+      .rows = {}};
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const study::StudyRun &lie = study.methods[0].runs[i], &linear = study.methods[1].runs[i];
+    table.rows.push_back({digits(plan.steps[i]), brief(lie.error), brief(lie.orthogonality_error),
+                          brief(linear.error), brief(linear.orthogonality_error)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Section sphere_section(const TaskCommands& commands, Citations& citations) {
+  Section section{.heading = "Task 2: the sphere, exactly", .content = {}};
+  section.content.emplace_back(
+      Paragraph{fmt::format("For a sphere with I = Id, X(0) = Id and L = (1, 0, 0), eq. (19) of {} "
+                            "is ω = XᵀL. So Ω is the "
+                            "hat of XᵀL, and eq. (20) becomes",
+                            citations.specification())});
+  section.content.emplace_back(Formula{
+      R"(\Omega = X^T \hat L X ,\quad \dot X = X \Omega = X X^T \hat L X = \hat L X)",
+      "because the hat of Rv, for a rotation R, is R v̂ Rᵀ: for every a, Rv × a = R(v × Rᵀa). "
+      "Here R = Xᵀ. X is a rotation at all times, because d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ = 0, as "
+      "Ωᵀ = −Ω."});
+  section.content.emplace_back(Paragraph{
+      "This is a linear equation with constant coefficients. Its right-hand side is Lipschitz "
+      "continuous with the constant ‖L̂‖, so by the theorem of Picard and Lindelöf it has exactly "
+      "one solution with X(0) = Id, for all t. The exponential series, differentiated term by "
+      "term, shows that exp(tL̂) is one:"});
+  section.content.emplace_back(
+      Formula{R"(X(t) = \exp(t \hat L) = \begin{pmatrix} 1 & 0 & 0 \\ 0 & \cos t & -\sin t \\ )"
+              R"(0 & \sin t & \cos t \end{pmatrix})",
+              fmt::format("The matrix follows from eq. (21) of {} with Ω = L̂, w = 1. As L̂L = 0, "
+                          "ω = XᵀL = (1, 0, 0) is constant: the sphere turns about x at 1 rad/s.",
+                          citations.specification())});
+  section.content.emplace_back(sphere_table(commands));
+  return section;
+}
+
+Section lie_euler_section(const study::Study& study, const Experiment& studied,
+                          const TaskCommands& commands) {
+  Section section{.heading = "Task 3: the Lie-Euler method", .content = {}};
+  section.content.emplace_back(Paragraph{
+      "The first test is the sphere of task 2, whose solution is known. Euler's method is "
+      "shown for comparison."});
+  section.content.emplace_back(sphere_errors_table(commands));
+  section.content.emplace_back(Paragraph{
+      "The errors of Lie-Euler are rounding errors: they grow with the number of steps "
+      "and not with their length. For the sphere ω is constant, so each step is exact, "
+      "whatever its length. The sphere therefore shows that the exponential is right, but "
+      "cannot reveal the order of the method, nor a wrong ω: that takes a body whose ω "
+      "changes. Euler's method leaves SO(3), and is of first order."});
+  section.content.emplace_back(ladder_table(study, {"euler", "lie-euler"}, studied));
+  section.content.emplace_back(
+      Paragraph{fmt::format("On the T-wrench half the step halves the error of Lie-Euler: it is of "
+                            "first order, as its Taylor series says; measured, {}.",
+                            measured_order(study, "lie-euler"))});
+  return section;
+}
+
+}  // namespace twrench::report

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <twrench/study/study.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/document.h"
+#include "report/results.h"
+
+// Parts of a study that several sections show.
+namespace twrench::report {
+
+/// Returns a method's results, which must be in the study.
+const study::MethodStudy& results_of(const study::Study& study, std::string_view method);
+
+/// Returns the measured order of a method with two decimals, a dash where there is none.
+std::string measured_order(const study::Study& study, std::string_view method);
+
+/// Returns the errors of methods with fixed steps by step, and in the last row the measured orders.
+Table ladder_table(const study::Study& study, const std::vector<std::string>& methods,
+                   const Experiment& studied);
+
+/// Returns the run in the middle of a method's ladder, or the nearest finer one that did not fail;
+/// null if all failed.
+const study::StudyRun* middle_run(const study::MethodStudy& method);
+
+}  // namespace twrench::report
