@@ -178,8 +178,10 @@ class TexReader {
 
   /// A command with arguments.
   std::string construction(std::string_view name) {
-    const auto accent = [&](std::string_view mark) {
-      return fmt::format("<mover accent=\"true\">{}<mo stretchy=\"false\">{}</mo></mover>",
+    // Without a mathematical font, an accent is drawn at the height of an x, inside a capital. A
+    // hat is high enough, a dot is not: it is a script over the letter.
+    const auto over = [&](std::string_view mark, bool is_accent) {
+      return fmt::format("<mover accent=\"{}\">{}<mo stretchy=\"false\">{}</mo></mover>", is_accent,
                          argument(), mark);
     };
     rest_.remove_prefix(name.size());
@@ -189,8 +191,8 @@ class TexReader {
       return element("mfrac", above + argument());
     }
     if (name == "sqrt") return element("msqrt", argument());
-    if (name == "hat") return accent("^");
-    if (name == "dot") return accent("˙");
+    if (name == "hat") return over("^", true);
+    if (name == "dot") return over("˙", false);
     if (name == "text") return element("mtext", with_hard_spaces(braced()));
     if (name == "mathrm") return fmt::format("<mi mathvariant=\"normal\">{}</mi>", braced());
     if (name == "left") return fenced();

@@ -42,7 +42,7 @@ TEST(MathMl, HasConstructions) {
             "<mfrac><mrow><mi>h</mi></mrow><mrow><mn>2</mn></mrow></mfrac>");
   EXPECT_EQ(mathml(R"(\sqrt{m})"), "<msqrt><mrow><mi>m</mi></mrow></msqrt>");
   EXPECT_EQ(mathml(R"(\dot X)"),
-            "<mover accent=\"true\"><mi>X</mi><mo stretchy=\"false\">˙</mo></mover>");
+            "<mover accent=\"false\"><mi>X</mi><mo stretchy=\"false\">˙</mo></mover>");
   EXPECT_EQ(mathml(R"(\left(a\right))"), "<mrow><mo>(</mo><mi>a</mi><mo>)</mo></mrow>");
   EXPECT_EQ(mathml(R"(\text{if not})"), "<mtext>if\u00a0not</mtext>");
 }
