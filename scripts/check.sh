@@ -4,6 +4,9 @@
 # UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages,
 # exported files read by other programs, pages in a browser, the tests for uninitialised values under
 # valgrind, one minute of scripts/torture.sh, and both commands of README.md in a bare Debian 13.
+#
+# Debian 13 is installed and tested beside the other steps: together they use the processors when one
+# of them downloads, waits or has one thread. Its output is printed at the end.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -48,14 +51,34 @@ try_debian_13() (
   fi
 )
 
+# start_debian_13: runs its step in a process group of its own, which ends with this script.
+start_debian_13() {
+  require_writable build/check
+  set -m
+  step "Both commands of README.md in a bare Debian 13" try_debian_13 \
+    </dev/null >build/check/debian-13.log 2>&1 &
+  set +m
+  debian_13=$!
+  trap 'kill -TERM -- "-$debian_13" && wait "$debian_13"' EXIT
+}
+
+finish_debian_13() {
+  local status=0
+  wait "$debian_13" || status=$?
+  trap - EXIT
+  cat build/check/debian-13.log
+  return "$status"
+}
+
 # GCC's sanitizers crash randomly where the kernel randomises more address bits than their shadow
 # memory allows for (vm.mmap_rnd_bits=32), so randomisation is switched off where permitted.
 if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)
 fi
 
-step "All tests of the release build" scripts/test.sh
 step "The packages for the other checks" scripts/setup.sh check
+start_debian_13
+step "All tests of the release build" scripts/test.sh
 step "The layout of the sources" scripts/lint.sh format
 step "The tests that draw, over EGL alone" draw_over_egl
 step "The tests of the threads, under ThreadSanitizer" test_threads
@@ -68,4 +91,4 @@ step "Pages, in a browser" scripts/page_test.sh
 step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick
 step "Random scenes, motions and command lines, and injected faults: one minute" \
   scripts/torture.sh 1 2020
-step "Both commands of README.md in a bare Debian 13" try_debian_13
+finish_debian_13

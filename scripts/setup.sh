@@ -76,6 +76,7 @@ test     | groff, to check manual pages  | groff-base
 test     | mandoc, for the same          | mandoc
 test     | libpng's tools, for the same  | libpng-tools
 check    | clang-format 14               | clang-format-14           | the formatting of the sources is not checked
+check    | debootstrap, for Debian 13   | debootstrap
 tidy     | clang-tidy 14                 | clang-tidy-14
 tidy     | Clang 14                      | clang-14
 tidy     | Clang 14's sanitizers         | libclang-rt-14-dev
