@@ -39,6 +39,10 @@ std::string remedy_of(const motion::MotionError& error) {
 }
 
 std::string remedy_of(const Error& error) {
+  const auto* gl = dynamic_cast<const gl::GlError*>(&error);
+  if (gl != nullptr && gl->reason() == gl::GlError::Reason::forked) {
+    return "start processes by multiprocessing's 'spawn' or 'forkserver'";
+  }
   if (!error.remedy().empty()) return error.remedy();
   if (const auto* motion = dynamic_cast<const motion::MotionError*>(&error)) {
     return remedy_of(*motion);

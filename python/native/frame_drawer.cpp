@@ -45,7 +45,7 @@ FrameDrawer::~FrameDrawer() {
 image::Image FrameDrawer::draw(int frame) {
   if (::getpid() != process_) {
     throw gl::GlError("frame", "this process was forked from the one that began to draw the scene",
-                      "start processes by multiprocessing's 'spawn' or 'forkserver'");
+                      {}, gl::GlError::Reason::forked);
   }
   std::call_once(started_, [this] {
     thread_ = std::thread([this] {

@@ -40,6 +40,7 @@ py::array_t<Number> array_of(const std::vector<Row>& rows) {
 template <typename Number, typename Row>
 std::vector<Row> rows_of(const py::handle& object) {
   const auto array = py::cast<py::array_t<Number, py::array::c_style>>(object);
+  if (array.ndim() != 2 || array.shape(1) != 3) throw py::cast_error("not an array (n, 3)");
   std::vector<Row> rows(static_cast<std::size_t>(array.shape(0)));
   const Number* from = array.data();
   for (Row& row : rows) {
@@ -222,6 +223,26 @@ Scene Reader::scene(const py::tuple& state) {
   return made;
 }
 
+/// Calls a reader of a pickle. Throws InvalidArgument about `what` where it is not as Writer wrote
+/// it.
+template <typename Read>
+auto read_whole(const std::string& what, const Read& read) {
+  const auto damaged = [&] {
+    return InvalidArgument("the pickled " + what, "it is damaged", "make it again");
+  };
+  try {
+    return read();
+  } catch (const nlohmann::json::exception&) {
+    throw damaged();
+  } catch (const py::builtin_exception&) {
+    throw damaged();
+  } catch (const py::error_already_set&) {
+    throw damaged();
+  } catch (const std::out_of_range&) {
+    throw damaged();
+  }
+}
+
 }  // namespace
 
 py::tuple state_of(const Body& body) {
@@ -229,16 +250,19 @@ py::tuple state_of(const Body& body) {
 }
 
 Body body_with(const py::tuple& state) {
-  const scene::Body description = Reader().body(state[0]);
-  if (description.parts.empty() && !description.moments) {
-    return body_from_inertia(state[1].cast<Matrix3d>());
-  }
-  const body::MassProperties properties = scene::mass_properties(description);
-  return {description, properties};
+  return read_whole("body", [&] {
+    const scene::Body description = Reader().body(state[0]);
+    if (description.parts.empty() && !description.moments) {
+      return body_from_inertia(state[1].cast<Matrix3d>());
+    }
+    return Body{description, scene::mass_properties(description)};
+  });
 }
 
 py::tuple state_of(const Scene& scene) { return Writer().scene(scene); }
 
-Scene scene_with(const py::tuple& state) { return Reader().scene(state); }
+Scene scene_with(const py::tuple& state) {
+  return read_whole("scene", [&] { return Reader().scene(state); });
+}
 
 }  // namespace twrench::python

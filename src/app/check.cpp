@@ -111,11 +111,12 @@ std::optional<double> order(const std::vector<CheckedFile>& files,
 }
 
 /// Why the files tell no order, where they cannot.
-std::string why_no_order(const std::vector<CheckedFile>& files) {
+std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) {
   const auto [least, most] = std::ranges::minmax_element(files, {}, &CheckedFile::step);
   constexpr double alike = 1.01;
   if (most->step <= alike * least->step) {
-    return "the files have the same time between rows; --steps tells their step sizes";
+    return has_steps ? "the step sizes that --steps gives are the same"
+                     : "the files have the same time between rows; --steps tells their step sizes";
   }
   const auto end = [](const CheckedFile& file) { return file.judgement.last_time; };
   const auto [first, last] = std::ranges::minmax_element(files, {}, end);
@@ -123,9 +124,9 @@ std::string why_no_order(const std::vector<CheckedFile>& files) {
   return {};
 }
 
-CheckOrders orders_of(const std::vector<CheckedFile>& files) {
+CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
   if (files.size() < 2) return {};
-  CheckOrders orders{{}, {}, why_no_order(files)};
+  CheckOrders orders{{}, {}, why_no_order(files, has_steps)};
   if (!orders.why_not.empty()) return orders;
   orders.rates = order(files, &check::Judgement::rates);
   orders.attitude = order(files, &check::Judgement::attitude);
@@ -143,7 +144,7 @@ CheckResult check_files(const CheckOptions& options) {
     result.files.push_back(check_file(options, problem, options.files[i]));
     if (!steps.empty()) result.files.back().step = steps[i];
   }
-  result.orders = orders_of(result.files);
+  result.orders = orders_of(result.files, !steps.empty());
   return result;
 }
 

@@ -96,7 +96,7 @@ void CheckSetup::add_options(CLI::App& command) {
       .add_option("--inertia", inertia_,
                   "principal moments of inertia about the body's axes, in any unit")
       ->type_name("A,B,C");
-  command.add_option("--scene", scene_, "take the body of this scene instead")->type_name("SCENE");
+  command.add_option("--scene", scene_name_, "take the body of this scene instead")->type_name("SCENE");
   command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
       ->default_str("the first row's, at its time");
@@ -134,11 +134,16 @@ void CheckSetup::add_options(CLI::App& command) {
       ->capture_default_str();
 }
 
+const scene::Scene& CheckSetup::scene() const {
+  if (!scene_) scene_ = scene::load_scene(scene_name_);
+  return *scene_;
+}
+
 Eigen::Matrix3d CheckSetup::inertia() const {
-  if (!scene_.empty() && !inertia_.empty()) {
+  if (!scene_name_.empty() && !inertia_.empty()) {
     throw InvalidArgument("--scene", "--inertia gives the body already", "leave out one of them");
   }
-  if (!scene_.empty()) return scene::mass_properties(scene::load_scene(scene_).body).inertia;
+  if (!scene_name_.empty()) return scene::mass_properties(scene().body).inertia;
   if (inertia_.empty()) {
     throw InvalidArgument(
         "check", "the body is not given",
@@ -191,9 +196,9 @@ check::Convention CheckSetup::convention(const std::string& file,
 }
 
 void CheckSetup::require_not_input(const std::filesystem::path& output) const {
-  if (scene_.empty()) return;
-  system::require_not_input(output, scene_);
-  for (const std::filesystem::path& file : scene::input_files(scene::load_scene(scene_))) {
+  if (scene_name_.empty()) return;
+  system::require_not_input(output, scene_name_);
+  for (const std::filesystem::path& file : scene::input_files(scene())) {
     system::require_not_input(output, file);
   }
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/command_line.h"
 #include "check/convention.h"
 #include "check/problem.h"
+#include "scene/scene.h"
 
 namespace twrench::app {
 
@@ -29,11 +31,14 @@ class CheckSetup {
  private:
   check::Convention said() const;
   Eigen::Matrix3d inertia() const;
+  /// Loads the scene, and only once, because a pipe can be read only once.
+  const scene::Scene& scene() const;
 
-  std::string inertia_, scene_, omega_, omega_at_ = "0", frame_ = "first";
+  std::string inertia_, scene_name_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
   std::string columns_, units_, sequence_, rates_ = "body";
   bool inverse_ = false;
+  mutable std::optional<scene::Scene> scene_;  ///< What scene() returns.
 };
 
 }  // namespace twrench::app

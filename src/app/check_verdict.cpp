@@ -170,6 +170,24 @@ std::string faultless_text(const Judgement& judgement) {
   return says_little ? text + "; but by the end almost any motion would be" : text;
 }
 
+/// Whether the attitudes are farther from rotations than their errors and their digits explain.
+bool is_no_rotation(const Judgement& judgement) {
+  if (!judgement.orthogonality_error) return false;
+  constexpr double margin = 10, round_off = 1e-14;
+  const double explained =
+      std::max({judgement.attitude->max, judgement.digits.attitude, round_off});
+  return *judgement.orthogonality_error > margin * explained;
+}
+
+std::string no_rotation_text(const Judgement& judgement) {
+  const char* const difference =
+      check::attitude_form(judgement.convention) == check::AttitudeForm::matrix
+          ? "matrices are not rotations: X^T X differs from the identity"
+          : "quaternions are not of unit length: the squared length differs from 1";
+  return fmt::format("its {} by up to {:.3g}; apart from that, it is ", difference,
+                     *judgement.orthogonality_error);
+}
+
 std::string error_text(const Judgement& judgement) {
   return fmt::format(
       "off by up to {}, and by up to {:.3g} times the resolution limit of its digits{}",
@@ -216,6 +234,10 @@ std::string verdict(const CheckedFile& file) {
                                          sizes_text(judgement);
   }
   if (is_foreign(judgement)) return foreign_text(file);
+  if (is_no_rotation(judgement) && !judgement.attitude_contradicts_rates) {
+    return no_rotation_text(judgement) +
+           (judgement.within_digits ? faultless_text(judgement) : error_text(judgement));
+  }
   if (judgement.within_digits) return "cannot be faulted: " + faultless_text(judgement);
   if (judgement.attitude_contradicts_rates) {
     const std::string of_rates = rates_within_digits(judgement)

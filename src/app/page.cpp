@@ -27,9 +27,9 @@ void write_page(const PageOptions& options) {
     system::require_not_input(options.output, options.template_file);
   }
   const std::string empty = page_template(options.template_file);
-  const scene::Scene scene = options.scene.scene();
-  write_output(options.output,
-               page_html(empty, scene, options.scene.sources().front(), poster_html(scene)));
+  const PageScene scene{options.scene.scene(), options.scene.original(),
+                        options.scene.sources().front()};
+  write_output(options.output, page_html(empty, scene, poster_html(scene.shown)));
 }
 
 }  // namespace

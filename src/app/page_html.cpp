@@ -21,16 +21,16 @@ namespace {
 
 /// In a script of data, nothing may look like the end of the script. With the source and the values
 /// there, the page writes a command line for what it shows.
-std::string scene_html(const scene::Scene& scene, const std::string& source) {
-  const page::Surface surface = page::surface_of(scene.body);
+std::string scene_html(const PageScene& scene) {
+  const page::Surface surface = page::surface_of(scene.shown.body);
   if (const auto& simplified = surface.simplification) {
     say("twrench: the page draws {} of {} triangles; mass properties are those of all of them\n",
         simplified->drawn, simplified->given);
   }
-  nlohmann::ordered_json json = page::page_json(scene, surface);
+  nlohmann::ordered_json json = page::page_json(scene.shown, surface);
   json["program"] = std::string("twrench ") + version;
-  json["source"] = source;
-  json["source_scene"] = scene::scene_json(scene::load_scene(source));
+  json["source"] = scene.source;
+  json["source_scene"] = scene::scene_json(scene.original);
   std::string data;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
     if (c == '<') {
@@ -92,14 +92,15 @@ std::string poster_html(const scene::Scene& scene) {
   }
 }
 
-std::string page_html(const std::string& page_template, const scene::Scene& scene,
-                      const std::string& source, const std::string& poster) {
-  const std::string title = xml_text(scene.title.empty() ? scene.name : scene.title);
+std::string page_html(const std::string& page_template, const PageScene& scene,
+                      const std::string& poster) {
+  const scene::Scene& shown = scene.shown;
+  const std::string title = xml_text(shown.title.empty() ? shown.name : shown.title);
   Filling page(page_template);
   page.put("{{title}}", title);
   page.put("{{title}}", title);
   page.put("<!-- twrench:poster -->", poster);
-  page.put("<!-- twrench:scene -->", scene_html(scene, source));
+  page.put("<!-- twrench:scene -->", scene_html(scene));
   return std::move(page).filled();
 }
 

@@ -14,9 +14,19 @@ std::string page_template(const std::string& file);
 /// because a page can do without.
 std::string poster_html(const scene::Scene& scene);
 
-/// Returns the page of a scene. `source` is its name or file, as a command line has it; `poster` an
-/// <img>. Throws FileError where the template lacks a place for something.
-std::string page_html(const std::string& page_template, const scene::Scene& scene,
-                      const std::string& source, const std::string& poster);
+/// The scene of a page.
+struct PageScene {
+  /// The scene that is shown.
+  scene::Scene shown;
+  /// The scene without the overrides of the command line.
+  scene::Scene original;
+  /// Its name or file, as a command line has it.
+  std::string source;
+};
+
+/// Returns the page of a scene. `poster` is an <img>. Throws FileError where the template lacks a
+/// place for something.
+std::string page_html(const std::string& page_template, const PageScene& scene,
+                      const std::string& poster);
 
 }  // namespace twrench::app

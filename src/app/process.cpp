@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -61,6 +63,34 @@ void write_reason() {
   }
 }
 
+/// Ends a program that crashes, most likely in the driver of OpenGL, with a message. Calls only what
+/// a handler may call.
+void report_crash(int) {
+  write_error(
+      "twrench: error: internal: it crashed\n"
+      "  if it was drawing, the OpenGL driver may be at fault: see twrench doctor; or it had too "
+      "little memory (ulimit -v)\n");
+  ::_exit(static_cast<int>(ExitCode::internal));
+}
+
+/// Leaves handlers alone that a tool has installed, such as a sanitizer. A stack that overflows needs
+/// another one for the handler.
+void handle_crashes() {
+  static std::array<std::byte, 1 << 14> memory;
+  stack_t stack{};
+  stack.ss_sp = memory.data();
+  stack.ss_size = memory.size();
+  ::sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+    struct sigaction action {};
+    const bool is_free =
+        ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+    action.sa_handler = &report_crash;
+    action.sa_flags = SA_ONSTACK;
+    if (is_free) ::sigaction(signal, &action, nullptr);
+  }
+}
+
 /// Runs before the libraries' static initialisers, which also allocate.
 [[gnu::constructor(101)]] void handle_terminate() {
   std::set_terminate(&end_at_once);
@@ -71,6 +101,7 @@ void write_reason() {
 
 void prepare_process() {
   fill_standard_streams();
+  handle_crashes();
   // A closed pipe, or a file at its size limit, is an error to report, not a reason to be killed.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));

@@ -151,7 +151,10 @@ void Progress::summarize(const Summary& summary) {
   std::string text =
       fmt::format("{} frames in {:.1f} s, {:.1f} frames/s", summary.frames, summary.seconds, rate);
   if (summary.frames_folder) text += "; frames in " + summary.frames_folder->string();
-  if (summary.film) text += "; video in " + summary.film->string();
+  if (summary.film) {
+    text += *summary.film == "-" ? "; video on standard output"
+                                 : "; video in " + summary.film->string();
+  }
   say("{}\n", text);
 }
 

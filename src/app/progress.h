@@ -20,7 +20,7 @@ struct Summary {
   double seconds = 0.0;
   /// Folder of the frames, if any were written.
   std::optional<std::filesystem::path> frames_folder;
-  /// The video, if one was written.
+  /// The video, if one was written; "-" for standard output.
   std::optional<std::filesystem::path> film;
 };
 

@@ -31,9 +31,7 @@ void end_whole(film::RenderJob& job, system::TerminationMessage& message) {
 
 Summary summary_of(const film::RenderSettings& settings, std::size_t frames, double seconds) {
   Summary summary{frames, seconds, settings.frames_folder, {}};
-  if (settings.video) {
-    summary.film = settings.video->is_streamed() ? "on standard output" : settings.video->path;
-  }
+  if (settings.video) summary.film = settings.video->path;
   return summary;
 }
 

@@ -73,10 +73,11 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
     case check::CheckError::Reason::no_rates:
       return "give it with --omega X,Y,Z, or find it with --fit";
     case check::CheckError::Reason::one_row:
+      return "judge a file of several rows";
     case check::CheckError::Reason::at_rest:
       break;
   }
-  return "leave --fit out";
+  return "replace --fit by --omega 0,0,0 to judge whether it stays at rest";
 }
 
 std::string remedy_for_columns(const check::ColumnError& error) {
@@ -92,6 +93,9 @@ std::string remedy_for_gl(const gl::GlError& error) {
       return "choose another --egl-device, or --backend";
     case gl::GlError::Reason::no_osmesa:
       return error.remedy() + ": --backend egl";
+    case gl::GlError::Reason::crashed:
+      return error.remedy() + ", or choose another --backend";
+    case gl::GlError::Reason::forked:
     case gl::GlError::Reason::failed:
       break;
   }

@@ -50,12 +50,11 @@ std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
 }
 
 /// The page of the first scene, to stand above its results.
-report::Viewer viewer_of(const std::string& empty, const report::Experiment& experiment,
-                         const std::string& source) {
-  const std::string poster = poster_html(experiment.scene);
+report::Viewer viewer_of(const std::string& empty, const PageScene& scene) {
+  const std::string poster = poster_html(scene.shown);
   const std::size_t policy = empty.find("<meta http-equiv=\"Content-Security-Policy\"");
   const std::size_t end = policy == std::string::npos ? policy : empty.find('>', policy) + 1;
-  return {page_html(empty, experiment.scene, source, poster),
+  return {page_html(empty, scene, poster),
           policy == std::string::npos ? "" : empty.substr(policy, end - policy), poster};
 }
 
@@ -90,7 +89,8 @@ void write_report(const ReportOptions& options) {
   const report::Document document = document_of(options, experiments);
   std::optional<report::Viewer> viewer;
   if (interactive) {
-    viewer = viewer_of(empty, experiments.front(), argument_of(options.scenes.sources().front()));
+    viewer = viewer_of(empty, {experiments.front().scene, options.scenes.original(),
+                               argument_of(options.scenes.sources().front())});
   }
   Output output(options.output);
   const report::Write write = [&](std::string_view text) { output.write(text); };

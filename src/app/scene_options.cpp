@@ -186,26 +186,29 @@ void SceneOptions::require_no_overrides(const std::string& name) const {
 
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
   for (const std::string& name : names_) twrench::system::require_not_input(output, name);
-  for (const scene::Scene& scene : load()) {
-    for (const std::filesystem::path& file : scene::input_files(scene)) {
+  for (const Loaded& scene : load()) {
+    for (const std::filesystem::path& file : scene::input_files(scene.overridden)) {
       twrench::system::require_not_input(output, file);
     }
   }
 }
 
-const std::vector<scene::Scene>& SceneOptions::load() const {
-  if (!scenes_.empty()) return scenes_;
-  std::vector<scene::Scene> scenes;
+const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
+  if (!loaded_.empty()) return loaded_;
+  std::vector<Loaded> all;
   for (const std::string& name : names_) {
-    scene::Scene scene = scene::load_scene(name);
+    Loaded loaded{scene::load_scene(name), {}};
+    loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
-      override_value(scene);
-      for (scene::Shot& shot : scene.shots) override_value(shot.scene);
+      override_value(loaded.overridden);
+      for (scene::Shot& shot : loaded.overridden.shots) override_value(shot.scene);
     }
-    scenes.push_back(std::move(scene));
+    all.push_back(std::move(loaded));
   }
-  return scenes_ = std::move(scenes);
+  return loaded_ = std::move(all);
 }
+
+const scene::Scene& SceneOptions::original() const { return load().front().original; }
 
 void SceneOptions::require_drawable(const scene::Scene& scene) const {
   if (scene.shots.empty()) return;
@@ -217,7 +220,8 @@ void SceneOptions::require_drawable(const scene::Scene& scene) const {
 }
 
 std::vector<scene::Scene> SceneOptions::scenes() const {
-  std::vector<scene::Scene> scenes = load();
+  std::vector<scene::Scene> scenes;
+  for (const Loaded& loaded : load()) scenes.push_back(loaded.overridden);
   const bool as_json = Progress::is_json(command_);
   // Several scenes with the moments of --inertia are one body.
   const CLI::Option* inertia = command_.get_option_no_throw("--inertia");

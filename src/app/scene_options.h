@@ -56,6 +56,9 @@ class SceneOptions {
   /// Returns the names or files of the scenes as they were given.
   const std::vector<std::string>& sources() const { return names_; }
 
+  /// Returns the scene without overrides. Throws as load_scene() does.
+  const scene::Scene& original() const;
+
   /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
   void require_no_overrides(const std::string& name) const;
 
@@ -85,14 +88,19 @@ class SceneOptions {
 
   /// Adds the option for what is drawn of a body that is given by its moments.
   void add_shape_option();
-  /// Loads the scenes without warnings, and only once.
-  const std::vector<scene::Scene>& load() const;
+  /// A scene as its file has it, and with the overrides.
+  struct Loaded {
+    scene::Scene original, overridden;
+  };
+
+  /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
+  const std::vector<Loaded>& load() const;
 
   CLI::App& command_;
   std::vector<std::string> names_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
-  mutable std::vector<scene::Scene> scenes_;  ///< What load() returns; empty before it was called.
+  mutable std::vector<Loaded> loaded_;  ///< What load() returns; empty before it was called.
 };
 
 }  // namespace twrench::app

@@ -1,5 +1,7 @@
 #include "check/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,7 @@
 #include "check/frame.h"
 #include "check/row_reader.h"
 #include "check/thinned_rows.h"
+#include "table/error.h"
 
 namespace twrench::check {
 namespace {
@@ -39,11 +42,25 @@ struct Recording {
   RowReader reader() const { return {file, convention}; }
 };
 
+/// Throws BadTable if the squares of these rates would underflow.
+Vector3d require_representable(const Recording& recording, const Vector3d& omega) {
+  constexpr double least = 1e-100;  // rad/s, as of scenes
+  const double speed = omega.stableNorm();
+  if (speed == 0 || speed >= least) return omega;
+  throw table::BadTable(
+      recording.file.string() + ": the first row",
+      fmt::format("its rates have the magnitude {:.3g} rad/s, but must be zero or at least {:.3g}",
+                  speed, least),
+      "write zeros if the body is at rest");
+}
+
 Vector3d first_omega(const Recording& recording, const Problem& problem,
                      const std::vector<Row>& rows) {
   if (problem.omega) return *problem.omega;
-  if (recording.has_rates) return rows.front().omega;
-  if (problem.fit && rows.size() > 1) return omega_between(problem.inertia, rows[0], rows[1]);
+  if (recording.has_rates) return require_representable(recording, rows.front().omega);
+  // fit() throws where there is one row.
+  if (problem.fit && rows.size() == 1) return Vector3d::Zero();
+  if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
   throw CheckError(recording.file.string(),
                    "has attitudes alone, which do not tell the initial angular velocity",
                    CheckError::Reason::no_rates);

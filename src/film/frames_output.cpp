@@ -39,14 +39,17 @@ std::size_t FramesOutput::count_without_file() const {
 }
 
 video::FrameSequence& FramesOutput::open() {
+  sequence_ = std::make_unique<video::FrameSequence>(folder_, film_);  // locks the folder
+  // Another run may have ended since this one looked, and this one waited for its lock.
+  earlier_ = video::EarlierRun(folder_, film_, frames_);
+  refuse_to_destroy(folder_, earlier_, film_.shard, reuse_);
   const auto number = [](const video::FrameRecord& record) { return record.frame; };
   std::vector<int> told;
   std::ranges::transform(earlier_.own_records(), std::back_inserter(told), number);
   std::vector<int> range;
   std::ranges::set_union(video::parse_frame_range(film_.range, video::max_frame_count), told,
                          std::back_inserter(range));
-  film_.range = video::format_frame_range(range);
-  sequence_ = std::make_unique<video::FrameSequence>(folder_, film_);  // locks the folder
+  sequence_->set_range(video::format_frame_range(range));
   for (const auto& manifest : earlier_.foreign_manifests()) {
     std::error_code gone;  // another shard may have removed it first
     std::filesystem::remove(manifest, gone);

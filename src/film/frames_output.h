@@ -32,9 +32,10 @@ class FramesOutput {
   /// Returns how many of the frames have no file yet.
   std::size_t count_without_file() const;
 
-  /// Begins to write. The manifest keeps its earlier records of the same video, so that a run
+  /// Locks the folder, looks again, because another run may have written there meanwhile, and
+  /// begins to write. The manifest keeps its earlier records of the same video, so that a run
   /// killed at its start loses nothing; records of another video are dropped, as its frames are.
-  /// Throws FileError.
+  /// Throws FileError, and ForeignFramesError as the constructor does.
   video::FrameSequence& open();
 
   /// With `resume`, returns the record of a frame that need not be drawn because it is intact, and

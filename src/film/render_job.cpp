@@ -172,9 +172,10 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
       settings_(std::move(settings)),
       asked_(asked_frames(scene_, settings_.range)),
       numbers_(video::frames_of_shard(asked_, settings_.shard)),
+      gl_trial_(settings_.backend),
       trial_(try_encoder(settings_, scene_)),
-      opened_(gl::open_context(settings_.backend)),
       timeline_(timed_timeline(scene_, numbers_, times_)),
+      opened_(gl::open_context(std::move(gl_trial_))),
       renderer_(*opened_.context, scene_),
       frames_(numbers_.size()) {
   const video::Manifest manifest = manifest_of(settings_, scene_, renderer_, asked_);
@@ -192,6 +193,8 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
   if (settings_.video) {
     const auto tracks = text_tracks_of(scene_, timeline_, *settings_.video);
     encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(trial_));
+    // Another run may have written it since, for whose end the encoder waited.
+    if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
     text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,
                                                            settings_.reuse == Reuse::overwrite);
   }

@@ -91,9 +91,10 @@ class RenderJob {
   const RenderSettings settings_;
   const std::vector<int> asked_;    ///< Numbers of the frames of all shards.
   const std::vector<int> numbers_;  ///< Numbers of those of this run.
+  gl::BackendTrial gl_trial_;       ///< Started before there are threads, and used up by opened_.
   std::future<void> trial_;         ///< The test of the encoder.
-  const gl::OpenedContext opened_;
   const timeline::FilmTimeline timeline_;
+  const gl::OpenedContext opened_;
   render::FilmRenderer renderer_;
   std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <sstream>
 #include <utility>
 
+#include "gl/child_call.h"
 #include "gl/error.h"
+#include "gl/framebuffer.h"
 #include "gl/functions.h"
+#include "gl/library.h"
 
 namespace twrench::gl {
 namespace {
@@ -62,13 +66,52 @@ OpenedContext fall_back(bool egl_alone) {
   }
 }
 
+/// Draws some pixels, for which the driver compiles its first program, and returns the renderer.
+std::string try_drawing(const Context& context) {
+  constexpr int size = 16;
+  constexpr Rectangle all{0, 0, size, size};
+  const Functions gl(context);
+  const Framebuffer framebuffer(gl, size, size, 1, ReadMode::at_once);
+  framebuffer.clear(std::array{all});
+  framebuffer.begin_read(all).finish();
+  return renderer_string(gl);
+}
+
+/// Calls it in a child process, unless this one has used OpenGL, and survived that.
+std::string call_safely(const std::function<std::string()>& call) {
+  return has_used_opengl() ? call() : ChildCall(call).result();
+}
+
 BackendReport report(std::string name, const Maker& make) {
   try {
-    const auto context = make();
-    return {std::move(name), renderer_string(Functions(*context)), {}};
+    std::string renderer = call_safely([&] { return try_drawing(*make()); });
+    return {std::move(name), std::move(renderer), {}};
   } catch (const Error&) {
     return {std::move(name), {}, std::current_exception()};
   }
+}
+
+std::vector<std::string> egl_device_names() {
+  std::istringstream lines(call_safely([] {
+    std::string all;
+    for (const EglDevice& device : egl_devices()) all += device.name + "\n";
+    return all;
+  }));
+  std::vector<std::string> names;
+  for (std::string name; std::getline(lines, name);) names.push_back(name);
+  return names;
+}
+
+OpenedContext open_here(const BackendChoice& choice) {
+  if (choice.backend == Backend::osmesa) {
+    if (choice.egl_device) {
+      throw InvalidArgument("an EGL device", "OSMesa has none");
+    }
+    return {make_osmesa_context(), {}};
+  }
+  if (choice.egl_device) return {make_egl_context(*choice.egl_device), {}};
+  if (auto context = make_hardware_context()) return {std::move(context), {}};
+  return fall_back(choice.backend == Backend::egl);
 }
 
 constexpr std::array<std::pair<const char*, Backend>, 3> named_backends{
@@ -90,24 +133,26 @@ Backend backend_named(const std::string& name) {
                         fmt::format("one of: {}", fmt::join(backend_names(), ", ")));
 }
 
-OpenedContext open_context(const BackendChoice& choice) {
-  if (choice.backend == Backend::osmesa) {
-    if (choice.egl_device) {
-      throw InvalidArgument("an EGL device", "OSMesa has none");
-    }
-    return {make_osmesa_context(), {}};
-  }
-  if (choice.egl_device) return {make_egl_context(*choice.egl_device), {}};
-  if (auto context = make_hardware_context()) return {std::move(context), {}};
-  return fall_back(choice.backend == Backend::egl);
+BackendTrial::BackendTrial(BackendChoice choice) : choice_(std::move(choice)) {
+  if (has_used_opengl()) return;
+  call_ = std::make_unique<ChildCall>([this] { return try_drawing(*open_here(choice_).context); });
 }
+
+BackendTrial::~BackendTrial() = default;
+BackendTrial::BackendTrial(BackendTrial&& other) noexcept = default;
+
+const BackendChoice& BackendTrial::finish() {
+  if (const auto call = std::exchange(call_, nullptr)) call->result();
+  return choice_;
+}
+
+OpenedContext open_context(BackendTrial trial) { return open_here(trial.finish()); }
 
 std::vector<BackendReport> backends() {
   std::vector<BackendReport> reports{report("osmesa", make_osmesa_context)};
   try {
-    for (const EglDevice& device : egl_devices()) {
-      reports.push_back(
-          report("egl " + device.name, [&] { return make_egl_context(device.name); }));
+    for (const std::string& name : egl_device_names()) {
+      reports.push_back(report("egl " + name, [&] { return make_egl_context(name); }));
     }
   } catch (const GlError&) {
     reports.push_back({"egl", {}, std::current_exception()});

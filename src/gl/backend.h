@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/context.h"
@@ -26,6 +27,25 @@ struct BackendChoice {
   std::optional<std::string> egl_device;
 };
 
+class ChildCall;
+
+/// A trial of a backend in a child process, which a crash of the driver ends in place of this one.
+/// It runs while this process does something else. A process whose driver has worked tries no more.
+class BackendTrial {
+ public:
+  /// Starts it. Throws GlError in a process that was forked from one that has used OpenGL.
+  explicit BackendTrial(BackendChoice choice);
+  ~BackendTrial();
+  BackendTrial(BackendTrial&& other) noexcept;
+
+  /// Waits for its end and returns the choice. Throws GlError with a remedy if the driver crashes.
+  const BackendChoice& finish();
+
+ private:
+  BackendChoice choice_;
+  std::unique_ptr<ChildCall> call_;
+};
+
 struct OpenedContext {
   /// The context, current on this thread.
   std::unique_ptr<Context> context;
@@ -39,9 +59,12 @@ struct OpenedContext {
 /// `egl` without a device does the same without OSMesa. Either reports in the note if it is not
 /// hardware. A named device, or OSMesa by name, is used or is an error.
 ///
-/// Throws GlError with a remedy if there is none, and InvalidArgument as make_egl_context() does,
-/// or if an EGL device is requested together with OSMesa.
-OpenedContext open_context(const BackendChoice& choice);
+/// Throws GlError with a remedy if there is none, or the trial fails, and InvalidArgument as
+/// make_egl_context() does, or if an EGL device is requested together with OSMesa.
+OpenedContext open_context(BackendTrial trial);
+inline OpenedContext open_context(BackendChoice choice) {
+  return open_context(BackendTrial(std::move(choice)));
+}
 
 /// A backend or device, and whether it is usable here.
 struct BackendReport {
@@ -50,7 +73,8 @@ struct BackendReport {
   std::exception_ptr failure;  ///< the Error then
 };
 
-/// Tries every backend and device in sequence. Does not throw.
+/// Tries every backend and device in sequence, each in a child process unless this one has used
+/// OpenGL. Does not throw.
 std::vector<BackendReport> backends();
 
 }  // namespace twrench::gl

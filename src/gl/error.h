@@ -11,6 +11,8 @@ class GlError : public Error {
     failed,              ///< none of those below
     no_osmesa,           ///< the OSMesa library is missing or lacks what is needed
     egl_device_refused,  ///< no context can be had on the device of EGL
+    crashed,             ///< the driver crashes or hangs
+    forked,              ///< this process was forked from one that has used OpenGL
   };
 
   GlError(const std::string& what, const std::string& why, std::string remedy = {},

@@ -7,12 +7,16 @@
 
 namespace twrench::gl {
 
+/// Returns whether this process has opened a Library. Throws GlError if one from which it was forked
+/// has: neither the threads of drivers nor their locks survive that.
+bool has_used_opengl();
+
 /// A shared library, opened at run time and never closed, because GL drivers leave threads and
 /// thread-local destructors behind that outlive every context.
 class Library {
  public:
   /// The first of `names` that the loader finds. Throws GlError, saying what was looked for and
-  /// giving `remedy` and `reason`, when there is none.
+  /// giving `remedy` and `reason`, when there is none; and as has_used_opengl() does.
   Library(std::span<const char* const> names, const std::string& remedy,
           GlError::Reason reason = GlError::Reason::failed);
 

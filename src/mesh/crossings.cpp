@@ -1,12 +1,12 @@
 #include "mesh/crossings.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/parallel.h"
+#include "mesh/allowance.h"
 
 namespace twrench::mesh {
 namespace {
@@ -86,19 +86,6 @@ bool is_beside(const Eigen::AlignedBox3f& flat, const Eigen::AlignedBox3f& other
   return false;
 }
 
-/// How many pairs of leaves may yet be compared, by all threads. Whether they suffice does not
-/// depend on the order in which they are used up.
-class Allowance {
- public:
-  explicit Allowance(std::size_t pairs) : left_(static_cast<std::ptrdiff_t>(pairs)) {}
-
-  void take(std::ptrdiff_t pairs) { left_ -= pairs; }
-  bool is_used_up() const { return left_ < 0; }
-
- private:
-  std::atomic<std::ptrdiff_t> left_;
-};
-
 /// Finds the crossings between nodes of the tree.
 class Search {
  public:
@@ -107,22 +94,36 @@ class Search {
 
   /// Between the triangles of two nodes on the same level, or within one.
   void run(std::size_t a, std::size_t b) {
-    if (!tree_->box(a).intersects(tree_->box(b))) return;
-    if (is_beside(tree_->box(a), tree_->box(b)) || is_beside(tree_->box(b), tree_->box(a))) return;
-    if (allowance_->is_used_up()) return;
-    if (tree_->is_leaf(a)) return compare_leaves(a, b);
-    run(2 * a, 2 * b);
-    run(2 * a, 2 * b + 1);
-    if (a != b) run(2 * a + 1, 2 * b);
-    run(2 * a + 1, 2 * b + 1);
+    search(a, b);
+    allowance_->take(steps_);
+    steps_ = 0;
   }
 
   Crossings found;
 
  private:
+  void search(std::size_t a, std::size_t b) {
+    count(1);
+    if (!tree_->box(a).intersects(tree_->box(b))) return;
+    if (is_beside(tree_->box(a), tree_->box(b)) || is_beside(tree_->box(b), tree_->box(a))) return;
+    if (allowance_->is_used_up()) return;
+    if (tree_->is_leaf(a)) return compare_leaves(a, b);
+    search(2 * a, 2 * b);
+    search(2 * a, 2 * b + 1);
+    if (a != b) search(2 * a + 1, 2 * b);
+    search(2 * a + 1, 2 * b + 1);
+  }
+
+  void count(std::size_t steps) {
+    constexpr std::size_t some = 16384;  // so that threads seldom wait for each other
+    steps_ += steps;
+    if (steps_ < some) return;
+    allowance_->take(steps_);
+    steps_ = 0;
+  }
+
   void compare_leaves(std::size_t a, std::size_t b) {
-    constexpr std::ptrdiff_t some = 1024;  // so that threads seldom wait for each other
-    if (++compared_ % some == 0) allowance_->take(some);
+    count(tree_->items(a).size() + tree_->items(b).size());
     for (const auto& [box, one] : tree_->items(a)) {
       if (!box.intersects(tree_->box(b))) continue;
       for (const auto& [other_box, other] : tree_->items(b)) {
@@ -132,6 +133,7 @@ class Search {
   }
 
   void compare(std::uint32_t one, std::uint32_t other) {
+    count(4);
     const auto& corners = tree_->mesh().triangles[one];
     const auto shared = std::ranges::count_if(tree_->mesh().triangles[other], [&](auto corner) {
       return std::ranges::find(corners, corner) != corners.end();
@@ -146,12 +148,12 @@ class Search {
   const TriangleTree* tree_;
   double touch_;
   Allowance* allowance_;
-  std::ptrdiff_t compared_ = 0;
+  std::size_t steps_ = 0;  ///< That have not been taken from the allowance yet.
 };
 
 }  // namespace
 
-Crossings find_crossings(const TriangleTree& tree) {
+Crossings find_crossings(const TriangleTree& tree, Allowance& allowance) {
   const double touch = 1e-9 * tree.whole().diagonal().norm();
   const std::size_t first = std::min<std::size_t>(tree.first_leaf(), 64);
   std::vector<std::pair<std::size_t, std::size_t>> tasks;
@@ -160,8 +162,6 @@ Crossings find_crossings(const TriangleTree& tree) {
       if (tree.box(a).intersects(tree.box(b))) tasks.emplace_back(a, b);
     }
   }
-  // A leaf has seven to nine others near it, whatever the mesh; the constant is half a second.
-  Allowance allowance(32 * tree.first_leaf() + 500'000);
   std::vector<Search> searches(tasks.size(), Search(tree, touch, allowance));
   for_each_part(tasks.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) searches[i].run(tasks[i].first, tasks[i].second);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/allowance.h"
 #include "mesh/triangle_tree.h"
 
 namespace twrench::mesh {
@@ -19,14 +20,14 @@ struct Crossing {
 /// Pairs of triangles that pass through each other.
 struct Crossings {
   std::size_t count = 0;
-  /// Whether the search was given up, because far more triangles than usual are close to each
+  /// Whether the search was given up because far more triangles than usual are close to each
   /// other, such as those of a fan of very many. Nothing is said of the mesh then.
   bool given_up = false;
   std::vector<Crossing> examples;  ///< Some of them; none only where there are none.
 };
 
 /// Returns the pairs of triangles that pass through each other, farther than a touch. Those that
-/// have an edge in common cannot.
-Crossings find_crossings(const TriangleTree& tree);
+/// have an edge in common cannot. Gives up when the allowance is used up.
+Crossings find_crossings(const TriangleTree& tree, Allowance& allowance);
 
 }  // namespace twrench::mesh

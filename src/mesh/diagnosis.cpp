@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "mesh/allowance.h"
 #include "mesh/gaps.h"
 #include "mesh/mesh_file.h"
 #include "mesh/nesting.h"
@@ -71,6 +74,35 @@ void turn_over(TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
+/// Throws where the volume is no more than the rounding of the coordinates makes of a flat surface.
+void require_volume(const std::string& name, const TriangleMesh& mesh) {
+  double greatest = 0.0;
+  for (const Vector3d& vertex : mesh.vertices) {
+    greatest = std::max(greatest, vertex.cwiseAbs().maxCoeff());
+  }
+  constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
+  const double round_off = epsilon * greatest * body::surface_area(mesh);
+  if (!std::isfinite(round_off) || std::abs(signed_volume(mesh)) > round_off) return;
+  throw InvalidArgument(name,
+                        "it encloses no volume: its faces lie upon each other, or one crosses "
+                        "itself",
+                        "give it a thickness, shell = THICKNESS, in cm; or correct the face");
+}
+
+void add_notes_of(const Overlap& overlap, std::vector<std::string>& notes) {
+  if (overlap.given_up) {
+    notes.emplace_back(
+        "it was not searched for triangles that cross, because too many of them are "
+        "long and close to each other");
+  }
+  if (overlap.crossings == 0) return;
+  notes.push_back(fmt::format("{} pairs of triangles cross or touch, the first near {}, {}",
+                              overlap.crossings, text_of(overlap.point),
+                              overlap.is_unclear ? "and whether that matters to its volume was "
+                                                   "not found out, because it would take too long"
+                                                 : "which does not matter to its volume"));
+}
+
 }  // namespace
 
 void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& topology,
@@ -78,7 +110,8 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
   require_closed(name, mesh, topology, scale);
   const TriangleTree tree(mesh);
   const bool is_inside_out = signed_volume(mesh) < 0.0;
-  const Overlap overlap = find_overlap(tree, is_inside_out);
+  Allowance allowance(usual_steps);
+  const Overlap overlap = find_overlap(tree, is_inside_out, allowance);
   if (overlap.is_real) {
     throw InvalidArgument(
         name,
@@ -87,18 +120,9 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
                     overlap.crossings, text_of(overlap.point)),
         "unite the parts that overlap, or make each a mesh of its own");
   }
-  if (overlap.given_up) {
-    notes.emplace_back(
-        "it was not searched for triangles that cross, because too many of them are "
-        "long and close to each other");
-  }
-  if (overlap.crossings > 0) {
-    notes.push_back(
-        fmt::format("{} pairs of triangles cross or touch, the first near {}, which "
-                    "does not matter to its volume",
-                    overlap.crossings, text_of(overlap.point)));
-  }
-  if (const auto wrong = misplaced_component(tree, topology, is_inside_out)) {
+  require_volume(name, mesh);
+  add_notes_of(overlap, notes);
+  if (const auto wrong = misplaced_component(tree, topology, is_inside_out, allowance)) {
     throw InvalidArgument(
         name,
         fmt::format("its {} components disagree: the one at {} {}", topology.components,
@@ -107,6 +131,11 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
                                        "volume would count twice"
                                      : "is turned the other way than the rest"),
         wrong->is_within ? "turn it over for a cavity, or take it out" : "turn its faces over");
+  }
+  if (allowance.is_used_up() && topology.components > 1) {
+    notes.emplace_back(
+        "whether its components lie within each other was not found out for all, because too many "
+        "of its triangles are long and close to each other");
   }
   if (!is_inside_out) return;
   turn_over(mesh);

@@ -19,17 +19,14 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Of corners that may be in the way of an ear: some seconds, after which a polygon with nearly all
-/// corners in one place is given up.
-constexpr std::size_t most_looks = 300'000'000;
-
 /// Cuts off corners one by one. What is cut off is always counter-clockwise; the triangles together
 /// then cover what the polygon does, once, whatever the order. Only corners at which the outline
 /// does not turn left can be in the way of an ear.
 class EarClipper {
  public:
-  explicit EarClipper(std::span<const Vector2d> polygon)
+  EarClipper(std::span<const Vector2d> polygon, Allowance& allowance)
       : points_(polygon),
+        allowance_(&allowance),
         next_(polygon.size()),
         previous_(polygon.size()),
         waiting_(polygon.size()),
@@ -49,7 +46,7 @@ class EarClipper {
 
   std::optional<std::vector<Triangle>> run() {
     for (std::size_t i = 0; left_ > 3; ++i) {
-      if (i == queue_.size()) return {};
+      if (i == queue_.size() || allowance_->is_used_up()) return {};
       if (!is_cut_off(queue_[i]) && is_ear(queue_[i])) cut_off(queue_[i]);
     }
     const auto last = static_cast<std::uint32_t>(
@@ -75,10 +72,12 @@ class EarClipper {
         corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
     if (has_two_in_one_place) return true;
     if (turn_at(i) != Turn::left) return false;
+    std::size_t looks = 1;
     const auto blocker = hollows_->find_near(corners, [&](std::uint32_t other) {
-      return ++looks_ > most_looks ||
-             (std::ranges::find(ear, other) == ear.end() && is_in_the_way(other, corners));
+      ++looks;
+      return std::ranges::find(ear, other) == ear.end() && is_in_the_way(other, corners);
     });
+    allowance_->take(looks);
     if (blocker) waiting_[*blocker].push_back(i);
     return !blocker;
   }
@@ -121,9 +120,10 @@ class EarClipper {
   }
 
   std::span<const Vector2d> points_;
+  Allowance* allowance_;
   std::vector<std::uint32_t> next_, previous_;       ///< Of corners that are left.
   std::vector<std::vector<std::uint32_t>> waiting_;  ///< For each corner.
-  std::size_t left_, looks_ = 0;
+  std::size_t left_;
   std::vector<std::uint32_t> queue_;  ///< Corners to be looked at; may have been cut off since.
   std::optional<PointGrid> hollows_;
   std::vector<Triangle> triangles_;
@@ -140,8 +140,9 @@ Turn turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return area > 0.0 ? Turn::left : Turn::right;
 }
 
-std::optional<std::vector<Triangle>> clip_ears(std::span<const Vector2d> polygon) {
-  return EarClipper(polygon).run();
+std::optional<std::vector<Triangle>> clip_ears(std::span<const Vector2d> polygon,
+                                               Allowance& allowance) {
+  return EarClipper(polygon, allowance).run();
 }
 
 }  // namespace twrench::mesh

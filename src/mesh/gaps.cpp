@@ -1,5 +1,7 @@
 #include "mesh/gaps.h"
 
+#include <twrench/base/error.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -7,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "mesh/allowance.h"
 #include "mesh/welding.h"
 
 namespace twrench::mesh {
@@ -30,9 +33,9 @@ class EdgeTree {
   explicit EdgeTree(std::vector<Ends> edges) : edges_(std::move(edges)) { sort(edges_, 0); }
 
   /// The distance of the ends to those of the nearest other edge.
-  double nearest(const Ends& of) const {
+  double nearest(const Ends& of, Allowance& allowance) const {
     double best = std::numeric_limits<double>::infinity();
-    search(edges_, 0, of, best);
+    allowance.take(search(edges_, 0, of, best));
     return best;
   }
 
@@ -46,8 +49,10 @@ class EdgeTree {
     sort(part.subspan(middle + 1), (axis + 1) % 6);
   }
 
-  static void search(std::span<const Ends> part, std::size_t axis, const Ends& of, double& best) {
-    if (part.empty()) return;
+  /// Returns how many edges were looked at.
+  static std::size_t search(std::span<const Ends> part, std::size_t axis, const Ends& of,
+                            double& best) {
+    if (part.empty()) return 0;
     const std::size_t middle = part.size() / 2;
     const Ends& here = part[middle];
     if (here.edge != of.edge) {
@@ -56,8 +61,11 @@ class EdgeTree {
     }
     const double beyond = of.coordinate(axis) - here.coordinate(axis);
     const auto before = part.first(middle), after = part.subspan(middle + 1);
-    search(beyond < 0.0 ? before : after, (axis + 1) % 6, of, best);
-    if (std::abs(beyond) < best) search(beyond < 0.0 ? after : before, (axis + 1) % 6, of, best);
+    std::size_t looks = 1 + search(beyond < 0.0 ? before : after, (axis + 1) % 6, of, best);
+    if (std::abs(beyond) < best) {
+      looks += search(beyond < 0.0 ? after : before, (axis + 1) % 6, of, best);
+    }
+    return looks;
   }
 
   std::vector<Ends> edges_;
@@ -72,12 +80,14 @@ double rounded_up(double value) {
   return 10.0 * power;
 }
 
-bool closes(body::TriangleMesh mesh, double tolerance) {
+bool closes(body::TriangleMesh mesh, double tolerance) try {
   const std::size_t before = mesh.triangles.size();
   const Welded welded = weld(mesh, tolerance);
   if (100 * welded.removed_triangles > before || mesh.triangles.empty()) return false;
   const Topology edges = topology(mesh);
   return edges.open.empty() && edges.branching.empty() && edges.opposed.empty();
+} catch (const InvalidArgument&) {  // too many vertices are close to each other
+  return false;
 }
 
 }  // namespace
@@ -88,9 +98,11 @@ double largest_gap(const body::TriangleMesh& mesh, const std::vector<DirectedEdg
     edges.push_back({{mesh.vertices[from], mesh.vertices[to]}, edges.size()});
   }
   const EdgeTree tree(edges);
+  Allowance allowance(usual_steps / 10);
   double gap = 0.0;
   for (const Ends& edge : edges) {
-    gap = std::max(gap, tree.nearest({{edge.ends[1], edge.ends[0]}, edge.edge}));
+    if (allowance.is_used_up()) return std::numeric_limits<double>::infinity();
+    gap = std::max(gap, tree.nearest({{edge.ends[1], edge.ends[0]}, edge.edge}, allowance));
   }
   return gap;
 }

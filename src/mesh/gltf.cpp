@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,45 +16,19 @@
 #include "mesh/gltf_buffers.h"
 #include "mesh/gltf_chunks.h"
 #include "mesh/gltf_json.h"
+#include "mesh/gltf_nodes.h"
+#include "mesh/gltf_sizes.h"
 
 namespace twrench::mesh {
 namespace {
 
 using Eigen::Matrix4d;
 
-/// A file can name its triangles as often as it likes.
-constexpr std::size_t most_corners = 300'000'000;
-
 /// A component of a colour as it is shown, of light (IEC 61966-2-1).
 float srgb_of_linear(double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
 }
-
-/// The transform of a node in its parent's frame.
-Matrix4d transform_of(const GltfValue& node) {
-  if (const auto matrix = node.find("matrix")) {
-    const std::vector<double> columns = matrix->numbers(16);
-    return Eigen::Map<const Matrix4d>(columns.data());
-  }
-  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  if (const auto translation = node.find("translation")) {
-    const std::vector<double> t = translation->numbers(3);
-    transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
-  }
-  if (const auto rotation = node.find("rotation")) {
-    const std::vector<double> q = rotation->numbers(4);
-    transform.rotate(Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized());
-  }
-  if (const auto scale = node.find("scale")) {
-    const std::vector<double> s = scale->numbers(3);
-    transform.scale(Eigen::Vector3d(s[0], s[1], s[2]));
-  }
-  return transform.matrix();
-}
-
-/// Triangles of a primitive, as glTF calls its kinds.
-enum class Mode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
 
 class GltfReader {
  public:
@@ -64,32 +38,18 @@ class GltfReader {
 
   Content read() {
     require_readable();
-    visited_.resize(document_.size("nodes"));
-    std::vector<std::pair<std::uint64_t, Matrix4d>> open;
-    for (const std::uint64_t root : roots()) open.emplace_back(root, Matrix4d::Identity());
-    while (!open.empty()) {
-      const auto [index, parent] = open.back();
-      open.pop_back();
-      const GltfValue node = document_.at("nodes").at(index);
-      if (visited_[index]) throw node.bad("is a child of more than one node");
-      visited_[index] = true;
-      const Matrix4d transform = parent * transform_of(node);
-      if (const auto mesh = node.find("mesh")) add_mesh(mesh->whole(), transform);
-      for (const std::uint64_t child : indices(node.find("children"))) {
-        open.emplace_back(child, transform);
+    const std::vector<GltfInstance> instances = gltf_instances(document_);
+    const auto meshes = gltf_meshes(source_, document_, instances, buffers_);
+    for (const GltfInstance& instance : instances) {
+      for (const auto& [primitive, mode] : meshes.at(instance.mesh).primitives) {
+        add_primitive(primitive, mode, instance.transform);
       }
     }
-    add_notes();
+    add_notes(instances, meshes);
     return std::move(content_);
   }
 
  private:
-  static std::vector<std::uint64_t> indices(const std::optional<GltfValue>& list) {
-    std::vector<std::uint64_t> all;
-    for (std::size_t i = 0; list && i < list->size(); ++i) all.push_back(list->at(i).whole());
-    return all;
-  }
-
   /// Throws where the file needs what is not read.
   void require_readable() const {
     if (!document_.at("asset").at("version").text().starts_with("2.")) {
@@ -109,40 +69,6 @@ class GltfReader {
     }
   }
 
-  /// The nodes at the top of the scene that is shown, or of all where the file has no scene.
-  std::vector<std::uint64_t> roots() const {
-    if (document_.size("scenes") > 0) {
-      return indices(document_.at("scenes").at(document_.whole_or("scene", 0)).find("nodes"));
-    }
-    const std::size_t count = document_.size("nodes");
-    std::vector<bool> is_child(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const std::uint64_t child : indices(document_.at("nodes").at(i).find("children"))) {
-        if (child < count) is_child[child] = true;
-      }
-    }
-    std::vector<std::uint64_t> top;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!is_child[i]) top.push_back(i);
-    }
-    return top;
-  }
-
-  void add_mesh(std::uint64_t index, const Matrix4d& transform) {
-    const GltfValue primitives = document_.at("meshes").at(index).at("primitives");
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      const GltfValue primitive = primitives.at(i);
-      const std::uint64_t mode = primitive.whole_or("mode", 4);
-      if (mode < 4)
-        ++points_and_lines_;
-      else if (mode > 6)
-        throw primitive.at("mode").bad("is no kind of primitive");
-      else
-        add_primitive(primitive, static_cast<Mode>(mode), transform);
-      has_targets_ = has_targets_ || primitive.find("targets");
-    }
-  }
-
   GltfAccessor accessor(const GltfValue& index, std::size_t least_components) {
     const GltfValue value = document_.at("accessors").at(index.whole());
     GltfAccessor accessor(value, buffers_);
@@ -150,7 +76,7 @@ class GltfReader {
     return accessor;
   }
 
-  void add_primitive(const GltfValue& primitive, Mode mode, const Matrix4d& transform) {
+  void add_primitive(const GltfValue& primitive, GltfMode mode, const Matrix4d& transform) {
     const GltfValue attributes = primitive.at("attributes");
     const std::size_t first = content_.mesh.vertices.size();
     add_vertices(attributes.at("POSITION"), transform);
@@ -163,8 +89,6 @@ class GltfReader {
       for (std::size_t i = 0; i < count; ++i)
         corners.push_back(static_cast<std::uint32_t>(first + i));
     }
-    if (corners.size() > most_corners - corners_) throw repeats_too_often();
-    corners_ += corners.size();
     // A transform that mirrors turns the triangles over.
     add_triangles(corners, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
@@ -172,7 +96,6 @@ class GltfReader {
   void add_vertices(const GltfValue& index, const Matrix4d& transform) {
     body::TriangleMesh& mesh = content_.mesh;
     const GltfAccessor positions = accessor(index, 3);
-    if (positions.size() > most_corners - mesh.vertices.size()) throw repeats_too_often();
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Eigen::Vector4d point(positions.at(i, 0), positions.at(i, 1), positions.at(i, 2), 1.0);
       mesh.vertices.emplace_back((transform * point).head<3>());
@@ -230,31 +153,32 @@ class GltfReader {
     return corners;
   }
 
-  void add_triangles(const std::vector<std::uint32_t>& corners, Mode mode, bool mirrored) {
-    const std::size_t step = mode == Mode::triangles ? 3 : 1;
+  void add_triangles(const std::vector<std::uint32_t>& corners, GltfMode mode, bool mirrored) {
+    const std::size_t step = mode == GltfMode::triangles ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       std::array triangle{corners[i], corners[i + 1], corners[i + 2]};
-      if (mode == Mode::fan) triangle[0] = corners[0];
-      const bool is_odd = mode == Mode::strip && i % 2 == 1;
+      if (mode == GltfMode::fan) triangle[0] = corners[0];
+      const bool is_odd = mode == GltfMode::strip && i % 2 == 1;
       if (is_odd != mirrored) std::swap(triangle[1], triangle[2]);
       content_.mesh.triangles.push_back(triangle);
     }
   }
 
-  InvalidArgument repeats_too_often() const {
-    return {source_.name,
-            fmt::format("its nodes repeat its meshes to more than {} corners", most_corners),
-            "remove repeated nodes"};
-  }
-
-  void add_notes() {
+  void add_notes(const std::vector<GltfInstance>& instances,
+                 const std::map<std::uint64_t, GltfMesh>& meshes) {
     content_.scale = 100.0;
     content_.others = buffers_.files();
-    if (points_and_lines_ > 0) {
-      content_.notes.push_back(fmt::format(
-          "{} of its primitives are points or lines, and are left out", points_and_lines_));
+    std::uint64_t points_and_lines = 0;
+    bool has_targets = false;
+    for (const GltfInstance& instance : instances) {
+      points_and_lines += meshes.at(instance.mesh).points_and_lines;
+      has_targets = has_targets || meshes.at(instance.mesh).has_targets;
     }
-    if (document_.size("skins") > 0 || document_.size("animations") > 0 || has_targets_) {
+    if (points_and_lines > 0) {
+      content_.notes.push_back(fmt::format(
+          "{} of its primitives are points or lines, and are left out", points_and_lines));
+    }
+    if (document_.size("skins") > 0 || document_.size("animations") > 0 || has_targets) {
       content_.notes.emplace_back("its skins, morph targets and animations are left out");
     }
   }
@@ -263,9 +187,6 @@ class GltfReader {
   GltfValue document_;
   GltfBuffers buffers_;
   Content content_;
-  std::vector<bool> visited_;
-  std::size_t corners_ = 0, points_and_lines_ = 0;
-  bool has_targets_ = false;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <span>
 
 #include "mesh/binary.h"
@@ -84,8 +85,9 @@ double component(std::string_view bytes, std::size_t offset, bool normalized) {
 
 }  // namespace
 
-void GltfBuffers::load_file(const GltfValue& uri, Buffer& buffer) const {
-  const std::string name = unescaped(uri.text());
+const GltfBuffers::File& GltfBuffers::load_file(const GltfValue& uri) {
+  std::string name = unescaped(uri.text());
+  while (name.starts_with("./")) name.erase(0, 2);
   if (!source_->folder || !is_plain_name(name)) {
     throw InvalidArgument(source_->name,
                           fmt::format("its {} refers to '{}', which is not beside it", uri.place(),
@@ -93,12 +95,15 @@ void GltfBuffers::load_file(const GltfValue& uri, Buffer& buffer) const {
                           "put all into one file: save it as .glb");
   }
   const std::filesystem::path path = *source_->folder / name;
+  const auto known =
+      std::ranges::find(files_, path, [](const File& file) { return file.file.path; });
+  if (known != files_.end()) return *known;
   const auto bytes = system::read_regular_file(path, most_buffer_bytes);
-  buffer.owned = text_of(bytes);
-  buffer.file = OtherFile{path, system::sha256_hex(bytes)};
+  return files_.emplace_back(
+      File{std::string(text_of(bytes)), {path, system::sha256_hex(bytes)}});
 }
 
-void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buffer) const {
+void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buffer) {
   const std::optional<GltfValue> uri = value.find("uri");
   if (!uri && index == 0 && binary_) {
     buffer.bytes = *binary_;
@@ -114,10 +119,11 @@ void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buff
                            : system::bytes_of_base64(text.substr(at + mark.size()));
     if (!bytes) throw uri->bad("is no data in base64");
     buffer.owned = text_of(*bytes);
+    buffer.bytes = buffer.owned;
   } else {
-    load_file(*uri, buffer);
+    buffer.file = &load_file(*uri);
+    buffer.bytes = buffer.file->bytes;
   }
-  buffer.bytes = buffer.owned;
 }
 
 const GltfBuffers::Buffer& GltfBuffers::buffer(std::uint64_t index) {
@@ -153,10 +159,18 @@ GltfView GltfBuffers::view(std::uint64_t index) {
 
 std::vector<OtherFile> GltfBuffers::files() const {
   std::vector<OtherFile> files;
+  std::set<const File*> listed;
   for (const std::optional<Buffer>& buffer : buffers_) {
-    if (buffer && buffer->file) files.push_back(*buffer->file);
+    const bool is_new = buffer && buffer->file != nullptr && listed.insert(buffer->file).second;
+    if (is_new) files.push_back(buffer->file->file);
   }
   return files;
+}
+
+std::size_t GltfBuffers::bytes() const {
+  std::size_t sum = 0;
+  for (const File& file : files_) sum += file.bytes.size();
+  return sum;
 }
 
 GltfAccessor::GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers)

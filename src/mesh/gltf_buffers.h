@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,24 +32,33 @@ class GltfBuffers {
   /// the view says, and InvalidArgument where they are in a place that is not read.
   GltfView view(std::uint64_t index);
 
+  /// Returns how many bytes were read from other files.
+  std::size_t bytes() const;
+
   /// The files that were read, in the order of the buffers.
   std::vector<OtherFile> files() const;
 
  private:
+  /// A file that was read, however many buffers refer to it.
+  struct File {
+    std::string bytes;
+    OtherFile file;
+  };
   struct Buffer {
     std::string owned;
     std::string_view bytes;
-    std::optional<OtherFile> file;
+    const File* file = nullptr;  ///< Null where the bytes are in the document itself.
   };
 
   const Buffer& buffer(std::uint64_t index);
-  void load(const GltfValue& value, std::uint64_t index, Buffer& buffer) const;
-  void load_file(const GltfValue& uri, Buffer& buffer) const;
+  void load(const GltfValue& value, std::uint64_t index, Buffer& buffer);
+  const File& load_file(const GltfValue& uri);
 
   const Source* source_;
   const GltfValue* document_;
   std::optional<std::string_view> binary_;
   std::vector<std::optional<Buffer>> buffers_;
+  std::deque<File> files_;  ///< Its elements do not move.
 };
 
 /// The numbers of an accessor, one for each component of each element.

@@ -41,13 +41,14 @@ std::vector<Component> components_of(const TriangleMesh& mesh, const Topology& t
 /// How often the others wind around a component, which is the same everywhere on it, as they do not
 /// intersect; nothing where they coincide with it in all samples.
 std::optional<int> winding_of_others(const TriangleTree& tree, const Topology& topology,
-                                     const Component& component) {
+                                     const Component& component, Allowance& allowance) {
   const std::uint32_t own = topology.component[component.samples.front()];
   const auto is_other = [&](std::uint32_t triangle) { return topology.component[triangle] != own; };
   for (const std::uint32_t sample : component.samples) {
     const Vector3d middle =
         (tree.corner(sample, 0) + tree.corner(sample, 1) + tree.corner(sample, 2)) / 3.0;
-    if (const auto winding = winding_number(tree, middle, is_other)) return winding;
+    if (allowance.is_used_up()) return {};
+    if (const auto winding = winding_number(tree, middle, is_other, allowance)) return winding;
   }
   return {};
 }
@@ -62,13 +63,13 @@ double signed_volume(const TriangleMesh& mesh) {
 }
 
 std::optional<Misplaced> misplaced_component(const TriangleTree& tree, const Topology& topology,
-                                             bool is_inside_out) {
+                                             bool is_inside_out, Allowance& allowance) {
   if (topology.components < 2) return {};
   const int turn = is_inside_out ? -1 : 1;
   for (const Component& component : components_of(tree.mesh(), topology)) {
     // A component that encloses nothing, such as a sheet with two sides, adds nothing.
     if (std::abs(component.six_volumes) <= 1e-12 * component.size) continue;
-    const std::optional<int> around = winding_of_others(tree, topology, component);
+    const std::optional<int> around = winding_of_others(tree, topology, component, allowance);
     if (!around) continue;
     const int outside = turn * *around, own = component.six_volumes > 0.0 ? turn : -turn;
     // On one side of it the surface must wind once around, and on the other not at all.

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "mesh/allowance.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_tree.h"
 
@@ -18,8 +19,8 @@ struct Misplaced {
 
 /// Returns the first component that is neither an outer surface nor a cavity in one, nor an outer
 /// surface within a cavity and so on; `is_inside_out` tells that all are turned over. No two may
-/// intersect. Nothing where all are well.
+/// intersect. Nothing where all are well, or where the allowance is used up.
 std::optional<Misplaced> misplaced_component(const TriangleTree& tree, const Topology& topology,
-                                             bool is_inside_out);
+                                             bool is_inside_out, Allowance& allowance);
 
 }  // namespace twrench::mesh

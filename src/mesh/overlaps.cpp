@@ -35,21 +35,31 @@ AlignedBox3d around(const AlignedBox3d& one, const AlignedBox3d& other) {
   return {common.min() - margin, common.max() + margin};
 }
 
-/// The volume within a box that does not count once or not at all, estimated from some samples.
-double wrong_volume(const TriangleTree& tree, const AlignedBox3d& box, int samples, int turn) {
+/// The volume within a box that does not count once or not at all, estimated from some samples;
+/// from none where the allowance is used up.
+double wrong_volume(const TriangleTree& tree, const AlignedBox3d& box, int samples, int turn,
+                    Allowance& allowance) {
   int wrong = 0;
-  for (int n = 0; n < samples; ++n) {
+  for (int n = 0; n < samples && !allowance.is_used_up(); ++n) {
     const auto winding =
-        winding_number(tree, sample_point(box, n), [](std::uint32_t) { return true; });
+        winding_number(tree, sample_point(box, n), [](std::uint32_t) { return true; }, allowance);
     if (winding && (turn * *winding < 0 || turn * *winding > 1)) ++wrong;
   }
   return wrong * box.volume() / samples;
 }
 
+/// A triangle takes some 40 steps, if only those next to it are close. If more are, the search may
+/// take 10 s on one processor.
+std::size_t steps_for_crossings(std::size_t triangles) {
+  constexpr std::size_t ten_seconds = 1'000'000'000;
+  return std::max(std::clamp(1000 * triangles, usual_steps, ten_seconds), 100 * triangles);
+}
+
 }  // namespace
 
-Overlap find_overlap(const TriangleTree& tree, bool is_inside_out) {
-  const Crossings crossings = find_crossings(tree);
+Overlap find_overlap(const TriangleTree& tree, bool is_inside_out, Allowance& allowance) {
+  Allowance for_crossings(steps_for_crossings(tree.mesh().triangles.size()));
+  const Crossings crossings = find_crossings(tree, for_crossings);
   if (crossings.count == 0) return {.given_up = crossings.given_up};
   const int turn = is_inside_out ? -1 : 1;
   AlignedBox3d all;
@@ -60,13 +70,16 @@ Overlap find_overlap(const TriangleTree& tree, bool is_inside_out) {
     const auto& triangles = crossings.examples[i].triangles;
     const AlignedBox3d one = box_of(tree, triangles[0]), other = box_of(tree, triangles[1]);
     all.extend(one.merged(other));
-    if (i % step == 0) near_crossings += wrong_volume(tree, around(one, other), 32, turn);
+    if (i % step != 0) continue;
+    near_crossings += wrong_volume(tree, around(one, other), 32, turn, allowance);
   }
   // Small triangles may cross at the rim of a large overlap, large ones in a corner of theirs.
-  const double wrong = std::max(near_crossings, wrong_volume(tree, all, 2048, turn));
+  const double wrong = std::max(near_crossings, wrong_volume(tree, all, 2048, turn, allowance));
+  const bool is_real = wrong > 1e-6 * std::abs(signed_volume(tree.mesh()));
   return {.crossings = crossings.count,
           .point = crossings.examples.front().point,
-          .is_real = wrong > 1e-6 * std::abs(signed_volume(tree.mesh()))};
+          .is_real = is_real,
+          .is_unclear = !is_real && allowance.is_used_up()};
 }
 
 }  // namespace twrench::mesh

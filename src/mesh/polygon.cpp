@@ -56,6 +56,7 @@ void Polygons::add(std::span<const std::uint32_t> ring, body::TriangleMesh& mesh
 }
 
 void Polygons::triangulate(body::TriangleMesh& mesh) const {
+  Allowance allowance(usual_steps);
   for (const auto& [first, count] : fans_) {
     const std::span triangles(mesh.triangles.data() + first, count);
     const std::vector<std::uint32_t> ring = ring_of(triangles);
@@ -63,7 +64,7 @@ void Polygons::triangulate(body::TriangleMesh& mesh) const {
     // Differences of coordinates may overflow.
     const auto is_finite = [](const Vector2d& point) { return point.allFinite(); };
     if (!std::ranges::all_of(polygon, is_finite) || is_fan_inside(polygon)) continue;
-    if (const auto ears = clip_ears(polygon)) {
+    if (const auto ears = clip_ears(polygon, allowance)) {
       std::ranges::transform(*ears, triangles.begin(), [&](const Triangle& ear) {
         return Triangle{ring[ear[0]], ring[ear[1]], ring[ear[2]]};
       });

@@ -145,6 +145,13 @@ bool begins_as_text(std::string_view bytes) {
   return false;
 }
 
+/// Whether it begins with "solid" and nothing but text, as no binary header with a number does.
+bool is_text(std::string_view bytes) {
+  Lines lines("", bytes);
+  return lines.next() && keyword(lines) == "solid" &&
+         bytes.substr(0, 4096).find('\0') == std::string_view::npos;
+}
+
 }  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
@@ -158,6 +165,10 @@ Content read_stl(const Source& source) {
   const std::string what = "cannot read " + source.name;
   if (bytes.size() < header_bytes) {
     throw system::FileError(what, fmt::format("{} bytes are no STL file", bytes.size()));
+  }
+  if (is_text(bytes)) {
+    throw system::FileError(what, "it begins as a text STL, but no line begins with 'facet'",
+                            "put each 'facet', 'vertex' and 'endfacet' on a line of its own");
   }
   throw system::FileError(
       what,

@@ -1,5 +1,7 @@
 #include "mesh/welding.h"
 
+#include <twrench/base/error.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "mesh/allowance.h"
 #include "mesh/disjoint_sets.h"
 
 namespace twrench::mesh {
@@ -101,21 +104,29 @@ void join_equal(TriangleMesh& mesh) {
 }
 
 /// The vertices that are no farther apart than the tolerance, from one to the next, as sets. Only
-/// vertices in adjacent cells of a grid can be.
+/// vertices in adjacent cells of a grid can be. Throws InvalidArgument where too many are.
 DisjointSets near_ones(const TriangleMesh& mesh, double tolerance) {
   const auto cell = [&](const Vector3d& point) -> Vector3d {
     return (point / tolerance).array().floor();
   };
   PointTable table;
   DisjointSets sets(mesh.vertices.size());
+  Allowance allowance(usual_steps);
   for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vector3d& point = mesh.vertices[i];
     for (int n = 0; n < 27; ++n) {
       const Vector3d neighbour = cell(point) + Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      std::size_t compared = 0;
       table.find(hash_of(neighbour), [&](std::uint32_t other) {
+        ++compared;
         if ((mesh.vertices[other] - point).norm() <= tolerance) sets.join(i, other);
         return false;
       });
+      allowance.take(compared);
+    }
+    if (allowance.is_used_up()) {
+      throw InvalidArgument("weld", "too many vertices are closer to each other",
+                            "take a smaller one");
     }
     table.insert(i, [&](std::uint32_t index) { return hash_of(cell(mesh.vertices[index])); });
   }

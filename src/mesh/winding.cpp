@@ -51,7 +51,8 @@ struct Ray {
 
 /// The sum over all triangles that the ray meets; nothing where one of them is met unclearly.
 std::optional<int> sum_along(const TriangleTree& tree, const Ray& ray,
-                             const std::function<bool(std::uint32_t)>& counts) {
+                             const std::function<bool(std::uint32_t)>& counts,
+                             Allowance& allowance) {
   const Ray in_tree{ray.origin - tree.whole().min(), ray.direction};
   const double round_off = 1e-6 * tree.whole().diagonal().norm();  // of single precision
   int sum = 0;
@@ -59,6 +60,7 @@ std::optional<int> sum_along(const TriangleTree& tree, const Ray& ray,
   while (!open.empty()) {
     const std::size_t node = open.back();
     open.pop_back();
+    allowance.take(tree.is_leaf(node) ? 10 : 2);
     if (tree.box(node).isEmpty()) continue;
     const Eigen::Vector3d margin = Vector3d::Constant(round_off);
     const Eigen::AlignedBox3d box(tree.box(node).min().cast<double>() - margin,
@@ -83,14 +85,15 @@ std::optional<int> sum_along(const TriangleTree& tree, const Ray& ray,
 }  // namespace
 
 std::optional<int> winding_number(const TriangleTree& tree, const Vector3d& point,
-                                  const std::function<bool(std::uint32_t)>& counts) {
+                                  const std::function<bool(std::uint32_t)>& counts,
+                                  Allowance& allowance) {
   // Directions that no modeller's edge has, for one may still pass through an edge.
   static const std::array<Vector3d, 4> directions{{{0.8147, 0.1270, 0.5658},
                                                    {-0.3171, 0.9058, 0.2785},
                                                    {0.0975, -0.5469, 0.8314},
                                                    {-0.6324, -0.1576, -0.7584}}};
   for (const Vector3d& direction : directions) {
-    if (const auto sum = sum_along(tree, {point, direction}, counts)) return sum;
+    if (const auto sum = sum_along(tree, {point, direction}, counts, allowance)) return sum;
   }
   return {};
 }

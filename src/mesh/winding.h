@@ -4,13 +4,16 @@
 #include <functional>
 #include <optional>
 
+#include "mesh/allowance.h"
 #include "mesh/triangle_tree.h"
 
 namespace twrench::mesh {
 
 /// Returns how often the triangles that `counts` accepts wind around a point: 1 inside a closed
 /// surface, 0 outside; of several surfaces, the sum. Nothing where the point is on the surface.
+/// The work is taken from the allowance.
 std::optional<int> winding_number(const TriangleTree& tree, const Eigen::Vector3d& point,
-                                  const std::function<bool(std::uint32_t triangle)>& counts);
+                                  const std::function<bool(std::uint32_t triangle)>& counts,
+                                  Allowance& allowance);
 
 }  // namespace twrench::mesh

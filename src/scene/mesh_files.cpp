@@ -1,5 +1,6 @@
 #include "scene/mesh_files.h"
 
+#include <fmt/format.h>
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
@@ -36,7 +37,17 @@ const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::Rea
   const Key key{file, options.scale, options.weld, options.shell};
   const auto found = entries_.find(key);
   if (found != entries_.end()) return found->second;
-  return entries_.emplace(key, load(file, options)).first->second;
+  const bool is_known =
+      std::ranges::any_of(entries_, [&](const auto& entry) { return std::get<0>(entry.first) == file; });
+  const Entry& entry = entries_.emplace(key, load(file, options)).first->second;
+  if (is_known) repeated_triangles_ += entry.shape.surface->triangles.size();
+  constexpr std::size_t most_repeated = 1'000'000;
+  if (repeated_triangles_ <= most_repeated) return entry;
+  throw InvalidArgument(file,
+                        fmt::format("the parts of the scene read meshes again, with other values of "
+                                    "scale, weld and shell, for more than {} triangles",
+                                    most_repeated),
+                        "give parts of one mesh the same values");
 }
 
 MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOptions& options) const {

@@ -30,7 +30,8 @@ class MeshFiles {
   /// Those of a built-in scene, which are built in too.
   static MeshFiles built_in() { return MeshFiles(std::nullopt); }
 
-  /// Reads a mesh. Throws InvalidArgument about the mesh, and FileError.
+  /// Reads a mesh. Throws InvalidArgument about the mesh, and FileError. A short scene file must not
+  /// take minutes because it reads a mesh a thousand times, each time in another size.
   const Entry& read(const std::string& file, const mesh::ReadOptions& options);
 
  private:
@@ -42,6 +43,7 @@ class MeshFiles {
 
   std::optional<std::filesystem::path> folder_;  ///< Nothing for a built-in scene.
   std::map<Key, Entry> entries_;
+  std::size_t repeated_triangles_ = 0;  ///< Of files that were read once more.
 };
 
 }  // namespace twrench::scene

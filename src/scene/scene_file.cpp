@@ -29,13 +29,22 @@ bool is_path(const std::string& name_or_path) {
          (!is_builtin && std::filesystem::exists(name_or_path, none));
 }
 
+/// The parser's message, without the name of the macro that sets the limit.
+std::string reason_of(const toml::parse_error& error) {
+  const std::string_view description = error.description();
+  if (description.find("TOML_MAX_NESTED_VALUES") == std::string_view::npos) {
+    return std::string(description);
+  }
+  return fmt::format("arrays and tables are nested more than {} deep", TOML_MAX_NESTED_VALUES);
+}
+
 Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {
   toml::table root;
   try {
     root = toml::parse(text, source);
   } catch (const toml::parse_error& error) {
     throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
-                          std::string(error.description()));
+                          reason_of(error));
   }
   Scene scene;
   scene.name = std::filesystem::path(source).stem().string();

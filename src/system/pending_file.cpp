@@ -169,6 +169,7 @@ PendingFile::~PendingFile() {
 void PendingFile::claim() {
   if (is_direct()) return;
   lock_file(descriptor_, LOCK_EX);
+  claim_ = Descriptor(::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));
   std::error_code failed;
   const fs::path folder = destination_.has_parent_path() ? destination_.parent_path() : ".";
   for (const auto& entry : fs::directory_iterator(folder, failed)) {

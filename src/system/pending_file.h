@@ -46,8 +46,9 @@ class PendingFile {
   /// The descriptor for a child process to write to.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Throws FileError if another process has a PendingFile for the same target that called this.
-  /// The system releases the claim when the process ends, however it ends.
+  /// Throws FileError if another process has a PendingFile for the same target that called this,
+  /// unless that one is destroyed within some seconds: the target may then be new. The system
+  /// releases the claim when the process ends, however it ends.
   void claim();
 
   /// Appends the bytes. Throws FileError.
@@ -67,6 +68,7 @@ class PendingFile {
   std::string temporary_;  ///< The name in path_, stored so that removing it needs no memory.
   Descriptor folder_;      ///< The folder of the temporary file; none for a device.
   Descriptor descriptor_;
+  Descriptor claim_;  ///< Keeps the lock of claim() until after the renaming.
   std::optional<TerminationAction> removal_;  ///< Set while there is a temporary file.
 };
 

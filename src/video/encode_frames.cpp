@@ -167,6 +167,8 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   if (output.path.has_parent_path()) system::make_folder(output.path.parent_path());
   const TextTracks tracks = text_tracks_of(manifest, output);
   VideoEncoder encoder(output.path, format, identity, tracks.chapters);
+  // Another run may have written it since, for whose end the encoder waited.
+  if (!output.overwrite) require_replaceable(output.path, identity);
   TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);
   FrameReader reader(manifest, folder);
   const int total = static_cast<int>(manifest.frames.size());

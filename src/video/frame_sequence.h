@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "system/error.h"
@@ -24,6 +25,9 @@ class FrameSequence {
   /// one. `manifest` has no frames. Throws FileError, also if another run writes to the folder, or
   /// draws the same shard.
   FrameSequence(std::filesystem::path folder, Manifest manifest);
+
+  /// Sets the range of the manifest. Call it before the first frame.
+  void set_range(std::string range) { manifest_.range = std::move(range); }
 
   /// Writes the manifest unless finish() has, so that the frames of a failed run are recorded too.
   /// Errors are ignored: they would hide the original one.

@@ -12,12 +12,16 @@ namespace twrench {
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
 class Error : public std::runtime_error {
  public:
-  /// What failed and why, and the remedy, if there is one.
-  Error(const std::string& what, const std::string& why, std::string remedy = {})
-      : std::runtime_error(what + ": " + why), remedy_(std::move(remedy)) {}
+  /// What failed and why, and the remedy, if there is one. The texts may quote input of any length
+  /// and content: the middle of a long one is left out, and a NUL becomes \x00.
+  Error(const std::string& what, const std::string& why, const std::string& remedy = {});
 
   /// What can be done about it, whoever calls; may be empty.
   const std::string& remedy() const noexcept { return remedy_; }
+
+ protected:
+  /// Returns `what` as it stands in the message.
+  static std::string quoted(const std::string& what);
 
  private:
   std::string remedy_;
@@ -27,8 +31,9 @@ class Error : public std::runtime_error {
 class InvalidArgument : public Error {
  public:
   /// What the value is called, why it is not allowed, and the remedy, if there is one.
-  InvalidArgument(const std::string& quantity, const std::string& why, std::string remedy = {})
-      : Error(quantity, why, std::move(remedy)), quantity_(quantity) {}
+  InvalidArgument(const std::string& quantity, const std::string& why,
+                  const std::string& remedy = {})
+      : Error(quantity, why, remedy), quantity_(quoted(quantity)) {}
 
   /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
   const std::string& quantity() const noexcept { return quantity_; }
@@ -49,8 +54,8 @@ class OutOfRange : public InvalidArgument {
 
   /// What the number is called, why it is not allowed, and its range.
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
-             std::string remedy = {})
-      : InvalidArgument(quantity, why, std::move(remedy)), range_(range) {}
+             const std::string& remedy = {})
+      : InvalidArgument(quantity, why, remedy), range_(range) {}
 
   /// What the number is.
   double value() const noexcept { return range_.value; }

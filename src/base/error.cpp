@@ -1,0 +1,43 @@
+#include <twrench/base/error.h>
+
+#include <cstddef>
+#include <string_view>
+
+namespace twrench {
+namespace {
+
+/// A part of a message, in bytes: some lines of a terminal.
+constexpr std::size_t longest = 1000;
+/// A remedy may list what can be given.
+constexpr std::size_t longest_remedy = 2000;
+
+bool continues_character(char byte) {  // in UTF-8
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+std::string without_middle(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  constexpr std::string_view mark = " ... ";
+  std::size_t begin = (most - mark.size()) / 2, end = text.size() - begin;
+  while (begin > 0 && continues_character(text[begin])) --begin;
+  while (end < text.size() && continues_character(text[end])) ++end;
+  return text.substr(0, begin).append(mark).append(text, end);
+}
+
+std::string printable(const std::string& text, std::size_t most) {
+  std::string result = without_middle(text, most);
+  for (std::size_t at = 0; (at = result.find('\0', at)) != std::string::npos;) {
+    result.replace(at, 1, "\\x00");
+  }
+  return result;
+}
+
+}  // namespace
+
+Error::Error(const std::string& what, const std::string& why, const std::string& remedy)
+    : std::runtime_error(printable(what, longest) + ": " + printable(why, longest)),
+      remedy_(printable(remedy, longest_remedy)) {}
+
+std::string Error::quoted(const std::string& what) { return printable(what, longest); }
+
+}  // namespace twrench

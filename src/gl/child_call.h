@@ -1,0 +1,35 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+#include <string>
+
+namespace twrench::gl {
+
+/// A call in a child process, which a crash of an OpenGL driver ends in place of this one.
+class ChildCall {
+ public:
+  /// Starts the child, a copy of this process with one thread, which prints nothing.
+  explicit ChildCall(const std::function<std::string()>& call);
+
+  /// Kills the child if it is still running.
+  ~ChildCall();
+  ChildCall(const ChildCall&) = delete;
+  ChildCall& operator=(const ChildCall&) = delete;
+
+  /// Waits for the call and returns what it returned; call this once. Throws the GlError that it
+  /// threw; and a GlError with a remedy if it crashed, or took longer than a minute.
+  std::string result();
+
+ private:
+  /// Reads what the child writes until it ends.
+  std::string read_all();
+  /// Returns the wait status of the child.
+  int reap();
+
+  pid_t child_ = -1;
+  int pipe_ = -1;  ///< From the child.
+};
+
+}  // namespace twrench::gl

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+namespace twrench::mesh {
+
+/// How much work a search may do, in steps of some 10 ns. A count of steps, unlike a clock, gives up
+/// at the same mesh on every machine. All threads of a search share it; whether it suffices does not
+/// depend on the order in which they take from it.
+class Allowance {
+ public:
+  explicit Allowance(std::size_t steps) : left_(static_cast<std::ptrdiff_t>(steps)) {}
+
+  void take(std::size_t steps) { left_ -= static_cast<std::ptrdiff_t>(steps); }
+  bool is_used_up() const { return left_ < 0; }
+
+ private:
+  std::atomic<std::ptrdiff_t> left_;
+};
+
+/// Some seconds on one processor.
+inline constexpr std::size_t usual_steps = 300'000'000;
+
+}  // namespace twrench::mesh

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "mesh/gltf_buffers.h"
+#include "mesh/gltf_json.h"
+#include "mesh/gltf_nodes.h"
+
+namespace twrench::mesh {
+
+/// Triangles of a primitive, as glTF calls its kinds.
+enum class GltfMode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
+
+/// A primitive that has triangles.
+struct GltfPrimitive {
+  GltfValue value;
+  GltfMode mode;
+};
+
+/// What a mesh of a glTF file consists of.
+struct GltfMesh {
+  std::vector<GltfPrimitive> primitives;
+  std::uint64_t vertices = 0, triangles = 0;
+  std::uint64_t points_and_lines = 0;  ///< Primitives that are left out.
+  bool has_targets = false;
+};
+
+/// Returns the meshes of the instances by their index, and counts what is in them without building
+/// it. Throws system::FileError where one is damaged, and InvalidArgument where the instances
+/// together are far more than a file of this size can hold: a file may repeat a mesh as often as it
+/// likes.
+std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfValue& document,
+                                              const std::vector<GltfInstance>& instances,
+                                              GltfBuffers& buffers);
+
+}  // namespace twrench::mesh
