@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/twrench.h"
 
@@ -46,6 +47,72 @@ class CheckCommand : public testing::Test {
   const ScratchFolder folder_;
   const std::string body = "--inertia 2,3,4 ";
 };
+
+/// "t,NAMES" and rows of these values at 0, 0.1, ...
+std::string table(const std::string& names, const std::string& values, int rows) {
+  std::string text = "t," + names + "\n";
+  for (int i = 0; i < rows; ++i) text += fmt::format("{},{}\n", 0.1 * i, values);
+  return text;
+}
+
+TEST_F(CheckCommand, TakesASceneFromAPipe) {
+  simulate("a.csv", "--duration 5 --method exact");
+  const Outcome run = run_shell(
+      folder_, "printf '[body]\\nmoments = [2, 3, 4]\\n' | "
+               "\"$TWRENCH\" check a.csv --scene /dev/stdin --plot p.svg -o report.txt");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(text_of(folder_ / "report.txt"), HasSubstr("cannot be faulted"));
+}
+
+TEST_F(CheckCommand, RefusesRatesWhoseSquaresUnderflow) {
+  system::write_file_atomically(folder_ / "tiny.csv", table("wx,wy,wz", "1e-300,1e-301,0", 9));
+  const Outcome run = check("tiny.csv " + body);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("tiny.csv: the first row: its rates have the magnitude 1e-300 "
+                                 "rad/s, but must be zero or at least 1e-100"));
+}
+
+TEST_F(CheckCommand, FaultsMatricesThatAreNoRotations) {
+  simulate("a.csv", "--duration 2 --method exact");
+  std::istringstream rows(text_of(folder_ / "a.csv"));
+  std::string scaled, row;
+  std::getline(rows, row);
+  scaled = row + "\n";
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    std::string cell;
+    for (int i = 0; std::getline(cells, cell, ','); ++i) {
+      const double value = std::stod(cell);
+      scaled += fmt::format("{}{}", i == 0 ? "" : ",", i >= 1 && i <= 9 ? 3 * value : value);
+    }
+    scaled += "\n";
+  }
+  system::write_file_atomically(folder_ / "scaled.csv", scaled);
+  EXPECT_THAT(judged("a.csv " + body)["verdict"].get<std::string>(),
+              StartsWith("cannot be faulted"));
+  EXPECT_THAT(judged("scaled.csv " + body)["verdict"].get<std::string>(),
+              AllOf(StartsWith("its matrices are not rotations: X^T X differs from the identity by "
+                               "up to 13.9; apart from that, it is off by at most"),
+                    HasSubstr("within the resolution of its digits")));
+}
+
+TEST_F(CheckCommand, HasARemedyForABodyAtRestThatHelps) {
+  system::write_file_atomically(folder_ / "rest.csv", table("qw,qx,qy,qz", "1,0,0,0", 9));
+  system::write_file_atomically(folder_ / "one.csv", table("qw,qx,qy,qz", "1,0,0,0", 1));
+  const Outcome fitted = check("rest.csv --fit " + body);
+  EXPECT_EQ(fitted.code, 2);
+  EXPECT_THAT(fitted.err, HasSubstr("replace --fit by --omega 0,0,0"));
+  EXPECT_THAT(check("rest.csv --omega 0,0,0 " + body).out, HasSubstr("at rest, and stays so"));
+  EXPECT_THAT(check("one.csv --fit " + body).err,
+              AllOf(HasSubstr("one row alone"), HasSubstr("judge a file of several rows")));
+}
+
+TEST_F(CheckCommand, AdvisesNoStepsThatWereGiven) {
+  simulate("a.csv", "--duration 2");
+  EXPECT_THAT(check("a.csv a.csv " + body).out, HasSubstr("--steps tells their step sizes"));
+  EXPECT_THAT(check("a.csv a.csv --steps 0.1,0.1 " + body).out,
+              HasSubstr("order: the step sizes that --steps gives are the same"));
+}
 
 TEST_F(CheckCommand, CannotFaultTheSimulatorThatIsRight) {
   const json found = judged(nasa_folder + "01.csv" + brick + brick_rates + from_10_20_30);

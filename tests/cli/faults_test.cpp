@@ -210,6 +210,22 @@ TEST(Faults, NoUsableOpenGlLibrary) {
   EXPECT_FALSE(fs::exists(folder / "f"));
 }
 
+TEST(Faults, ADriverThatCrashes) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "lib");
+  for (const char* name : {"libOSMesa.so.8", "libEGL.so.1"}) {
+    fs::copy_file(TWRENCH_CRASHING_DRIVER, folder / ("lib/" + std::string(name)));
+  }
+  const std::string with_lib = "LD_LIBRARY_PATH=\"$PWD/lib\" ";
+  expect_told(run_twrench(folder, fault_frames, with_lib), 3, "its driver crashes");
+  EXPECT_FALSE(fs::exists(folder / "f"));
+  const Outcome doctor = run_twrench(folder, "doctor", with_lib);
+  EXPECT_EQ(doctor.code, 3) << doctor.err;
+  EXPECT_THAT(doctor.out, HasSubstr("OpenGL by osmesa"));
+  EXPECT_THAT(doctor.out, HasSubstr("its driver crashes"));
+  EXPECT_THAT(doctor.out, HasSubstr("ffmpeg version")) << "the rest is examined, too";
+}
+
 TEST(Faults, AnOpenGlWithoutACoreProfile) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, fault_frames, "MESA_GL_VERSION_OVERRIDE=2.1 ");

@@ -55,6 +55,36 @@ TEST(Outputs, AreKeptWhenChildrenPrintWarnings) {
   EXPECT_THAT(run_twrench(folder, "doctor", warning).out, HasSubstr("ffmpeg version"));
 }
 
+TEST(Outputs, OnStandardOutputAreSummarized) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(
+      folder, "\"$TWRENCH\" render --size 64x36 --frames 0-4 --no-frames -o - | cat >a.mp4");
+  EXPECT_THAT(run.err, HasSubstr("; video on standard output\n"));
+}
+
+// The film is not there when the second run looks: its ffmpeg waits until the first has ended.
+TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "bin");
+  system::write_file_atomically(
+      folder / "bin/ffmpeg",
+      "#!/bin/sh\ntouch started\nuntil [ -e go ]; do sleep 0.01; done\nPATH=\"$OLD_PATH\" exec "
+      "ffmpeg \"$@\"\n");
+  fs::permissions(folder / "bin/ffmpeg", fs::perms::owner_all);
+  const Outcome run = run_shell(
+      folder,
+      "export OLD_PATH=\"$PATH\"; "
+      "{ PATH=\"$PWD/bin:$PATH\" \"$TWRENCH\" " + film_command + "stable-y -o new/a.mp4; "
+      "echo $? >second; } & "
+      "until [ -e started ]; do sleep 0.01; done; "
+      "\"$TWRENCH\" " + film_command + "-o new/a.mp4; code=$?; cp new/a.mp4 first.mp4; touch go; "
+      "wait; exit $code");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(text_of(folder / "second"), "2\n");
+  EXPECT_THAT(run.err, HasSubstr("it exists and is a video of something else"));
+  EXPECT_EQ(text_of(folder / "new/a.mp4"), text_of(folder / "first.mp4"));
+}
+
 TEST(Outputs, AreNoInputs) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);

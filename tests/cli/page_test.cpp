@@ -70,6 +70,21 @@ TEST(Page, HasTheSceneWithItsOverridesAndWithout) {
   EXPECT_EQ(scene["themes"].size(), 3U);
 }
 
+// A pipe can be read only once.
+TEST(Page, TakesASceneFromAPipe) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const Outcome run = run_shell(
+      folder,
+      "printf '[body]\\nmoments = [1, 2, 3]\\n' | "
+      "\"$TWRENCH\" page /dev/stdin --omega 0,2,0.5 --template t.html -o a.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json scene = scene_of(text_of(folder / "a.html"));
+  EXPECT_EQ(scene["scene"]["motion"]["omega"], nlohmann::json({0, 2, 0.5}));
+  EXPECT_EQ(scene["source_scene"]["body"]["moments"], nlohmann::json({1, 2, 3}));
+  EXPECT_NE(scene["source_scene"]["motion"]["omega"], scene["scene"]["motion"]["omega"]);
+}
+
 TEST(Page, HasAPictureForWhereItCannotDraw) {
   const ScratchFolder folder;
   write_template(folder);

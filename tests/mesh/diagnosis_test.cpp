@@ -1,13 +1,20 @@
 // What is said of meshes that bound no solid.
 #include "mesh/diagnosis.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <string>
 
+#include "mesh/crossings.h"
 #include "mesh/mesh_file.h"
+#include "mesh/nesting.h"
+#include "mesh/refusal.h"
 #include "mesh/samples.h"
+#include "mesh/topology.h"
 
 namespace twrench::mesh {
 namespace {
@@ -149,6 +156,49 @@ TriangleMesh cylinder(std::uint32_t sides) {
     mesh.triangles.push_back({1, a + 1, b + 1});
   }
   return mesh;
+}
+
+TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
+  // Seven points of a circle, of which the face takes every other; rounding leaves it a volume.
+  std::string star;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 4 * i * 3.14159265358979 / 7;
+    star += fmt::format("v {} {} {}\n", std::cos(angle) + 0.1, 0.6 * std::sin(angle),
+                        0.8 * std::sin(angle));
+  }
+  for (const char* faces : {"f 1 2 3 4 5 6 7\nf 7 6 5 4 3 2 1\n", "f 7 6 5 4 3 2 1\nf 1 2 3 4 5 6 7\n"}) {
+    EXPECT_EQ(refusal(star + faces, "a.obj"),
+              "2 a.obj: it encloses no volume: its faces lie upon each other, or one crosses itself");
+  }
+  // A sheet of a millionth of its size has a volume.
+  TriangleMesh sheet = cube({0, 0, 0}, 1);
+  for (Vector3d& vertex : sheet.vertices) vertex.z() *= 1e-6;
+  EXPECT_EQ(refusal(obj_of(sheet), "a.obj"), "nothing");
+}
+
+// Needles that all cross a ball: each is close to nearly all others.
+TEST(Diagnosis, CountsItsWork) {
+  std::mt19937 random(1);
+  const auto point = [&] {
+    const auto part = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
+    return Vector3d(part(), part(), part()).normalized().eval();
+  };
+  TriangleMesh needles;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const Vector3d from = point(), to = point(), side = from.cross(to).normalized() * 1e-4;
+    const std::uint32_t a = 4 * i, b = a + 1, c = a + 2, d = a + 3;
+    needles.vertices.insert(needles.vertices.end(),
+                            {from, to, from + side, from + side.cross(to - from)});
+    needles.triangles.insert(needles.triangles.end(), {{a, b, c}, {a, d, b}, {a, c, d}, {b, d, c}});
+  }
+  const TriangleTree tree(needles);
+  Allowance small(1'000'000), large(1'000'000'000);
+  EXPECT_TRUE(find_crossings(tree, small).given_up);
+  EXPECT_TRUE(small.is_used_up());
+  EXPECT_FALSE(find_crossings(tree, large).given_up);
+  Allowance none(0);
+  none.take(1);
+  EXPECT_FALSE(misplaced_component(tree, topology(needles), false, none));
 }
 
 TEST(Diagnosis, IsNotStoppedByAFan) {

@@ -175,6 +175,39 @@ TEST(Gltf, ReadsBuffersBesideIt) {
   EXPECT_NE(read_mesh(folder / "a.gltf", {}).sha256, file.sha256) << "it is part of the mesh";
 }
 
+TEST(Gltf, ReadsABufferOnceHoweverOftenItIsNamed) {
+  const ScratchFolder folder;
+  json other = document();
+  other["buffers"] = {{{"byteLength", 200}, {"uri", "./a.bin"}},
+                      {{"byteLength", 200}, {"uri", "a.bin"}},
+                      {{"byteLength", 200}, {"uri", "././%61.bin"}}};
+  for (std::size_t i = 0; i < 3; ++i) other["bufferViews"][i]["buffer"] = i;
+  system::write_file_atomically(folder / "a.gltf", other.dump());
+  system::write_file_atomically(folder / "a.bin", buffer());
+  const MeshFile file = read_mesh(folder / "a.gltf", {});
+  EXPECT_EQ(file.shape.integrals.volume, 1e6);
+  EXPECT_THAT(file.others, ElementsAre(folder / "a.bin"));
+}
+
+// What is repeated is counted before it is built: the first would take minutes and gigabytes.
+TEST(Gltf, RefusesFarMoreTrianglesThanTheFileHasBytes) {
+  json other = document();
+  const json primitive = other["meshes"][0]["primitives"][0];
+  for (int i = 1; i < 1000; ++i) other["meshes"][0]["primitives"].push_back(primitive);
+  for (int i = 1; i < 1000; ++i) {
+    other["nodes"].push_back({{"mesh", 0}, {"translation", {3 * i, 0, 0}}});
+    other["scenes"][0]["nodes"].push_back(i);
+  }
+  EXPECT_EQ(refusal(other.dump(), "a.gltf"),
+            "2 a.gltf: its nodes repeat its meshes to more than 3000000 triangles, or 9000000 "
+            "vertices");
+  for (json& each : other["meshes"][0]["primitives"]) each["mode"] = 1;
+  EXPECT_THAT(refusal(other.dump(), "a.gltf"), HasSubstr("no triangles"))
+      << "a million primitives of lines are not visited one by one";
+  other["meshes"][0]["primitives"] = {primitive};
+  EXPECT_EQ(read_json(other).shape.surface->triangles.size(), 12'000U);
+}
+
 TEST(Gltf, OpensNothingElsewhere) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "a.bin", buffer());

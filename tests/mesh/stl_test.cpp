@@ -49,6 +49,13 @@ TEST(Stl, ThatIsCutOffIsRefused) {
               HasSubstr("cut off: it ends after 11 triangles"));
 }
 
+TEST(Stl, TextWithoutLineEndsIsNoDamagedBinary) {
+  std::string text = text_stl(unit_cube);
+  std::ranges::replace(text, '\n', ' ');
+  EXPECT_EQ(refusal(text, "a.stl"),
+            "5 cannot read a.stl: it begins as a text STL, but no line begins with 'facet'");
+}
+
 // No memory is taken for what a header claims.
 TEST(Stl, ThatClaimsFourGigabytesIsRefused) {
   std::string bytes = binary_stl(unit_cube);

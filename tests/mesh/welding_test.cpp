@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
 
 #include <cmath>
 #include <random>
@@ -28,6 +29,18 @@ TriangleMesh exploded(const TriangleMesh& mesh, double by) {
     }
   }
   return soup;
+}
+
+// They would take hours: each would be compared with all others.
+TEST(Weld, RefusesVerticesThatAreAllCloseToEachOther) {
+  std::mt19937 random(5);
+  const auto part = [&] { return static_cast<double>(random()) * 0x1p-32; };
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 150'000; ++i) {
+    mesh.vertices.emplace_back(part(), part(), part());
+    if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  EXPECT_THROW(weld(mesh, 2), InvalidArgument);
 }
 
 TEST(Weld, JoinsEqualVertices) {

@@ -222,6 +222,17 @@ def test_a_scene_survives_pickling(small):
         assert pickle.dumps(copy.copy(twin)) == pickle.dumps(twin)
 
 
+def test_a_damaged_pickle_is_told_without_internals():
+    whole = pickle.dumps(twrench.Scene(title="a wing nut"))
+    for damaged in (whole.replace(b'"a wing nut"', b'"a wing nut '), whole.replace(b"mm", b"xx", 1)):
+        try:
+            pickle.loads(damaged)
+        except twrench.UsageError as error:
+            assert str(error).startswith("the pickled scene: it is damaged")
+    with pytest.raises(twrench.UsageError, match="the pickled scene: it is damaged"):
+        pickle.loads(whole.replace(b'"a wing nut"', b'"a wing nut '))
+
+
 def test_parts_that_share_a_mesh_are_pickled_with_one():
     rock = {"file": "toutatis.obj", "unit": "km", "density": 2}
     one = len(pickle.dumps(Body([Mesh(**rock)])))

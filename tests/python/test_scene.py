@@ -226,6 +226,22 @@ def test_a_forked_process_is_told(small):
     assert os.waitpid(child, 0)[1] == 0
 
 
+def test_a_forked_process_is_told_of_its_own_scenes_too(small):
+    small.frame(0)
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            Scene(size=(64, 48)).frame(0)
+            os.write(writer, b"drawn")
+        except twrench.GlError as error:
+            os.write(writer, str(error).encode())
+        os._exit(0)
+    os.close(writer)
+    assert b"spawn" in os.read(reader, 1000)
+    assert os.waitpid(child, 0)[1] == 0
+
+
 def test_no_opengl_is_opened_before_a_picture_is_asked_for():
     code = (
         "import twrench; s = twrench.Scene(size=(64, 48)); s.simulate(); s.frame_count; repr(s); s.body\n"

@@ -27,6 +27,15 @@ TEST(SceneFile, BuiltInScenesLoad) {
   }
 }
 
+TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
+  try {
+    parse_scene("[body]\nmoments = " + std::string(300, '[') + std::string(300, ']'), "a.toml");
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STREQ(error.what(), "a.toml:2: arrays and tables are nested more than 256 deep");
+  }
+}
+
 TEST(SceneFile, Tasks) {
   EXPECT_EQ(load_scene("dzhanibekov").motion.omega, Vector3d(1, 0.05, 0));
   EXPECT_EQ(load_scene("stable-y").motion.omega, Vector3d(0, 1, 0.05));

@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <twrench/base/error.h>
+
+#include <string>
+
+namespace twrench {
+namespace {
+
+using testing::EndsWith;
+using testing::StartsWith;
+
+TEST(Error, IsNotCutByANul) {
+  const std::string name("a\0b", 3);
+  EXPECT_STREQ(Error(name, "is no name").what(), "a\\x00b: is no name");
+  EXPECT_EQ(InvalidArgument(name, "is no name", name).quantity(), "a\\x00b");
+  EXPECT_EQ(InvalidArgument(name, "is no name", name).remedy(), "a\\x00b");
+}
+
+TEST(Error, LeavesOutTheMiddleOfALongText) {
+  const Error error("begin" + std::string(1'000'000, 'x') + "end", std::string(10'000, 'y'));
+  const std::string message = error.what();
+  EXPECT_LT(message.size(), 2100U);
+  EXPECT_THAT(message, StartsWith("beginxxx"));
+  EXPECT_THAT(message.substr(0, message.find(": ")), EndsWith("xxxend"));
+  const std::string longest = std::string(1000, 'x') + ": why";
+  EXPECT_EQ(Error(std::string(1000, 'x'), "why").what(), longest);
+}
+
+TEST(Error, LeavesOutWholeCharacters) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "\u20ac";  // three bytes each
+  std::string message = Error("x" + text, "why").what();
+  for (std::size_t at = 0; (at = message.find("\u20ac", at)) != std::string::npos;) {
+    message.erase(at, 3);
+  }
+  EXPECT_EQ(message, "x ... : why");
+}
+
+// The parts of a message can be told apart by the length of the quantity.
+TEST(Error, BeginsWithItsQuantity) {
+  const InvalidArgument error(std::string(5000, 'q'), "why");
+  EXPECT_EQ(error.what(), error.quantity() + ": why");
+  EXPECT_EQ(InvalidArgument(error.quantity(), "why").quantity(), error.quantity());
+}
+
+}  // namespace
+}  // namespace twrench
