@@ -4,9 +4,11 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "image/png.h"
 #include "image/similarity.h"
+#include "system/error.h"
 
 namespace twrench::comparison {
 namespace {
@@ -20,6 +22,19 @@ void copy_area(const image::Area& area, const Kind& from, Kind& to) {
     std::copy_n(from.pixels.begin() + sample(area.x, y), area.width * from.channels,
                 to.pixels.begin() + sample(area.x, y));
   }
+}
+
+/// Throws FileError where the picture is a gigabyte or so, and its file far too small to be a picture
+/// of that size with anything in it.
+void require_moderate(const PngFile& file) {
+  const image::PngHeader header = image::png_header(file.bytes);
+  const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
+  constexpr std::uint64_t large = 8192 * 8192, most_pixels_per_byte = 30;
+  if (pixels <= large || pixels <= most_pixels_per_byte * file.bytes.size()) return;
+  throw system::FileError("cannot read " + file.name,
+                          fmt::format("it has {}x{} pixels in {} bytes: hardly anything can be on it",
+                                      header.width, header.height, file.bytes.size()),
+                          "compare pictures of at most 8192x8192 pixels");
 }
 
 }  // namespace
@@ -39,6 +54,7 @@ void require_within(std::span<const image::Area> areas, int width, int height,
 }
 
 PicturePair::PicturePair(const PngFile& expected, const PngFile& actual) : name_(actual.name) {
+  for (const PngFile* file : {&expected, &actual}) require_moderate(*file);
   if (image::png_header(expected.bytes).bit_depth == 16 ||
       image::png_header(actual.bytes).bit_depth == 16) {
     images_ = Pair<image::DeepImage>{image::decode_deep_png(expected.bytes, expected.name),

@@ -103,13 +103,11 @@ void add_notes_of(const Overlap& overlap, std::vector<std::string>& notes) {
                                                  : "which does not matter to its volume"));
 }
 
-}  // namespace
-
-void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& topology,
-                   double scale, std::vector<std::string>& notes) {
-  require_closed(name, mesh, topology, scale);
+/// Throws where triangles cross, or components lie within each other, so that the volume there does
+/// not count once.
+void require_simple(const std::string& name, const TriangleMesh& mesh, const Topology& topology,
+                    bool is_inside_out, std::vector<std::string>& notes) {
   const TriangleTree tree(mesh);
-  const bool is_inside_out = signed_volume(mesh) < 0.0;
   Allowance allowance(usual_steps);
   const Overlap overlap = find_overlap(tree, is_inside_out, allowance);
   if (overlap.is_real) {
@@ -120,7 +118,6 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
                     overlap.crossings, text_of(overlap.point)),
         "unite the parts that overlap, or make each a mesh of its own");
   }
-  require_volume(name, mesh);
   add_notes_of(overlap, notes);
   if (const auto wrong = misplaced_component(tree, topology, is_inside_out, allowance)) {
     throw InvalidArgument(
@@ -137,6 +134,16 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
         "whether its components lie within each other was not found out for all, because too many "
         "of its triangles are long and close to each other");
   }
+}
+
+}  // namespace
+
+void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& topology,
+                   double scale, bool search, std::vector<std::string>& notes) {
+  require_closed(name, mesh, topology, scale);
+  const bool is_inside_out = signed_volume(mesh) < 0.0;
+  if (search) require_simple(name, mesh, topology, is_inside_out, notes);
+  require_volume(name, mesh);
   if (!is_inside_out) return;
   turn_over(mesh);
   notes.emplace_back("it was inside out, and is turned over");

@@ -77,7 +77,7 @@ class EarClipper {
       ++looks;
       return std::ranges::find(ear, other) == ear.end() && is_in_the_way(other, corners);
     });
-    allowance_->take(looks);
+    allowance_->take(3 * looks);
     if (blocker) waiting_[*blocker].push_back(i);
     return !blocker;
   }

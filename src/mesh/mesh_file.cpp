@@ -145,7 +145,9 @@ MeshFile finish(const std::string& name, Content content, const ReadOptions& opt
   const Topology edges = topology(mesh);
   file.open_edges = edges.unbalanced;
   file.components = edges.components;
-  if (options.shell == 0.0) require_solid(name, mesh, edges, scale, file.notes);
+  if (options.shell == 0.0) {
+    require_solid(name, mesh, edges, scale, options.search, file.notes);
+  }
   const body::SolidIntegrals integrals = integrals_of(name, mesh, options.shell / scale);
   file.area = body::surface_area(mesh) * scale * scale;
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= scale;

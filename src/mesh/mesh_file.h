@@ -22,6 +22,8 @@ struct ReadOptions {
   double weld = 0.0;
   /// Thickness in cm of the wall along the surface, which may be open then; 0 for a solid.
   double shell = 0.0;
+  /// Whether a solid is searched for triangles that cross and components that do not belong.
+  bool search = true;
 };
 
 /// A mesh that was read and found sound.

@@ -66,6 +66,7 @@ inline constexpr double min_rotation_rate = 1e-100;
 inline constexpr std::size_t max_compared = 4;
 inline constexpr std::size_t max_shots = 1000;
 inline constexpr int max_parts = 1000;
+inline constexpr std::size_t max_parts_of_shots = 50'000;  // each shot has a body
 inline constexpr double max_frames = 10'000'000;
 
 /// Returns `value`, or throws OutOfRange "WHAT: is VALUE, but must be ...".

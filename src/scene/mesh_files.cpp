@@ -1,6 +1,5 @@
 #include "scene/mesh_files.h"
 
-#include <fmt/format.h>
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
@@ -37,17 +36,24 @@ const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::Rea
   const Key key{file, options.scale, options.weld, options.shell};
   const auto found = entries_.find(key);
   if (found != entries_.end()) return found->second;
-  const bool is_known =
-      std::ranges::any_of(entries_, [&](const auto& entry) { return std::get<0>(entry.first) == file; });
-  const Entry& entry = entries_.emplace(key, load(file, options)).first->second;
-  if (is_known) repeated_triangles_ += entry.shape.surface->triangles.size();
+  const auto is_read = [&](bool with_this_weld) {
+    return std::ranges::any_of(entries_, [&](const auto& entry) {
+      const auto& [other, scale, weld, shell] = entry.first;
+      return other == file && (!with_this_weld || (weld == options.weld && shell == 0.0));
+    });
+  };
+  mesh::ReadOptions once_more = options;
+  once_more.search = options.shell == 0.0 && !is_read(true);
+  const bool is_repeated = is_read(false);
+  const Entry& entry = entries_.emplace(key, load(file, once_more)).first->second;
+  constexpr std::size_t search_factor = 10;  // it takes so much more time
+  const std::size_t triangles = entry.shape.surface->triangles.size();
+  if (is_repeated) repeated_triangles_ += triangles * (once_more.search ? search_factor : 1);
   constexpr std::size_t most_repeated = 1'000'000;
   if (repeated_triangles_ <= most_repeated) return entry;
-  throw InvalidArgument(file,
-                        fmt::format("the parts of the scene read meshes again, with other values of "
-                                    "scale, weld and shell, for more than {} triangles",
-                                    most_repeated),
-                        "give parts of one mesh the same values");
+  throw InvalidArgument(file, "the parts of the scene read it too often with other values of scale, "
+                              "weld and shell",
+                        "give parts of one mesh the same values, or use a mesh of fewer triangles");
 }
 
 MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOptions& options) const {

@@ -99,6 +99,7 @@ class ShotReader {
   std::vector<Shot> shots_;
   std::vector<Shown> motions_;
   std::vector<std::size_t> motion_of_shot_;
+  std::size_t parts_ = 0;  ///< Of the bodies of all shots.
 };
 
 /// A time in s that the shot's start has room for; 0 if it is not given.
@@ -134,6 +135,11 @@ void ShotReader::read(TomlTable& table) {
   const auto caption = table.value("caption", Field::Kind::text);
   shot.scene.caption = caption ? caption->get<std::string>() : std::string();
   shot.scene.motion.duration = read_scene(table, shot.scene, film_, meshes_);
+  parts_ += shot.scene.body.parts.size();
+  if (parts_ > limits::max_parts_of_shots) {
+    throw InvalidArgument(shot.place, fmt::format("the shots have at most {} parts together",
+                                                  limits::max_parts_of_shots));
+  }
   shot.fade = read_transition(table, "fade", length);
   shot.move = read_transition(table, "move", length);
   if (shot.move > 0 && !(shows_one_body(shot.scene) && shows_one_body(shots_.back().scene))) {
