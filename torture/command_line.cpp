@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "app/commands.h"
 #include "option_values.h"
@@ -112,6 +113,30 @@ void draw_options(CommandLine& line, const std::vector<Option>& options, Dice& d
   for (const Option& option : optional) add_option(line, option, dice);
 }
 
+/// Takes a scene file from a pipe instead.
+void pipe_scene(CommandLine& line) {
+  if (line.arguments.size() != 1 || !line.arguments.front().ends_with(".toml")) return;
+  const auto word = std::ranges::find(line.words, line.arguments.front());
+  if (word == line.words.end() || word == line.words.begin() || (word - 1)->starts_with("--")) return;
+  line.piped_scene = line.arguments.front();
+  line.arguments.front() = *word = "/dev/stdin";
+}
+
+/// Gives one file to two options for outputs.
+void repeat_output(CommandLine& line, const std::vector<Option>& options) {
+  std::vector<std::string> outputs;
+  for (const char* name : {"output", "plot", "diff", "report"}) {
+    const auto is_it = [&](const Option& option) { return option.name == name; };
+    if (!line.has(name) && std::ranges::any_of(options, is_it)) outputs.emplace_back(name);
+  }
+  if (outputs.size() < 2) return;
+  for (const auto& [name, value] : {std::pair(outputs[0], "one.svg"), {outputs[1], "./one.svg"}}) {
+    line.words.insert(line.words.end(), {"--" + name, value});
+    line.options[name] = value;
+  }
+  line.has_one_output_twice = true;
+}
+
 }  // namespace
 
 std::string CommandLine::value(const std::string& option, const std::string& otherwise) const {
@@ -153,6 +178,9 @@ CommandLine random_command_line(const OptionTable& table, Dice& dice) {
     line.words.emplace_back("--no-video");
     line.options["no-video"] = "";
   }
+  line.has_loud_children = dice.chance(0.2);
+  if (dice.chance(0.1)) pipe_scene(line);
+  if (dice.chance(0.1)) repeat_output(line, options);
   if (dice.chance(0.1)) distort(line, dice);
   return line;
 }

@@ -18,6 +18,12 @@ struct CommandLine {
   std::vector<std::string> arguments;
   /// see Value
   bool may_last = false;
+  /// scene file that the program reads from a pipe, as /dev/stdin
+  std::string piped_scene;
+  /// two of its outputs are one file
+  bool has_one_output_twice = false;
+  /// ffmpeg and ffprobe print warnings
+  bool has_loud_children = false;
   /// malformed: its meaning is unknown
   bool is_odd = false;
 

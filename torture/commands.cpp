@@ -75,7 +75,7 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
   const auto add_file = [&](const std::string& name) {
     asked.files.insert(place_of(name, folder));
   };
-  for (const char* option : {"output", "diff", "plot"}) {
+  for (const char* option : {"output", "diff", "plot", "report"}) {
     if (line.has(option)) add_file(line.value(option));
   }
   if (line.command == "render") {
@@ -217,6 +217,7 @@ class Commands {
     fs::create_directories(scratch_ / "template");
     set_environment();
     furnish(scratch_ / "template", TWRENCH_BINARY);
+    put_loud_programs(scratch_ / "loud");
   }
   ~Commands() { remove_folder(scratch_); }
   Commands(const Commands&) = delete;
@@ -250,7 +251,18 @@ Tried Commands::run_case(const CommandLine& line, const fs::path& folder) const 
   fs::create_directories(work);
   copy_playground(scratch_ / "template", work);
   Tried tried{line, {}, take_snapshot(work), {}, asked_by(line, work), inputs_of(line, work)};
-  Program program{{TWRENCH_BINARY}, work, folder / "said"};
+  Program program{{}, work, folder / "said"};
+  if (!line.piped_scene.empty()) {
+    // The scene may be a pipe that nobody writes to: cat must not keep the shell waiting.
+    program.command = {"sh", "-c", R"(scene=$1; shift; timeout 60 cat -- "$scene" | "$@")", "sh",
+                       line.piped_scene};
+  }
+  if (line.has_loud_children) {
+    const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    program.command.insert(program.command.end(),
+                           {"env", "PATH=" + (scratch_ / "loud").string() + ":" + path});
+  }
+  program.command.emplace_back(TWRENCH_BINARY);
   program.command.insert(program.command.end(), line.words.begin(), line.words.end());
   if (line.may_last || line.is_odd) program.until_asked = Seconds(4);
   tried.ended = run(program);
@@ -266,6 +278,9 @@ void Commands::try_case(std::uint32_t number, bool aloud) {
   Faults faults = faults_in_manner(tried.ended, manner_of(line));
   if (tried.ended.asked_to_stop && !line.may_last && !line.is_odd) {
     faults.emplace_back("it takes more than 120 s");
+  }
+  if (line.has_one_output_twice && tried.succeeded() && !line.is_odd && !line.has("help")) {
+    faults.emplace_back("two of its outputs are one file");
   }
   if (!line.is_odd) {
     judge_old_entries(tried, faults);

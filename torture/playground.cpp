@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,56 @@ void put_meshes(const fs::path& folder) {
   put(folder / "open.obj", open);
   put(folder / "sound.obj", open + "f 2 3 4\n");
   put(folder / "short.stl", std::string(80, 'x') + "\xff\xff\xff\xff");
+}
+
+/// A glTF file whose nodes repeat a mesh of as many primitives.
+std::string repeating_gltf(int nodes, int primitives, int mode) {
+  const auto repeated = [](const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += (i == 0 ? "" : ",") + text;
+    return all;
+  };
+  return R"({"asset":{"version":"2.0"},"nodes":[)" + repeated(R"({"mesh":0})", nodes) +
+         R"(],"meshes":[{"primitives":[)" +
+         repeated(R"({"attributes":{"POSITION":0},"mode":)" + std::to_string(mode) + "}",
+                  primitives) +
+         R"(]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,)"
+         R"("uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+}
+
+/// Thin tetrahedra all through a ball.
+std::string needles(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double a = 2.4 * i, b = 3.9 * i, up = std::sin(1.7 * i);
+    const double x = std::cos(a), y = std::sin(a);
+    text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(up) + "\nv " +
+            std::to_string(x + 1e-4) + " " + std::to_string(y) + " " + std::to_string(up) + "\nv " +
+            std::to_string(x) + " " + std::to_string(y + 1e-4) + " " + std::to_string(up) + "\nv " +
+            std::to_string(std::cos(b)) + " " + std::to_string(std::sin(b)) + " -2\n";
+    text += "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+  }
+  return text;
+}
+
+/// Small files that would take long, or much memory.
+void put_amplifiers(const fs::path& folder) {
+  put(folder / "nodes.gltf", repeating_gltf(20000, 20000, 4));
+  put(folder / "lines.gltf", repeating_gltf(20000, 20000, 1));
+  put(folder / "needles.obj", needles(5000));
+  for (const char* name : {"nodes.gltf", "lines.gltf", "needles.obj"}) {
+    put(folder / (std::string(name) + ".toml"), mesh(name, "scale = 1\n"));
+  }
+  std::string sizes, shots;
+  for (int i = 0; i < 1000; ++i) {
+    sizes += mesh("needles.obj", "scale = " + std::to_string(1 + i) + "\n");
+    shots += "[[shot]]\nlength = 1\n";
+  }
+  put(folder / "mesh_sizes.toml", sizes);
+  std::string parts;
+  for (int i = 0; i < 1000; ++i) parts += part("radius = 1\nlength = 2\ndensity = 3\n");
+  put(folder / "parts_and_shots.toml", parts + shots);
 }
 
 void put_scenes(const fs::path& folder) {
@@ -169,6 +220,7 @@ void put_places(const fs::path& folder) {
 void furnish(const fs::path& folder, const fs::path& twrench) {
   put_scenes(folder);
   put_meshes(folder);
+  put_amplifiers(folder);
   for (const auto& [name, scene] : {std::pair{"frames", "sound.toml"}, {"other", "stable-y"}}) {
     const Ended ended =
         run({{twrench.string(), "render", scene, "--no-video", "--size", "64x48", "--duration", "1",
@@ -182,6 +234,15 @@ void furnish(const fs::path& folder, const fs::path& twrench) {
   put_pictures(folder);
   put_broken_frames(folder);
   put_places(folder);
+}
+
+void put_loud_programs(const fs::path& folder) {
+  fs::create_directory(folder);
+  for (const std::string name : {"ffmpeg", "ffprobe"}) {
+    put(folder / name, "#!/bin/sh\necho 'a library: warning: {' >&2\nPATH=\"${PATH#*:}\" exec " + name +
+                           " \"$@\"\n");
+    fs::permissions(folder / name, fs::perms(0755));
+  }
 }
 
 void copy_playground(const fs::path& from, const fs::path& to) {

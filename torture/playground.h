@@ -12,4 +12,8 @@ void furnish(const std::filesystem::path& folder, const std::filesystem::path& t
 /// Copies such a folder, and adds what cannot be copied: FIFOs, and inaccessible entries.
 void copy_playground(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Creates a folder with an ffmpeg and an ffprobe that print a warning and do what those further on
+/// in PATH do.
+void put_loud_programs(const std::filesystem::path& folder);
+
 }  // namespace twrench::torture
