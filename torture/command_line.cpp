@@ -117,7 +117,8 @@ void draw_options(CommandLine& line, const std::vector<Option>& options, Dice& d
 void pipe_scene(CommandLine& line) {
   if (line.arguments.size() != 1 || !line.arguments.front().ends_with(".toml")) return;
   const auto word = std::ranges::find(line.words, line.arguments.front());
-  if (word == line.words.end() || word == line.words.begin() || (word - 1)->starts_with("--")) return;
+  if (word == line.words.end() || word == line.words.begin() || (word - 1)->starts_with("--"))
+    return;
   line.piped_scene = line.arguments.front();
   line.arguments.front() = *word = "/dev/stdin";
 }

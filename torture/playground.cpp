@@ -239,8 +239,8 @@ void furnish(const fs::path& folder, const fs::path& twrench) {
 void put_loud_programs(const fs::path& folder) {
   fs::create_directory(folder);
   for (const std::string name : {"ffmpeg", "ffprobe"}) {
-    put(folder / name, "#!/bin/sh\necho 'a library: warning: {' >&2\nPATH=\"${PATH#*:}\" exec " + name +
-                           " \"$@\"\n");
+    put(folder / name, "#!/bin/sh\necho 'a library: warning: {' >&2\nPATH=\"${PATH#*:}\" exec " +
+                           name + " \"$@\"\n");
     fs::permissions(folder / name, fs::perms(0755));
   }
 }

@@ -96,7 +96,8 @@ void CheckSetup::add_options(CLI::App& command) {
       .add_option("--inertia", inertia_,
                   "principal moments of inertia about the body's axes, in any unit")
       ->type_name("A,B,C");
-  command.add_option("--scene", scene_name_, "take the body of this scene instead")->type_name("SCENE");
+  command.add_option("--scene", scene_name_, "take the body of this scene instead")
+      ->type_name("SCENE");
   command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
       ->default_str("the first row's, at its time");

@@ -63,8 +63,8 @@ void write_reason() {
   }
 }
 
-/// Ends a program that crashes, most likely in the driver of OpenGL, with a message. Calls only what
-/// a handler may call.
+/// Ends a program that crashes, most likely in the driver of OpenGL, with a message. Calls only
+/// what a handler may call.
 void report_crash(int) {
   write_error(
       "twrench: error: internal: it crashed\n"
@@ -73,8 +73,8 @@ void report_crash(int) {
   ::_exit(static_cast<int>(ExitCode::internal));
 }
 
-/// Leaves handlers alone that a tool has installed, such as a sanitizer. A stack that overflows needs
-/// another one for the handler.
+/// Leaves handlers alone that a tool has installed, such as a sanitizer. A stack that overflows
+/// needs another one for the handler.
 void handle_crashes() {
   static std::array<std::byte, 1 << 14> memory;
   stack_t stack{};
@@ -83,8 +83,7 @@ void handle_crashes() {
   ::sigaltstack(&stack, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
     struct sigaction action {};
-    const bool is_free =
-        ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+    const bool is_free = ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
     action.sa_handler = &report_crash;
     action.sa_flags = SA_ONSTACK;
     if (is_free) ::sigaction(signal, &action, nullptr);

@@ -24,17 +24,18 @@ void copy_area(const image::Area& area, const Kind& from, Kind& to) {
   }
 }
 
-/// Throws FileError where the picture is a gigabyte or so, and its file far too small to be a picture
-/// of that size with anything in it.
+/// Throws FileError where the picture is a gigabyte or so, and its file far too small to be a
+/// picture of that size with anything in it.
 void require_moderate(const PngFile& file) {
   const image::PngHeader header = image::png_header(file.bytes);
   const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
   constexpr std::uint64_t large = 8192 * 8192, most_pixels_per_byte = 30;
   if (pixels <= large || pixels <= most_pixels_per_byte * file.bytes.size()) return;
-  throw system::FileError("cannot read " + file.name,
-                          fmt::format("it has {}x{} pixels in {} bytes: hardly anything can be on it",
-                                      header.width, header.height, file.bytes.size()),
-                          "compare pictures of at most 8192x8192 pixels");
+  throw system::FileError(
+      "cannot read " + file.name,
+      fmt::format("it has {}x{} pixels in {} bytes: hardly anything can be on it", header.width,
+                  header.height, file.bytes.size()),
+      "compare pictures of at most 8192x8192 pixels");
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ std::string answer_of(const std::function<std::string()>& call) {
 
 /// Leaves the handlers of signals to the parent, writes no core file, and ends with the parent.
 void become_quiet() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGSEGV, SIGBUS, SIGFPE, SIGILL,
-                           SIGABRT}) {
+  for (const int signal :
+       {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     static_cast<void>(std::signal(signal, SIG_DFL));
   }
   const rlimit none{0, 0};
@@ -65,9 +65,9 @@ void become_quiet() {
 /// What to do about a driver that crashes.
 std::string remedy_for_crash() {
   std::vector<std::string> set;
-  for (const char* name : {"GALLIUM_DRIVER", "MESA_LOADER_DRIVER_OVERRIDE", "LIBGL_DRIVERS_PATH",
-                           "LP_NATIVE_VECTOR_WIDTH", "__EGL_VENDOR_LIBRARY_FILENAMES",
-                           "LD_PRELOAD"}) {
+  for (const char* name :
+       {"GALLIUM_DRIVER", "MESA_LOADER_DRIVER_OVERRIDE", "LIBGL_DRIVERS_PATH",
+        "LP_NATIVE_VECTOR_WIDTH", "__EGL_VENDOR_LIBRARY_FILENAMES", "LD_PRELOAD"}) {
     if (std::getenv(name) != nullptr) set.emplace_back(name);
   }
   if (!set.empty()) return fmt::format("unset {}", fmt::join(set, ", "));
@@ -79,9 +79,9 @@ std::string remedy_for_crash() {
 }
 
 GlError crashed(int status) {
-  const std::string how =
-      WIFSIGNALED(status) ? fmt::format("signal {}", ::strsignal(WTERMSIG(status)))
-                          : fmt::format("exit status {}", WEXITSTATUS(status));
+  const std::string how = WIFSIGNALED(status)
+                              ? fmt::format("signal {}", ::strsignal(WTERMSIG(status)))
+                              : fmt::format("exit status {}", WEXITSTATUS(status));
   return {"OpenGL", fmt::format("its driver crashes ({})", how), remedy_for_crash(),
           GlError::Reason::crashed};
 }

@@ -7,8 +7,8 @@
 
 namespace twrench::gl {
 
-/// Returns whether this process has opened a Library. Throws GlError if one from which it was forked
-/// has: neither the threads of drivers nor their locks survive that.
+/// Returns whether this process has opened a Library. Throws GlError if one from which it was
+/// forked has: neither the threads of drivers nor their locks survive that.
 bool has_used_opengl();
 
 /// A shared library, opened at run time and never closed, because GL drivers leave threads and

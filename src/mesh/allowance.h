@@ -5,9 +5,9 @@
 
 namespace twrench::mesh {
 
-/// How much work a search may do, in steps of some 10 ns. A count of steps, unlike a clock, gives up
-/// at the same mesh on every machine. All threads of a search share it; whether it suffices does not
-/// depend on the order in which they take from it.
+/// How much work a search may do, in steps of some 10 ns. A count of steps, unlike a clock, gives
+/// up at the same mesh on every machine. All threads of a search share it; whether it suffices does
+/// not depend on the order in which they take from it.
 class Allowance {
  public:
   explicit Allowance(std::size_t steps) : left_(static_cast<std::ptrdiff_t>(steps)) {}

@@ -99,8 +99,7 @@ const GltfBuffers::File& GltfBuffers::load_file(const GltfValue& uri) {
       std::ranges::find(files_, path, [](const File& file) { return file.file.path; });
   if (known != files_.end()) return *known;
   const auto bytes = system::read_regular_file(path, most_buffer_bytes);
-  return files_.emplace_back(
-      File{std::string(text_of(bytes)), {path, system::sha256_hex(bytes)}});
+  return files_.emplace_back(File{std::string(text_of(bytes)), {path, system::sha256_hex(bytes)}});
 }
 
 void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buffer) {

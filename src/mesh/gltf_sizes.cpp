@@ -28,8 +28,7 @@ void count(const GltfValue& document, const GltfValue& primitive, GltfBuffers& b
   };
   const std::size_t vertices = size(primitive.at("attributes").at("POSITION"));
   const auto indices = primitive.find("indices");
-  const std::uint64_t triangles =
-      triangles_of(GltfMode(mode), indices ? size(*indices) : vertices);
+  const std::uint64_t triangles = triangles_of(GltfMode(mode), indices ? size(*indices) : vertices);
   if (triangles == 0) return;
   mesh.vertices += vertices;
   mesh.triangles += triangles;
@@ -57,7 +56,8 @@ std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfVa
   }
   // Without repetition, a triangle takes a byte at least.
   constexpr std::uint64_t repeated = 3'000'000;
-  const std::uint64_t most = std::max<std::uint64_t>(source.bytes.size() + buffers.bytes(), repeated);
+  const std::uint64_t most =
+      std::max<std::uint64_t>(source.bytes.size() + buffers.bytes(), repeated);
   std::uint64_t vertices = 0, triangles = 0;
   for (const GltfInstance& instance : instances) {
     vertices += meshes.at(instance.mesh).vertices;

@@ -41,8 +41,8 @@ double wrong_volume(const TriangleTree& tree, const AlignedBox3d& box, int sampl
                     Allowance& allowance) {
   int wrong = 0;
   for (int n = 0; n < samples && !allowance.is_used_up(); ++n) {
-    const auto winding =
-        winding_number(tree, sample_point(box, n), [](std::uint32_t) { return true; }, allowance);
+    const auto winding = winding_number(
+        tree, sample_point(box, n), [](std::uint32_t) { return true; }, allowance);
     if (winding && (turn * *winding < 0 || turn * *winding > 1)) ++wrong;
   }
   return wrong * box.volume() / samples;

@@ -18,7 +18,8 @@ class Polygons {
 
   /// Splits those polygons anew whose fan does not lie within them, because they are concave. One
   /// that cannot be split within, because it crosses itself as seen along its normal, remains a
-  /// fan; so do all where that would take too long. To be called once, when all vertices are there and all indices are in range.
+  /// fan; so do all where that would take too long. To be called once, when all vertices are there
+  /// and all indices are in range.
   void triangulate(body::TriangleMesh& mesh) const;
 
  private:

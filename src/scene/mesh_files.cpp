@@ -51,8 +51,9 @@ const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::Rea
   if (is_repeated) repeated_triangles_ += triangles * (once_more.search ? search_factor : 1);
   constexpr std::size_t most_repeated = 1'000'000;
   if (repeated_triangles_ <= most_repeated) return entry;
-  throw InvalidArgument(file, "the parts of the scene read it too often with other values of scale, "
-                              "weld and shell",
+  throw InvalidArgument(file,
+                        "the parts of the scene read it too often with other values of scale, "
+                        "weld and shell",
                         "give parts of one mesh the same values, or use a mesh of fewer triangles");
 }
 

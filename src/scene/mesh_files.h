@@ -30,8 +30,8 @@ class MeshFiles {
   /// Those of a built-in scene, which are built in too.
   static MeshFiles built_in() { return MeshFiles(std::nullopt); }
 
-  /// Reads a mesh. Throws InvalidArgument about the mesh, and FileError. A short scene file must not
-  /// take minutes because it reads a mesh a thousand times, each time in another size.
+  /// Reads a mesh. Throws InvalidArgument about the mesh, and FileError. A short scene file must
+  /// not take minutes because it reads a mesh a thousand times, each time in another size.
   const Entry& read(const std::string& file, const mesh::ReadOptions& options);
 
  private:

@@ -57,9 +57,10 @@ std::string table(const std::string& names, const std::string& values, int rows)
 
 TEST_F(CheckCommand, TakesASceneFromAPipe) {
   simulate("a.csv", "--duration 5 --method exact");
-  const Outcome run = run_shell(
-      folder_, "printf '[body]\\nmoments = [2, 3, 4]\\n' | "
-               "\"$TWRENCH\" check a.csv --scene /dev/stdin --plot p.svg -o report.txt");
+  const Outcome run =
+      run_shell(folder_,
+                "printf '[body]\\nmoments = [2, 3, 4]\\n' | "
+                "\"$TWRENCH\" check a.csv --scene /dev/stdin --plot p.svg -o report.txt");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(text_of(folder_ / "report.txt"), HasSubstr("cannot be faulted"));
 }

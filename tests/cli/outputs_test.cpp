@@ -71,14 +71,17 @@ TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
       "#!/bin/sh\ntouch started\nuntil [ -e go ]; do sleep 0.01; done\nPATH=\"$OLD_PATH\" exec "
       "ffmpeg \"$@\"\n");
   fs::permissions(folder / "bin/ffmpeg", fs::perms::owner_all);
-  const Outcome run = run_shell(
-      folder,
-      "export OLD_PATH=\"$PATH\"; "
-      "{ PATH=\"$PWD/bin:$PATH\" \"$TWRENCH\" " + film_command + "stable-y -o new/a.mp4; "
-      "echo $? >second; } & "
-      "until [ -e started ]; do sleep 0.01; done; "
-      "\"$TWRENCH\" " + film_command + "-o new/a.mp4; code=$?; cp new/a.mp4 first.mp4; touch go; "
-      "wait; exit $code");
+  const Outcome run = run_shell(folder,
+                                "export OLD_PATH=\"$PATH\"; "
+                                "{ PATH=\"$PWD/bin:$PATH\" \"$TWRENCH\" " +
+                                    film_command +
+                                    "stable-y -o new/a.mp4; "
+                                    "echo $? >second; } & "
+                                    "until [ -e started ]; do sleep 0.01; done; "
+                                    "\"$TWRENCH\" " +
+                                    film_command +
+                                    "-o new/a.mp4; code=$?; cp new/a.mp4 first.mp4; touch go; "
+                                    "wait; exit $code");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(text_of(folder / "second"), "2\n");
   EXPECT_THAT(run.err, HasSubstr("it exists and is a video of something else"));

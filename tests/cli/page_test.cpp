@@ -74,10 +74,10 @@ TEST(Page, HasTheSceneWithItsOverridesAndWithout) {
 TEST(Page, TakesASceneFromAPipe) {
   const ScratchFolder folder;
   write_template(folder);
-  const Outcome run = run_shell(
-      folder,
-      "printf '[body]\\nmoments = [1, 2, 3]\\n' | "
-      "\"$TWRENCH\" page /dev/stdin --omega 0,2,0.5 --template t.html -o a.html");
+  const Outcome run =
+      run_shell(folder,
+                "printf '[body]\\nmoments = [1, 2, 3]\\n' | "
+                "\"$TWRENCH\" page /dev/stdin --omega 0,2,0.5 --template t.html -o a.html");
   ASSERT_EQ(run.code, 0) << run.err;
   const nlohmann::json scene = scene_of(text_of(folder / "a.html"));
   EXPECT_EQ(scene["scene"]["motion"]["omega"], nlohmann::json({0, 2, 0.5}));

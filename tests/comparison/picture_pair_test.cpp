@@ -5,6 +5,7 @@
 #include <twrench/base/error.h>
 
 #include "image/png.h"
+#include "system/error.h"
 
 namespace twrench::comparison {
 namespace {
@@ -28,6 +29,18 @@ TEST(PicturePair, TellsFormatsThatDiffer) {
   const PicturePair pair = pair_of(gray(10, 8), gray(8, 10));
   EXPECT_FALSE(pair.same_format());
   EXPECT_EQ(pair.formats(), "10x8 with 3 channels, and 8x10 with 3");
+}
+
+// It would take a gigabyte for each.
+TEST(PicturePair, RefusesAGiantPictureWithNothingOnIt) {
+  std::vector<std::uint8_t> giant = gray(10, 8);
+  for (const std::size_t at : {18U, 22U}) giant[at] = 0x40;  // 16384 in IHDR
+  try {
+    pair_of(gray(10, 8), giant);
+    FAIL();
+  } catch (const system::FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cannot read b.png: it has 16394x16392 pixels in "));
+  }
 }
 
 TEST(PicturePair, IgnoresWhatIsWithinTheAreas) {

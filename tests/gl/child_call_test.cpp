@@ -31,9 +31,8 @@ TEST(ChildCall, ReturnsWhatTheCallReturns) {
 }
 
 TEST(ChildCall, ThrowsWhatTheCallThrows) {
-  const GlError error = error_of([]() -> std::string {
-    throw GlError("OpenGL", "x: y", "do z", GlError::Reason::no_osmesa);
-  });
+  const GlError error = error_of(
+      []() -> std::string { throw GlError("OpenGL", "x: y", "do z", GlError::Reason::no_osmesa); });
   EXPECT_STREQ(error.what(), "OpenGL: x: y");
   EXPECT_EQ(error.remedy(), "do z");
   EXPECT_EQ(error.reason(), GlError::Reason::no_osmesa);

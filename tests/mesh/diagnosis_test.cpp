@@ -166,9 +166,11 @@ TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
     star += fmt::format("v {} {} {}\n", std::cos(angle) + 0.1, 0.6 * std::sin(angle),
                         0.8 * std::sin(angle));
   }
-  for (const char* faces : {"f 1 2 3 4 5 6 7\nf 7 6 5 4 3 2 1\n", "f 7 6 5 4 3 2 1\nf 1 2 3 4 5 6 7\n"}) {
-    EXPECT_EQ(refusal(star + faces, "a.obj"),
-              "2 a.obj: it encloses no volume: its faces lie upon each other, or one crosses itself");
+  for (const char* faces :
+       {"f 1 2 3 4 5 6 7\nf 7 6 5 4 3 2 1\n", "f 7 6 5 4 3 2 1\nf 1 2 3 4 5 6 7\n"}) {
+    EXPECT_EQ(
+        refusal(star + faces, "a.obj"),
+        "2 a.obj: it encloses no volume: its faces lie upon each other, or one crosses itself");
   }
   // A sheet of a millionth of its size has a volume.
   TriangleMesh sheet = cube({0, 0, 0}, 1);

@@ -21,7 +21,8 @@ TEST(WindingNumber, IsOneInsideAndZeroOutside) {
       const auto part = [&] { return 3 * (static_cast<double>(random()) * 0x1p-32 - 0.5); };
       const Vector3d point(part(), part(), part());
       if (std::abs(point.norm() - 1) < 0.01) continue;
-      EXPECT_EQ(winding_number(tree, at + point, [](std::uint32_t) { return true; }, allowance),
+      EXPECT_EQ(winding_number(
+                    tree, at + point, [](std::uint32_t) { return true; }, allowance),
                 point.norm() < 1 ? 1 : 0)
           << point.transpose();
     }
@@ -37,8 +38,12 @@ TEST(WindingNumber, CountsSurfacesOneByOne) {
   EXPECT_EQ(winding_number(tree, {1.5, 1.5, 1.5}, all, allowance), 1);
   EXPECT_EQ(winding_number(tree, {0.75, 0.75, 0.75}, all, allowance), 0);
   EXPECT_EQ(winding_number(tree, {0.25, 0.25, 0.25}, all, allowance), 1);
-  EXPECT_EQ(winding_number(tree, {1.5, 1.5, 1.5}, [](std::uint32_t t) { return t < 24; }, allowance), 2);
-  EXPECT_EQ(winding_number(tree, {1.5, 1.5, 1.5}, [](std::uint32_t t) { return t >= 24; }, allowance), -1);
+  EXPECT_EQ(winding_number(
+                tree, {1.5, 1.5, 1.5}, [](std::uint32_t t) { return t < 24; }, allowance),
+            2);
+  EXPECT_EQ(winding_number(
+                tree, {1.5, 1.5, 1.5}, [](std::uint32_t t) { return t >= 24; }, allowance),
+            -1);
 }
 
 TEST(WindingNumber, IsNothingOnTheSurface) {

@@ -1,4 +1,5 @@
 // Parts that are meshes: where their files are, what is made of them, and what is said of bad ones.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -51,6 +52,34 @@ class MeshPart : public testing::Test {
 
   ScratchFolder folder_;
 };
+
+// A few kilobytes of text would take minutes, once for each scale.
+TEST_F(MeshPart, IsNotReadTooOftenInOtherSizes) {
+  std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  constexpr int copies = 20'000;
+  for (int i = 1; i < copies; ++i) {
+    many += fmt::format("v {0} 0 0\nv {1} 0 0\nv {0} 1 0\nv {0} 0 1\n", 2 * i, 2 * i + 1);
+  }
+  for (int i = 0; i < copies; ++i) {
+    many += fmt::format("f {0} {2} {1}\nf {0} {1} {3}\nf {0} {3} {2}\nf {1} {2} {3}\n", 4 * i + 1,
+                        4 * i + 2, 4 * i + 3, 4 * i + 4);
+  }
+  write("t.obj", many);
+  const auto parts = [](int count, const char* key) {
+    std::string text;
+    for (int i = 1; i < count; ++i) {
+      text += fmt::format("[[part]]\nshape = 'mesh'\nfile = 't.obj'\n{}\n",
+                          fmt::vformat(key, fmt::make_format_args(i)));
+    }
+    return text;
+  };
+  EXPECT_EQ(
+      load("scale = 1\ndensity = 1\n" + parts(5, "scale = 1.{}\ndensity = 1")).body.parts.size(),
+      5U);
+  EXPECT_THAT(
+      refused("scale = 1\ndensity = 1\n" + parts(4, "scale = 1\nweld = 0.00{}\ndensity = 1")),
+      HasSubstr("read it too often"));
+}
 
 TEST_F(MeshPart, HasTheMassOfItsSolid) {
   write("t.obj", tetrahedron);

@@ -36,6 +36,22 @@ TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
   }
 }
 
+// Each shot has a body of its own.
+TEST(SceneFile, HasALimitOfPartsInAllShots) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) {
+    text += "[[part]]\nshape = 'sphere'\nradius = 1\ndensity = 1\n";
+  }
+  for (int i = 0; i < 51; ++i) text += "[[shot]]\nlength = 1\n";
+  try {
+    parse_scene(text, "a.toml");
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STREQ(error.what(),
+                 "a.toml:4101: shot[50]: the shots have at most 50000 parts together");
+  }
+}
+
 TEST(SceneFile, Tasks) {
   EXPECT_EQ(load_scene("dzhanibekov").motion.omega, Vector3d(1, 0.05, 0));
   EXPECT_EQ(load_scene("stable-y").motion.omega, Vector3d(0, 1, 0.05));
