@@ -180,6 +180,11 @@ std::optional<ExactMotion::Flips> ExactMotion::flips() const {
   return Flips{interval, first, (std::log(16) - std::log(o.mc)) / rate, swing, rate, o.mc};
 }
 
+std::optional<double> ExactMotion::nutation_period() const {
+  if (kind_ == Kind::steady) return std::nullopt;
+  return 4 * orbit_.jacobi.quarter_period() / std::abs(orbit_.rate);
+}
+
 std::vector<double> ExactMotion::flip_times(double t_end) const {
   require_finite("t_end", t_end);
   std::vector<double> times;

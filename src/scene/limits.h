@@ -32,12 +32,12 @@ inline constexpr Limit density{1e-9, 1e6};       // g/cm^3
 inline constexpr Limit mass{1e-40, 1e40};        // g
 inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
-inline constexpr Limit step{1e-15, 1e6};         // s
+inline constexpr Limit step{1e-15, 1e15};        // s
 inline constexpr Limit tolerance{motion::min_tolerance, 1,
                                  "the limit of double precision"};  // of the error estimate E
-inline constexpr Limit duration{1e-15, 1e9};                        // s
+inline constexpr Limit duration{1e-15, 1e15};                       // s
 inline constexpr Limit fps{1e-9, 1000};                             // 1/s
-inline constexpr Limit speed{1e-15, 1e6};                           // s of motion per s of video
+inline constexpr Limit speed{1e-15, 1e15};                          // s of motion per s of video
 inline constexpr Limit pixels{16, 16384};                           // integer
 inline constexpr Limit samples{1, 64};                              // integer
 inline constexpr Limit fraction{0, 1};
@@ -50,11 +50,11 @@ inline constexpr Limit crease{0, 3.1415926535897932};  // rad
 // rad
 inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "straight below"};
 inline constexpr Limit distance{0.2, 20};
-inline constexpr Limit trail_length{1e-15, 1e6};  // s of motion
+inline constexpr Limit trail_length{1e-15, 1e15};  // s of motion
 
-inline constexpr Limit shot_length{1e-3, 1e6};  // s of video
-inline constexpr Limit shot_speed{0, 1e6};      // s of motion per s of video
-inline constexpr Limit shot_start{0, 1e9};      // s of motion
+inline constexpr Limit shot_length{1e-3, 1e6};        // s of video
+inline constexpr Limit shot_speed{0, speed.high};     // s of motion per s of video
+inline constexpr Limit shot_start{0, duration.high};  // s of motion
 
 /// The largest allowed ratio of principal moments. The axes are known to 1e-15 times that ratio,
 /// and beyond about 1e15 the smallest moment is not determined at all.

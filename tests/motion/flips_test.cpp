@@ -138,5 +138,15 @@ TEST(Flips, NoneWithoutAnIntermediateAxisOrWithoutMotionAboutIt) {
   EXPECT_TRUE(exact_motion({1, 2, 3}, {0, 0, 0}).flip_times(100).empty());
 }
 
+TEST(NutationPeriod, IsTwoFlipsOrOneTurnOfTheMomentumAboutTheAxisOfSymmetry) {
+  const ExactMotion flipping = exact_motion({1, 2, 3}, {0.1, 1, 0});
+  EXPECT_DOUBLE_EQ(*flipping.nutation_period(), 2 * flipping.flips()->interval);
+  // omega_1 (I_2 - I_1) / I_2 = 0.5 rad/s
+  EXPECT_DOUBLE_EQ(*exact_motion({1, 2, 2}, {1, 0.3, -0.2}).nutation_period(),
+                   4 * std::numbers::pi);
+  EXPECT_FALSE(exact_motion({1, 2, 3}, {0, 1, 0}).nutation_period());
+  EXPECT_FALSE(exact_motion({1, 1, 1}, {1, 0.3, -0.2}).nutation_period());
+}
+
 }  // namespace
 }  // namespace twrench::motion

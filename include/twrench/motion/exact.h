@@ -84,6 +84,10 @@ class ExactMotion {
   /// intermediate axis.
   std::optional<Flips> flips() const;
 
+  /// Returns the time in s in which the momentum traverses its path in the body frame once: the
+  /// period of the nutation. Infinite on the separatrix; nothing for steady motion.
+  std::optional<double> nutation_period() const;
+
   /// The instants, s, of all flips with 0 < t <= t_end, ascending. Throws OutOfRange
   /// unless t_end is finite, and MotionError where there are more than 10^7.
   std::vector<double> flip_times(double t_end) const;
