@@ -5,19 +5,27 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/time_unit.h"
 #include "plot/panels.h"
 
 namespace twrench::plot {
 namespace {
 
-/// The data blocks $c0, $c1, ...: lines of t and the nine components, row by row.
-std::string data(std::span<const AttitudeCurve> curves) {
+/// The end of the time axis in s.
+double end_of(std::span<const AttitudeCurve> curves) {
+  double end = 0.0;
+  for (const AttitudeCurve& c : curves) end = std::max(end, c.samples.back().t);
+  return end;
+}
+
+/// The data blocks $c0, $c1, ...: lines of t in that unit and the nine components, row by row.
+std::string data(std::span<const AttitudeCurve> curves, const TimeUnit& unit) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     fmt::format_to(out, "$c{} << END\n", c);
     for (const motion::Sample& s : curves[c].samples) {
-      fmt::format_to(out, "{:.7g}", s.t);
+      fmt::format_to(out, "{:.7g}", s.t / unit.length);
       for (int i = 0; i < 9; ++i) fmt::format_to(out, " {:.6f}", s.X(i / 3, i % 3));
       text += '\n';
     }
@@ -29,13 +37,13 @@ std::string data(std::span<const AttitudeCurve> curves) {
 std::string_view color_of(std::size_t curve) { return palette[curve % palette.size()]; }
 
 /// Vertical lines at the flips.
-std::string flip_lines(const AttitudeCurve& curve, std::string_view color) {
+std::string flip_lines(const AttitudeCurve& curve, const TimeUnit& unit, std::string_view color) {
   std::string text;
   for (const double t : curve.flips) {
     text += fmt::format(
         "set arrow from first {0:.7g}, graph 0 to first {0:.7g}, graph 1 nohead back dt (6,4) "
         "lw 1.2 lc rgb '{1}'\n",
-        t, color);
+        t / unit.length, color);
   }
   return text;
 }
@@ -60,17 +68,16 @@ std::string flip_key(std::string_view color, const std::string& title) {
                      gnuplot_string(title));
 }
 
-std::string ranges(std::span<const AttitudeCurve> curves) {
-  double end = 0.0;
-  for (const AttitudeCurve& c : curves) end = std::max(end, c.samples.back().t);
-  return fmt::format("set xrange [0:{:.7g}]\nset yrange [-1.12:1.12]\nset ytics -1, 1\n", end);
+std::string ranges(double end, const TimeUnit& unit) {
+  return fmt::format("set xrange [0:{:.7g}]\nset yrange [-1.12:1.12]\nset ytics -1, 1\n",
+                     end / unit.length);
 }
 
 /// Labels the y axis in the first column of panels, the time axis in the last row.
-std::string outer_axes(int column, bool last_row) {
+std::string outer_axes(int column, bool last_row, const TimeUnit& unit) {
   return fmt::format("set format y '{}'\nset format x '{}'\n{} xlabel {}\n",
                      column == 0 ? "%g" : "", last_row ? "%g" : "", last_row ? "set" : "unset",
-                     last_row ? "'t (s)' offset 0, 0.3" : "");
+                     last_row ? fmt::format("'t ({})' offset 0, 0.3", unit.name) : "");
 }
 
 /// Plots one component of X, `column` of the data, for all curves.
@@ -97,15 +104,17 @@ std::string plot_column(std::size_t curve, int column) {
 }  // namespace
 
 Plot nine_panels(std::span<const AttitudeCurve> curves) {
+  const double end = end_of(curves);
+  const TimeUnit unit = time_unit(end);
   // One motion has a short key: a smaller plot has larger letters in a text.
   const bool single = curves.size() == 1;
-  Plot plot{single ? 900 : 1200, single ? 740 : 820, data(curves)};
+  Plot plot{single ? 900 : 1200, single ? 740 : 820, data(curves, unit)};
   std::string& script = plot.script;
-  script.append(diagram_style).append(ranges(curves)).append("set multiplot\n");
+  script.append(diagram_style).append(ranges(end, unit)).append("set multiplot\n");
   std::string keys;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::string_view flip_color = single ? single_flip_color : color_of(c);
-    script += flip_lines(curves[c], flip_color);
+    script += flip_lines(curves[c], unit, flip_color);
     keys += line_key(color_of(c), curves[c].title);
     if (!curves[c].flips.empty()) {
       keys += flip_key(flip_color, single ? "flips" : "flips of " + curves[c].title);
@@ -113,7 +122,7 @@ Plot nine_panels(std::span<const AttitudeCurve> curves) {
   }
   for (int i = 0; i < 9; ++i) {
     const int row = i / 3, column = i % 3;
-    script += grid(plot, 3).place(row, column) + outer_axes(column, row == 2);
+    script += grid(plot, 3).place(row, column) + outer_axes(column, row == 2, unit);
     script += fmt::format("set title 'x_{{{}{}}}' offset 0, -0.7\n", row + 1, column + 1);
     script += plot_component(curves.size(), 2 + i);
   }
@@ -123,18 +132,20 @@ Plot nine_panels(std::span<const AttitudeCurve> curves) {
 
 Plot column_panels(std::span<const AttitudeCurve> curves) {
   const auto rows = static_cast<int>(curves.size());
-  Plot plot{1200, 140 + 240 * rows, data(curves)};
+  const double end = end_of(curves);
+  const TimeUnit unit = time_unit(end);
+  Plot plot{1200, 140 + 240 * rows, data(curves, unit)};
   std::string& script = plot.script;
-  script.append(diagram_style).append(ranges(curves)).append("set multiplot\n");
+  script.append(diagram_style).append(ranges(end, unit)).append("set multiplot\n");
   bool flips = false;
   for (int row = 0; row < rows; ++row) {
     const auto c = static_cast<std::size_t>(row);
     flips = flips || !curves[c].flips.empty();
-    script += "unset arrow\n" + flip_lines(curves[c], single_flip_color);
+    script += "unset arrow\n" + flip_lines(curves[c], unit, single_flip_color);
     script +=
         fmt::format("set ylabel {} noenhanced offset 1.2, 0\n", gnuplot_string(curves[c].title));
     for (int column = 0; column < 3; ++column) {
-      script += grid(plot, rows).place(row, column) + outer_axes(column, row == rows - 1);
+      script += grid(plot, rows).place(row, column) + outer_axes(column, row == rows - 1, unit);
       script += fmt::format(
           "set title '{{/:Bold "
           "{0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "

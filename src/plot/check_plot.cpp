@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/time_unit.h"
 #include "plot/panels.h"
 
 namespace twrench::plot {
@@ -47,15 +48,16 @@ std::vector<ErrorPanel> panels_of(std::span<const JudgedCurve> curves) {
   return panels;
 }
 
-/// Time, error and limit. An error of zero has no logarithm and leaves a gap.
-std::string data(const ErrorPanel& panel, std::span<const JudgedCurve> curves) {
+/// Time in that unit, error and limit. An error of zero has no logarithm and leaves a gap.
+std::string data(const ErrorPanel& panel, std::span<const JudgedCurve> curves,
+                 const TimeUnit& unit) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const std::size_t i : panel.curves) {
     fmt::format_to(out, "${}{} << END\n", panel.block, i);
     for (const check::Span& span : curves[i].judgement->course) {
       const double error = panel.factor * span.*panel.error;
-      fmt::format_to(out, "{:.9g} {} {:.6g}\n", span.last.t,
+      fmt::format_to(out, "{:.9g} {} {:.6g}\n", span.last.t / unit.length,
                      error > 0 ? fmt::format("{:.6g}", error) : "NaN",
                      panel.factor * span.*panel.limit);
     }
@@ -89,13 +91,23 @@ std::string range(const ErrorPanel& panel, std::span<const JudgedCurve> curves) 
   return fmt::format("[1e{}:1e{}]", std::floor(std::log10(low)), std::floor(std::log10(high)) + 1);
 }
 
-std::string time_range(std::span<const JudgedCurve> curves) {
+/// The times that the curves cover, s.
+struct Times {
   double from = INFINITY, to = -INFINITY;
+};
+
+Times times_of(std::span<const JudgedCurve> curves) {
+  auto [from, to] = Times{};
   for (const JudgedCurve& curve : curves) {
     from = std::min(from, curve.judgement->first_time);
     to = std::max(to, curve.judgement->last_time);
   }
-  return from < to ? fmt::format("[{:.9g}:{:.9g}]", from, to) : "[*:*]";
+  return {from, to};
+}
+
+std::string range(const Times& times, const TimeUnit& unit) {
+  if (!(times.from < times.to)) return "[*:*]";
+  return fmt::format("[{:.9g}:{:.9g}]", times.from / unit.length, times.to / unit.length);
 }
 
 std::string draw(const ErrorPanel& panel, std::span<const JudgedCurve> curves) {
@@ -127,13 +139,16 @@ Plot check_plot(std::span<const JudgedCurve> curves) {
   const int below = 70 + 24 * key_rows;
   Plot plot{columns == 1 ? 760 : 1280, 460 + below, {}};
   const PanelGrid grid{plot.width, plot.height, 1, columns, 86, 22, below, 42, 100, 0};
-  for (const ErrorPanel& panel : panels) plot.script += data(panel, curves);
+  const Times times = times_of(curves);
+  const TimeUnit unit = times.from < times.to ? time_unit(times.to - times.from) : time_unit(1);
+  for (const ErrorPanel& panel : panels) plot.script += data(panel, curves, unit);
   plot.script.append(diagram_style).append("set multiplot\n");
   for (int column = 0; column < columns; ++column) {
     const ErrorPanel& panel = panels[static_cast<std::size_t>(column)];
     plot.script.append(grid.place(0, column))
-        .append("set logscale y\nset format y '10^{%T}'\nset xlabel 't (s)'\n")
-        .append(fmt::format("set xrange {}\nset yrange {}\nset title '{}'\n", time_range(curves),
+        .append(fmt::format("set logscale y\nset format y '10^{{%T}}'\nset xlabel 't ({})'\n",
+                            unit.name))
+        .append(fmt::format("set xrange {}\nset yrange {}\nset title '{}'\n", range(times, unit),
                             range(panel, curves), panel.title))
         .append(fmt::format("set ylabel 'error ({})' offset 0.6, 0\n", panel.unit))
         .append(draw(panel, curves));

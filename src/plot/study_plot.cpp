@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/time_unit.h"
 #include "plot/panels.h"
 
 namespace twrench::plot {
@@ -20,8 +21,8 @@ bool has_ladder(const study::MethodStudy& m) { return m.method->order > 0 && !m.
 const study::StudyRun& middle(const study::MethodStudy& m) { return m.runs[m.runs.size() / 2]; }
 
 /// The data blocks $run0, ... of step, early error, milliseconds, error and energy drift, and
-/// $drift0, ... of t and energy drift. Omits values that have no logarithm.
-std::string data(const study::Study& study) {
+/// $drift0, ... of t in that unit and energy drift. Omits values that have no logarithm.
+std::string data(const study::Study& study, const TimeUnit& unit) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < study.methods.size(); ++i) {
@@ -36,7 +37,7 @@ std::string data(const study::Study& study) {
     const std::vector<double>& drift = middle(m).drift_in_time;
     for (std::size_t k = 0; k < drift.size(); ++k) {
       if (!(drift[k] > 0.0)) continue;
-      const double t = (static_cast<double>(k) + 0.5) * study.duration;
+      const double t = (static_cast<double>(k) + 0.5) * study.duration / unit.length;
       fmt::format_to(out, "{:.6g} {:.6g}\n", t / static_cast<double>(drift.size()), drift[k]);
     }
     text += "END\n";
@@ -186,6 +187,11 @@ std::string drift_title(const study::Study& study) {
   return step + (step.empty() || tolerance.empty() ? "" : ", ") + tolerance;
 }
 
+std::string brief_time(double t) {
+  const TimeUnit unit = time_unit(t);
+  return fmt::format("{:.4g} {}", t / unit.length, unit.symbol);
+}
+
 /// The range of decades, in gnuplot's syntax, that contains the positive values.
 std::string decades(const std::vector<double>& values) {
   double low = 1.0, high = 0.0;
@@ -234,16 +240,16 @@ std::string order_panel(const study::Study& study, const PanelGrid& grid) {
          OrderDiagram(study, grid.panel_width(), grid.panel_height()).slopes() +
          fmt::format(
              "set title 'Order'\nset xlabel 'step h (s)'\n"
-             "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
-             study.early) +
+             "set ylabel 'error of X at {}' offset 1.5, 0\n",
+             brief_time(study.early)) +
          run_curves(study, "run", "1:2", true) + "unset arrow\nunset label\n";
 }
 
 std::string work_panel(const study::Study& study) {
   return fmt::format(
              "set xrange {}\nset title 'Work and precision'\nset xlabel 'CPU time (ms)'\n"
-             "set ylabel 'error of X at {:.4g} s' offset 1.5, 0\n",
-             time_range(study), study.duration) +
+             "set ylabel 'error of X at {}' offset 1.5, 0\n",
+             time_range(study), brief_time(study.duration)) +
          run_curves(study, "run", "3:4", true);
 }
 
@@ -256,25 +262,27 @@ std::string energy_panel(const study::Study& study) {
          run_curves(study, "run", "5:4", true, "x with lines lw 5 lc rgb '#e4e4e4' notitle, ");
 }
 
-std::string drift_panel(const study::Study& study) {
+std::string drift_panel(const study::Study& study, const TimeUnit& unit) {
   return fmt::format(
              "unset logscale x\nset format x '%g'\nset yrange {}\nset xrange [0:{:.7g}]\n"
-             "set title {}\nset xlabel 't (s)'\nset ylabel 'energy drift (relative)' offset 1.5, "
+             "set title {}\nset xlabel 't ({})'\nset ylabel 'energy drift (relative)' offset 1.5, "
              "0\n",
-             drift_range(study), study.duration, gnuplot_string("Energy: " + drift_title(study))) +
+             drift_range(study), study.duration / unit.length,
+             gnuplot_string("Energy: " + drift_title(study)), unit.name) +
          run_curves(study, "drift", "1:2", false);
 }
 
 }  // namespace
 
 Plot study_plot(const study::Study& study) {
-  Plot plot{900, 960, data(study)};
+  const TimeUnit unit = time_unit(study.duration);
+  Plot plot{900, 960, data(study, unit)};
   const PanelGrid grid{plot.width, plot.height, 2, 2, 80, 18, 158, 36, 88, 106};
   plot.script.append(diagram_style)
       .append("set multiplot\n" + grid.place(0, 0) + order_panel(study, grid))
       .append(grid.place(0, 1) + work_panel(study))
       .append(grid.place(1, 0) + energy_panel(study))
-      .append(grid.place(1, 1) + drift_panel(study))
+      .append(grid.place(1, 1) + drift_panel(study, unit))
       .append(key_plot(key_entries(study), 4, 50.0 / plot.height) + "unset multiplot\n");
   return plot;
 }

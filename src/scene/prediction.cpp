@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "base/time_unit.h"
+
 namespace twrench::scene {
 
 std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
@@ -26,8 +28,10 @@ std::string prediction(const body::PrincipalAxes& principal, int axis, double om
       fmt::format("{} about {}", name_of(stability.kind), axis_name(principal.axes, axis));
   if (stability.kind == Kind::neutral) return about;
   const bool grows = stability.kind == Kind::unstable;
-  return fmt::format("{}, {} every {:.3g} s at {:.3g} rad/s", about, grows ? "doubles" : "wobbles",
-                     grows ? stability.doubling_time() : stability.period(), omega);
+  const double time = grows ? stability.doubling_time() : stability.period();
+  const TimeUnit unit = time_unit(time);
+  return fmt::format("{}, {} every {:.3g} {} at {:.3g} rad/s", about, grows ? "doubles" : "wobbles",
+                     time / unit.length, unit.symbol, omega);
 }
 
 }  // namespace twrench::scene

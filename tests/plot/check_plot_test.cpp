@@ -44,6 +44,17 @@ TEST(CheckPlot, HasAPanelForEachKindOfErrorInItsUnit) {
                     Not(HasSubstr("$attitude0"))));
 }
 
+TEST(CheckPlot, HasTimesInAUnitThatReadsWell) {
+  check::Judgement brief = judgement(true, false);
+  EXPECT_THAT(script({{"a", &brief}}), HasSubstr("set xlabel 't (s)'"));
+  brief.last_time = 5 + 2e-8;
+  brief.first_time = 5;
+  EXPECT_THAT(script({{"a", &brief}}), HasSubstr("set xlabel 't (ns)'"));
+  check::Judgement one_row = judgement(true, false);
+  one_row.first_time = one_row.last_time;
+  EXPECT_THAT(script({{"a", &one_row}}), HasSubstr("set xlabel 't (s)'"));
+}
+
 // 2e-5 rad/s is 1.1e-3 deg/s.
 TEST(CheckPlot, HoldsAllErrorsAndLimitsAndLeavesZerosOut) {
   const check::Judgement both = judgement(true, true);

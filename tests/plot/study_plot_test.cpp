@@ -51,6 +51,17 @@ TEST(StudyPlot, GivesEveryMethodAColourAndASymbolOfItsOwn) {
   EXPECT_EQ(colors.size(), study.methods.size());
 }
 
+TEST(StudyPlot, HasTimesInAUnitThatReadsWell) {
+  study::Study study = study_of_all();
+  EXPECT_THAT(study_plot(study).script, testing::AllOf(testing::HasSubstr("set xlabel 't (s)'"),
+                                                       testing::HasSubstr("error of X at 10 s'")));
+  study.duration = 20 * 86400, study.early = 2 * 3600;
+  EXPECT_THAT(study_plot(study).script, testing::AllOf(testing::HasSubstr("set xlabel 't (days)'"),
+                                                       testing::HasSubstr("set xrange [0:20]"),
+                                                       testing::HasSubstr("error of X at 120 min'"),
+                                                       testing::HasSubstr("error of X at 20 d'")));
+}
+
 TEST(StudyPlot, PutsTheLabelsOfSlopesWhereThereAreNoMarkers) {
   const study::Study study = study_of_all();
   const Plot plot = study_plot(study);

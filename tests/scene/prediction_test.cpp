@@ -18,6 +18,7 @@ TEST(Prediction, OfTheTWrench) {
   EXPECT_EQ(prediction(wrench, 1, 1), "unstable about x, doubles every 1.88 s at 1 rad/s");
   EXPECT_EQ(prediction(wrench, 2, 1), "stable about z, wobbles every 7.41 s at 1 rad/s");
   EXPECT_EQ(prediction(wrench, 1, 2), "unstable about x, doubles every 0.941 s at 2 rad/s");
+  EXPECT_EQ(prediction(wrench, 1, 1e-4), "unstable about x, doubles every 5.23 h at 0.0001 rad/s");
 }
 
 TEST(Prediction, OfASphereAndOfABodyAtRestIsNone) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/time_unit.h"
 #include "render/hud/captions.h"
 #include "render/hud/hud_text.h"
 
@@ -98,7 +99,7 @@ void CurvePanel::label_flips(const std::vector<double>& times) {
   const Plot& plot = plots_[0];
   const double bottom = plot.area.y + plot.area.height;
   const double tick = std::max(1.0, 0.1 * size_);
-  const hud_text::TimeUnit unit = hud_text::time_unit(duration_);
+  const TimeUnit unit = time_unit(duration_);
   const auto text = [&](double time) {
     return canvas::typeset(font_, hud_text::rounded_time(time, unit));
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/time_unit.h"
 #include "canvas/typesetting.h"
 #include "render/hud/captions.h"
 #include "render/hud/hud_text.h"
@@ -17,7 +18,7 @@ class Figures {
   Figures(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions, bool compact)
       : longest_(scene.motion.duration),
         resolution_(scene.film.speed / scene.film.fps),
-        unit_(hud_text::time_unit(longest_)),
+        unit_(time_unit(longest_)),
         compact_(compact) {
     for (const timeline::Solution& solution : solutions)
       flips_ = std::max(flips_, solution.flip_times.size());
@@ -56,7 +57,7 @@ class Figures {
 
   double longest_;
   double resolution_;
-  hud_text::TimeUnit unit_;
+  TimeUnit unit_;
   bool compact_;
   std::size_t flips_ = 0;
 };

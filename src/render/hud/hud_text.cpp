@@ -40,11 +40,6 @@ std::string grouped(const std::string& number) {
 
 }  // namespace
 
-TimeUnit time_unit(double longest) {
-  constexpr double day = 86400;
-  return longest < day ? TimeUnit{1, "s"} : TimeUnit{day, "d"};
-}
-
 std::string time(double t, double resolution, const TimeUnit& unit) {
   const double wanted = std::ceil(-std::log10(resolution / unit.length) - 1e-9);
   const auto decimals = static_cast<int>(std::clamp(wanted, 0.0, 3.0));

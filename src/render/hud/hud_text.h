@@ -2,19 +2,11 @@
 
 #include <string>
 
+#include "base/time_unit.h"
 #include "timeline/timeline.h"
 
 // Formatting of numbers and names for the HUD, as UTF-8 for typeset().
 namespace twrench::render::hud_text {
-
-/// A unit in which times are written.
-struct TimeUnit {
-  double length;       ///< In s.
-  const char* symbol;  ///< "s" or "d".
-};
-
-/// Returns the unit for times up to `longest` (in s): days from one day on.
-TimeUnit time_unit(double longest);
 
 /// Formats a time in s with as many decimals as `resolution` (in s) requires, at most three.
 std::string time(double t, double resolution, const TimeUnit& unit);
