@@ -42,7 +42,7 @@ std::string remedy_for_motion(motion::MotionError::Reason reason) {
     case motion::MotionError::Reason::too_many_steps:
       return "take a longer --step or a shorter --duration";
     case motion::MotionError::Reason::out_of_steps:
-      return "take a larger --tolerance or a shorter --duration";
+      return "take a larger --tolerance, a shorter --duration or --method exact";
     case motion::MotionError::Reason::step_underflow:
       return "take a larger --tolerance, or a slower motion";
     case motion::MotionError::Reason::stopped:

@@ -23,6 +23,11 @@ study::StudyPlan ladder_plan(const scene::Motion& motion) {
   return plan;
 }
 
+void require_success(const study::StudyRun& run, const Experiment& experiment) {
+  if (!run.failure_reason) return;
+  throw motion::MotionError("report " + experiment.scene.name, run.failure, *run.failure_reason);
+}
+
 motion::FreeBody free_body(const scene::Scene& scene) {
   return {scene::mass_properties(scene.body).inertia, scene.motion.omega};
 }
@@ -40,10 +45,7 @@ Solution solve(const Experiment& experiment) {
   plan.max_steps = most_study_steps;
   const motion::FreeBody body = free_body(experiment.scene);
   Solution solution{&experiment, body, motion::ExactMotion(body), study::run_study(body, plan)};
-  if (!solution.run().failure.empty()) {
-    throw motion::MotionError("report " + experiment.scene.name, solution.run().failure,
-                              motion::MotionError::Reason::step_too_long);
-  }
+  require_success(solution.run(), experiment);
   return solution;
 }
 
@@ -54,14 +56,11 @@ PrintedSolution solve_as_printed(const Experiment& experiment) {
   result.rk4 = study::run_study(result.solution.body, plan);
   const std::vector<study::StudyRun>& runs = result.rk4.methods.front().runs;
   const auto is_quiet = [](const study::StudyRun& run) {
-    return run.failure.empty() && run.energy_drift <= unnoticed_drift;
+    return !run.failure_reason && run.energy_drift <= unnoticed_drift;
   };
   const auto found = std::ranges::find_if(runs, is_quiet);
   result.quiet = static_cast<std::size_t>(std::min(found, runs.end() - 1) - runs.begin());
-  if (!result.run().failure.empty()) {
-    throw motion::MotionError("report " + experiment.scene.name, result.run().failure,
-                              motion::MotionError::Reason::too_many_steps);
-  }
+  require_success(result.run(), experiment);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "scene/limits.h"
@@ -25,6 +26,15 @@ std::vector<body::Part> equimomental_parts(const Eigen::Vector3d& moments, Equim
   }
   const auto cross = body::equimomental_cross(moments);
   return {cross.begin(), cross.end()};
+}
+
+std::string remedy_for_frame_count(bool too_many, bool one_motion) {
+  if (one_motion) {
+    return too_many ? "take a greater speed, a lower frame rate or a shorter duration"
+                    : "take a smaller speed, a higher frame rate or a longer duration";
+  }
+  return too_many ? "take shorter shots or a lower frame rate"
+                  : "take longer shots or a higher frame rate";
 }
 
 }  // namespace
@@ -48,9 +58,7 @@ int Scene::frame_count() const {
     throw OutOfRange(
         "film",
         fmt::format("it would have {} frames, but must have 1 to {}", frames, limits::max_frames),
-        {frames, 1, limits::max_frames},
-        shots.empty() ? "change the duration, the frame rate or the speed"
-                      : "change the lengths of the shots or the frame rate");
+        {frames, 1, limits::max_frames}, remedy_for_frame_count(frames > 1, shots.empty()));
   }
   return static_cast<int>(frames);
 }

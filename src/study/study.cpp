@@ -92,6 +92,7 @@ StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
   } catch (const motion::MotionError& error) {
     if (error.reason() == motion::MotionError::Reason::stopped) throw;
     run.failure = error.what();
+    run.failure_reason = error.reason();
   }
   return run;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 #include <twrench/study/estimate.h>
@@ -36,8 +37,10 @@ struct StudyRun {
   double step = 0.0;
   /// Tolerance of an adaptive method.
   std::optional<double> tolerance;
-  /// Why the method failed; if set, none of the fields below is.
+  /// Why the method failed; if set, no later field is set except the reason.
   std::string failure;
+  /// The same as one of the reasons.
+  std::optional<motion::MotionError::Reason> failure_reason = {};
   /// Frobenius norm of X - X_exact at Study::early.
   double early_error = 0.0;
   /// Frobenius norm of X - X_exact at the end.
