@@ -93,6 +93,12 @@ py::tuple look_state(const scene::PartLook& look) {
   return py::make_tuple(color, look.metallic, look.roughness, look.crease_angle);
 }
 
+py::tuple origins_state(const scene::Origins& origins) {
+  return py::make_tuple(static_cast<int>(origins.title), static_cast<int>(origins.step),
+                        static_cast<int>(origins.duration), static_cast<int>(origins.fps),
+                        static_cast<int>(origins.speed));
+}
+
 py::tuple Writer::part(const body::Part& part, const scene::PartDescription& description) {
   return py::make_tuple(scene::shape_name(part.shape), dimensions_of(part.shape), mesh(part.shape),
                         part.density, part.position, part.body_from_part, description.name,
@@ -120,7 +126,8 @@ py::tuple Writer::scene(const Scene& from) {
     shots.append(
         py::make_tuple(scene(shot.scene), shot.fade, shot.move, shot.start, speeds, shot.place));
   }
-  return py::make_tuple(from.name, values, body(from.body), from.caption, from.length, shots);
+  return py::make_tuple(from.name, values, body(from.body), from.caption, from.length, shots,
+                        origins_state(from.origins));
 }
 
 /// Reads what Writer wrote.
@@ -181,6 +188,13 @@ std::optional<scene::MeshSource> source_with(const py::object& state) {
   return source;
 }
 
+scene::Origins origins_with(const py::tuple& state) {
+  const auto origin = [&](std::size_t i) {
+    return static_cast<scene::Origin>(state[i].cast<int>());
+  };
+  return {origin(0), origin(1), origin(2), origin(3), origin(4)};
+}
+
 scene::Body Reader::body(const py::tuple& state) {
   scene::Body body;
   for (const py::handle& handle : state[0]) {
@@ -220,6 +234,7 @@ Scene Reader::scene(const py::tuple& state) {
     shot.place = told[5].cast<std::string>();
     made.shots.push_back(std::move(shot));
   }
+  made.origins = origins_with(state[6]);
   return made;
 }
 

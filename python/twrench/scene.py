@@ -95,6 +95,10 @@ class Scene:
     Every key of a scene file is an attribute that can be set; ``frame`` of the camera is
     ``camera_frame``. A value that is not allowed is refused and changes nothing.
 
+    ``step``, ``duration`` and ``speed`` follow from the motion where neither the file nor the
+    caller gives them. Another ``body`` takes the title, the times and the trail of the scene with
+    it, but not those that the caller gave.
+
     >>> scene = Scene("dzhanibekov", size=(640, 360), method="exact")
     >>> scene.frame(100).shape
     (360, 640, 3)
@@ -163,10 +167,12 @@ class Scene:
         return scene
 
     def _set_all(self, values: dict[str, Any]) -> None:
+        if "body" in values:  # first: it takes the scene's own title and times away
+            self.body = values["body"]
         for key, value in values.items():
             if key == "body":
-                self.body = value
-            elif isinstance(getattr(type(self), key, None), _Value):
+                continue
+            if isinstance(getattr(type(self), key, None), _Value):
                 setattr(self, key, value)
             else:
                 self._native.set(key, "null")  # says which keys there are

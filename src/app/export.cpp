@@ -32,7 +32,7 @@ struct ExportOptions {
   std::string output;
   std::string format;
   std::string max_angle = "1e-4";
-  std::string speed = "1";
+  std::string speed;
   std::string epoch = "2026-01-01T00:00:00";
 };
 
@@ -51,12 +51,21 @@ void warn_of_coarse_clocks(const scene::Scene& scene,
                   angle, end, spacing));
 }
 
+/// Returns the seconds of motion per second of the animation. Without the option they are the same,
+/// unless the motion is too fast or too slow to be watched.
+double animation_speed(const ExportOptions& options, const scene::Scene& scene) {
+  if (!options.speed.empty()) return parse_number(options.speed, "--speed", scene::limits::speed);
+  constexpr double slowest = 0.01, fastest = 100;  // of films that show about as much as real time
+  const double speed = scene.film.speed;
+  return speed >= slowest && speed <= fastest ? 1 : speed;
+}
+
 void write_gltf(const ExportOptions& options, const scene::Scene& scene, Output& output) {
   constexpr scene::limits::Limit max_angle{interchange::least_max_angle, scene::limits::huge,
                                            "the limit of glTF's float32 numbers"};
   const interchange::AnimationOptions animation{
       .max_angle = parse_number(options.max_angle, "--max-angle", max_angle),
-      .speed = parse_number(options.speed, "--speed", scene::limits::speed)};
+      .speed = animation_speed(options, scene)};
   interchange::gltf_scene(scene, animation, generator()).write_glb([&](std::string_view piece) {
     output.write(piece);
   });
@@ -116,7 +125,8 @@ void export_motion(const ExportOptions& options) {
 std::string export_footer() {
   std::string text = about_defaults;
   text +=
-      "Files .glb and .aem have the exact motion, whatever the method. Rows are 1/fps apart.\n"
+      "Files .glb and .aem have the exact motion, whatever the method. Rows are 1/fps apart or,\n"
+      "without --fps, as near to each other as the motion needs.\n"
       "Formats, by the ending of the file:\n";
   for (const ExportFormat& format : export_formats) {
     text += fmt::format("  .{:<5} {}\n", format.name, format.what);
@@ -142,7 +152,7 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("--speed", options.speed, "seconds of motion per second of the animation of .glb")
       ->type_name("F")
-      ->capture_default_str();
+      ->default_str("1; that of the film if it is below 0.01 or above 100");
   command.add_option("--epoch", options.epoch, "date and time of t = 0 in .aem, TAI")
       ->type_name("DATE")
       ->capture_default_str();

@@ -13,6 +13,7 @@
 #include "scene/fields.h"
 #include "scene/limits.h"
 #include "scene/names.h"
+#include "scene/natural_times.h"
 #include "system/file.h"
 
 namespace twrench::app {
@@ -53,8 +54,8 @@ nlohmann::ordered_json parse_value(scene::Field::Kind kind, const std::string& t
 
 /// The default of a field as help shows it.
 std::string default_text(const scene::Field& field) {
+  if (!field.otherwise.empty()) return field.otherwise;
   const nlohmann::ordered_json value = field.get(scene::Scene());
-  if (value.is_null()) return field.otherwise;
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return fmt::format("{}", value.get<double>());
   return fmt::format("{}", fmt::join(value.get<std::vector<double>>(),
@@ -113,14 +114,15 @@ void SceneOptions::add_flag(const std::string& name, const std::string& help,
 }
 
 void SceneOptions::add_inertia_option() {
-  add("--inertia", "A,B,C", "replace the body by its principal moments of inertia, g cm^2",
+  add("--inertia", "A,B,C",
+      "replace the body, its title and its times by principal moments of inertia, g cm^2",
       [](scene::Scene& scene, const std::string& text) {
         scene::Body body;
         body.moments = scene::limits::check_moments(
             "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
                                               parse_vector(text, "--inertia")));
         body.drawn_as = scene.body.drawn_as;
-        scene.body = std::move(body);
+        scene::replace_body(scene, std::move(body));
       });
 }
 
@@ -203,6 +205,11 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
       override_value(loaded.overridden);
       for (scene::Shot& shot : loaded.overridden.shots) override_value(shot.scene);
     }
+    scene::Scene& scene = loaded.overridden;
+    scene::set_natural_times(scene);
+    // Only its motion tells one neutral title from another.
+    const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
+    if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;
     all.push_back(std::move(loaded));
   }
   return loaded_ = std::move(all);

@@ -15,6 +15,7 @@
 
 #include "base/parallel.h"
 #include "scene/limits.h"
+#include "scene/natural_times.h"
 
 namespace twrench::app {
 namespace {
@@ -132,16 +133,25 @@ class RowWriter {
   bool is_first_ = true;  ///< Nothing has been written yet.
 };
 
+/// Names --fps only if its limit allows the rate.
+std::string remedy_for_samples(double duration) {
+  const double rate = 0.9 * scene::limits::max_frames / duration;  // leaves room for rounding
+  if (rate > scene::limits::fps.high) return "use a shorter --duration";
+  return fmt::format("use --fps {:.4g} or less, or a shorter --duration",
+                     std::max(rate, scene::limits::fps.low));
+}
+
 }  // namespace
 
 RegularTimes::RegularTimes(const scene::Scene& scene)
-    : duration_(scene.motion.duration), fps_(scene.film.fps) {
-  const double whole = std::floor(duration_ * fps_);
+    : duration_(scene.motion.duration), rate_(scene::sample_rate(scene)) {
+  const double whole = std::floor(duration_ * rate_);
   if (whole > scene::limits::max_frames) {
-    throw InvalidArgument("samples",
-                          fmt::format("there would be {}, but at most {} are allowed", whole,
-                                      scene::limits::max_frames),
-                          "use a shorter --duration, or a lower --fps");
+    throw InvalidArgument(
+        "samples",
+        fmt::format("there would be {:.7g}, {} a second for {} s, but at most {} are allowed",
+                    whole, rate_, duration_, scene::limits::max_frames),
+        remedy_for_samples(duration_));
   }
   regular_ = static_cast<std::size_t>(whole) + 1;
 }

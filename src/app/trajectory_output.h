@@ -8,7 +8,7 @@
 
 namespace twrench::app {
 
-/// The times, in s, every 1/fps from 0 to the duration, both ends included.
+/// The times, in s, from 0 to the duration, both ends included, at the scene's rate of samples.
 class RegularTimes {
  public:
   /// Throws InvalidArgument if there would be too many.
@@ -16,13 +16,13 @@ class RegularTimes {
 
   std::size_t size() const { return regular_ + (last_regular() < duration_ ? 1 : 0); }
   double operator()(std::size_t i) const {
-    return i < regular_ ? static_cast<double>(i) / fps_ : duration_;
+    return i < regular_ ? static_cast<double>(i) / rate_ : duration_;
   }
 
  private:
-  double last_regular() const { return static_cast<double>(regular_ - 1) / fps_; }
+  double last_regular() const { return static_cast<double>(regular_ - 1) / rate_; }
 
-  double duration_, fps_;
+  double duration_, rate_;
   std::size_t regular_;
 };
 

@@ -105,6 +105,16 @@ Field or_nothing(Field field) {
   return field;
 }
 
+/// Makes a field whose default is natural record that it was given.
+Field natural(Field field, Origin Origins::*origin) {
+  field.set = [set = std::move(field.set), origin](Scene& scene, const ordered_json& value,
+                                                   const std::string& what) {
+    set(scene, value, what);
+    scene.origins.*origin = Origin::user;
+  };
+  return field;
+}
+
 /// Two members hold the background, of which only the colour has a value of its own.
 Field background(Field field) {
   field.kind = Field::Kind::text;
@@ -178,9 +188,10 @@ std::set<Feature> features(const Texts& names, const std::string& what) {
 const std::vector<Field>& fields() {
   using enum Field::Kind;
   static const std::vector<Field> all{
-      complete<text>(
-          {"", "title", "TEXT", "title shown in the picture"}, as_it_is,
-          [](auto& s) -> auto& { return s.title; }),
+      natural(complete<text>(
+                  {"", "title", "TEXT", "title shown in the picture"}, as_it_is,
+                  [](auto& s) -> auto& { return s.title; }),
+              &Origins::title),
 
       complete<vector>(
           {"motion", "omega", "X,Y,Z", "initial angular velocity in body axes, rad/s"},
@@ -188,24 +199,32 @@ const std::vector<Field>& fields() {
       complete<text>(
           {"motion", "method", "NAME", "integration method"}, method_name,
           [](auto& s) -> auto& { return s.motion.method; }),
-      complete<number>(
-          {"motion", "step", "H", "step size, s; initial step size of adaptive methods"},
-          within(limits::step), [](auto& s) -> auto& { return s.motion.control.step; }),
+      natural(complete<number>(
+                  {"motion", "step", "H", "step size, s; initial step size of adaptive methods",
+                   "the time of a 0.01 rad rotation"},
+                  within(limits::step), [](auto& s) -> auto& { return s.motion.control.step; }),
+              &Origins::step),
       complete<number>(
           {"motion", "tolerance", "T", "error tolerance per step of adaptive methods"},
           within(limits::tolerance), [](auto& s) -> auto& { return s.motion.control.tolerance; }),
-      complete<number>(
-          {"motion", "duration", "S", "duration of the motion, s"}, within(limits::duration),
-          [](auto& s) -> auto& { return s.motion.duration; }),
+      natural(
+          complete<number>(
+              {"motion", "duration", "S", "duration of the motion, s", "three flips, or 16 turns"},
+              within(limits::duration), [](auto& s) -> auto& { return s.motion.duration; }),
+          &Origins::duration),
 
       complete<size>({"film", "size", "WxH", "frame size in pixels"}, whole_pixels,
                      [](auto& s) { return std::tie(s.film.width, s.film.height); }),
-      complete<number>(
-          {"film", "fps", "N", "frames (and output samples) per second"}, within(limits::fps),
-          [](auto& s) -> auto& { return s.film.fps; }),
-      complete<number>(
-          {"film", "speed", "F", "seconds of motion per second of video"}, within(limits::speed),
-          [](auto& s) -> auto& { return s.film.speed; }),
+      natural(complete<number>(
+                  {"film", "fps", "N", "frames (and output samples) per second",
+                   "60; samples: 60 a radian"},
+                  within(limits::fps), [](auto& s) -> auto& { return s.film.fps; }),
+              &Origins::fps),
+      natural(
+          complete<number>(
+              {"film", "speed", "F", "seconds of motion per second of video", "the time of a turn"},
+              within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
+          &Origins::speed),
 
       choice(
           {"look", "theme", "NAME", "theme"}, theme_names(), theme_of,

@@ -32,7 +32,7 @@ struct Field {
   std::string placeholder;
   /// What the value means, with its unit: a line of help.
   std::string help;
-  /// What applies where neither the file nor Scene() sets the value; may be empty.
+  /// Describes the default; empty if it is the value of Scene().
   std::string otherwise = {};
   Kind kind = Kind::number;
   /// Sets the value. `value` must have the form of `kind`. Throws InvalidArgument about `what` if

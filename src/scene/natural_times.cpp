@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "scene/limits.h"
 
@@ -56,25 +58,77 @@ double duration_of(const motion::ExactMotion& motion, double turn) {
   return std::clamp(3 * period, fewest * std::min(turn, period), most * turn);
 }
 
+/// Returns a turn in s, or more or less for a video of a suitable length.
+double film_speed_of(double turn, double duration) {
+  constexpr double shortest = 10, longest = 60;  // s of video
+  return std::clamp(within(limits::speed, turn, 1), within(limits::speed, duration / longest, 2),
+                    within(limits::speed, duration / shortest, 2));
+}
+
 }  // namespace
 
 NaturalTimes natural_times(const motion::FreeBody& body) {
   constexpr double radians_a_step = 0.01, samples_a_radian = 60;
-  constexpr double shortest_video = 10, longest_video = 60;  // s
   const motion::ExactMotion motion(body);
   const double speed = speed_of(body, motion);
   const double turn = 2 * std::numbers::pi / speed;
   const double duration = within(limits::duration, duration_of(motion, turn), 2);
-  return {
-      .step = within(limits::step, radians_a_step / speed, 1),
-      .sample_rate = rounded(samples_a_radian * speed, 1),
-      .duration = duration,
-      .speed = within(limits::speed,
-                      std::clamp(turn, duration / longest_video, duration / shortest_video), 1)};
+  return {.step = within(limits::step, radians_a_step / speed, 1),
+          .sample_rate = rounded(samples_a_radian * speed, 1),
+          .duration = duration,
+          .speed = film_speed_of(turn, duration)};
 }
 
 NaturalTimes natural_times(const Scene& scene) {
-  return natural_times(motion::FreeBody(mass_properties(scene.body).inertia, scene.motion.omega));
+  const Eigen::Matrix3d inertia = mass_properties(scene.body).inertia;
+  std::optional<NaturalTimes> all;
+  for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) {
+    const NaturalTimes times = natural_times(motion::FreeBody(inertia, omega));
+    if (!all) all = times;
+    all->step = std::min(all->step, times.step);
+    all->sample_rate = std::max(all->sample_rate, times.sample_rate);
+    if (times.duration <= all->duration) continue;
+    all->duration = times.duration;
+    all->speed = times.speed;
+  }
+  return all ? *all : natural_times(motion::FreeBody(inertia, scene.motion.omega));
+}
+
+void set_natural_times(Scene& scene) {
+  const NaturalTimes times = natural_times(scene);
+  if (scene.origins.step == Origin::none) scene.motion.control.step = times.step;
+  if (scene.origins.duration == Origin::none) scene.motion.duration = times.duration;
+  if (scene.origins.speed == Origin::none) scene.film.speed = times.speed;
+  for (Shot& shot : scene.shots) set_natural_times(shot.scene);
+}
+
+double sample_rate(const Scene& scene) {
+  constexpr double coarsest = 0.01, most = 1e6;  // of the natural rate; samples
+  const double natural = natural_times(scene).sample_rate, fps = scene.film.fps;
+  const bool suits = fps >= coarsest * natural && fps * scene.motion.duration <= most;
+  switch (scene.origins.fps) {
+    case Origin::none:
+      return natural;
+    case Origin::scene:
+      return suits ? fps : natural;
+    case Origin::user:
+      break;
+  }
+  return fps;
+}
+
+void replace_body(Scene& scene, Body body) {
+  scene.body = std::move(body);
+  Origins& origins = scene.origins;
+  if (origins.title != Origin::user) {
+    scene.title = "A free rigid body";
+    origins.title = Origin::none;
+  }
+  for (Origin* origin : {&origins.step, &origins.duration, &origins.fps, &origins.speed}) {
+    if (*origin == Origin::scene) *origin = Origin::none;
+  }
+  scene.overlay.trail_point.reset();
+  scene.overlay.trail_length.reset();
 }
 
 }  // namespace twrench::scene

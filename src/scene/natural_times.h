@@ -7,7 +7,8 @@
 namespace twrench::scene {
 
 /// The times that suit a motion, whatever its scale. At 1 rad/s they are the built-in values of the
-/// T-wrench. All are round numbers and within their limits.
+/// T-wrench. All are rounded, to
+/// one digit or two, and within their limits.
 struct NaturalTimes {
   /// Integration step in s: the time of a turn by 0.01 rad.
   double step;
@@ -24,7 +25,20 @@ struct NaturalTimes {
 /// Returns the times that suit the motion of a body; for a body at rest, those of 1 rad/s.
 NaturalTimes natural_times(const motion::FreeBody& body);
 
-/// Returns the times that suit the motion of a scene. Throws InvalidArgument as FreeBody does.
+/// Returns the times that suit the motion of a scene, or all the motions that it shows side by
+/// side: the shortest step and the longest duration. Throws InvalidArgument as FreeBody does.
 NaturalTimes natural_times(const Scene& scene);
+
+/// Sets the step, the duration and the speed of the scene and its shots to their natural values
+/// unless they were given.
+void set_natural_times(Scene& scene);
+
+/// Returns how many samples per second of motion a table of it has: the frame rate if the user gave
+/// it, or if the scene gives it and it suits the motion. Otherwise the natural rate.
+double sample_rate(const Scene& scene);
+
+/// Replaces the body. What the scene's author gave for the other body no longer applies: its times,
+/// its title and its trail. The new title is neutral.
+void replace_body(Scene& scene, Body body);
 
 }  // namespace twrench::scene

@@ -206,6 +206,19 @@ struct Overlay {
 /// Sets the background to "transparent" or a colour. Throws InvalidArgument about `what`.
 void set_background(Look& look, const std::string& text, const std::string& what);
 
+/// The origin of a value that otherwise follows from the motion or the body.
+enum class Origin {
+  none,   ///< Not given: the value is natural.
+  scene,  ///< Given by the scene for its own body.
+  user,   ///< Given by the user: it stays when the body is replaced.
+};
+
+/// The origins of the values that have natural ones.
+struct Origins {
+  Origin title = Origin::none, step = Origin::none, duration = Origin::none, fps = Origin::none,
+         speed = Origin::none;
+};
+
 struct Shot;
 
 /// Everything that determines a video. The values have defaults that a scene file or the command
@@ -227,6 +240,8 @@ struct Scene {
   CameraPath camera;
   /// View and overlays.
   Overlay overlay;
+  /// Origins of the values that have natural defaults.
+  Origins origins;
   /// The shots of a film that tells a story, in order. Size, frame rate and font are the same in
   /// all of them, and so is whether the background is transparent. Empty for a film of one motion.
   std::vector<Shot> shots;

@@ -10,6 +10,7 @@
 #include "embedded/scenes.h"
 #include "scene/fields.h"
 #include "scene/mesh_files.h"
+#include "scene/natural_times.h"
 #include "scene/scene.h"
 #include "scene/scene_tables.h"
 #include "scene/shot_tables.h"
@@ -38,6 +39,15 @@ std::string reason_of(const toml::parse_error& error) {
   return fmt::format("arrays and tables are nested more than {} deep", TOML_MAX_NESTED_VALUES);
 }
 
+/// Marks the values set so far as given by the scene instead of the user.
+void mark_as_of_scene(Scene& scene) {
+  Origins& origins = scene.origins;
+  for (Origin* origin :
+       {&origins.title, &origins.step, &origins.duration, &origins.fps, &origins.speed}) {
+    if (*origin == Origin::user) *origin = Origin::scene;
+  }
+}
+
 Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {
   toml::table root;
   try {
@@ -54,6 +64,8 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
   for (const std::string& name : field_tables()) {
     file.table(name, [&](TomlTable& table) { read_fields(table, name, scene); });
   }
+  mark_as_of_scene(scene);
+  set_natural_times(scene);
   read_shots(file, scene, meshes);
   file.finish();
   return scene;

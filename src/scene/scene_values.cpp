@@ -11,6 +11,7 @@
 #include "scene/dimensions.h"
 #include "scene/fields.h"
 #include "scene/limits.h"
+#include "scene/natural_times.h"
 
 namespace twrench::scene {
 namespace {
@@ -78,6 +79,7 @@ void set_value(Scene& scene, const std::string& key, const ordered_json& value) 
   Scene changed = scene;
   field->set(changed, value, key);
   for (Shot& shot : changed.shots) field->set(shot.scene, value, key);
+  set_natural_times(changed);
   scene = std::move(changed);
 }
 
@@ -96,7 +98,8 @@ void set_body(Scene& scene, Body body) {
   } else {
     limits::check_moments("body", mass_properties(body).moments);
   }
-  scene.body = std::move(body);
+  replace_body(scene, std::move(body));
+  set_natural_times(scene);
 }
 
 }  // namespace twrench::scene

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/limits.h"
+#include "scene/natural_times.h"
 #include "scene/scene_tables.h"
 
 namespace twrench::scene {
@@ -134,7 +135,9 @@ void ShotReader::read(TomlTable& table) {
   shot.scene.length = length;
   const auto caption = table.value("caption", Field::Kind::text);
   shot.scene.caption = caption ? caption->get<std::string>() : std::string();
-  shot.scene.motion.duration = read_scene(table, shot.scene, film_, meshes_);
+  const double duration = read_scene(table, shot.scene, film_, meshes_);
+  set_natural_times(shot.scene);
+  shot.scene.motion.duration = duration;
   parts_ += shot.scene.body.parts.size();
   if (parts_ > limits::max_parts_of_shots) {
     throw InvalidArgument(shot.place, fmt::format("the shots have at most {} parts together",
@@ -146,8 +149,9 @@ void ShotReader::read(TomlTable& table) {
     throw InvalidArgument(table.place("move"),
                           "needs two shots of one body each, in the view 'wrench'");
   }
-  shot.speed = read_speed(table, length, film_.film.speed);
+  shot.speed = read_speed(table, length, shot.scene.film.speed);
   if (shot.speed.fastest() > 0) shot.scene.film.speed = shot.speed.fastest();
+  shot.scene.origins.duration = shot.scene.origins.speed = Origin::scene;
   motion_of_shot_.push_back(motion_of(shot.scene));
   const auto start = table.value("start", Field::Kind::number);
   double& end = motions_[motion_of_shot_.back()].end;
@@ -169,7 +173,8 @@ std::vector<Shot> ShotReader::finish() {
   for (std::size_t i = 0; i < shots_.size(); ++i) {
     double& duration = shots_[i].scene.motion.duration;
     duration = duration > 0 ? std::max(duration, ends[i]) : motions_[motion_of_shot_[i]].needed;
-    if (duration == 0) duration = Motion().duration;  // a motion frozen at its start
+    if (duration > 0) continue;
+    duration = natural_times(shots_[i].scene).duration;  // a motion frozen at its start
   }
   return std::move(shots_);
 }

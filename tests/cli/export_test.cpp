@@ -74,6 +74,14 @@ TEST(Export, RefusesWhatItCannotKeep) {
   expect_refused("-o no/such.glb", 5, "No such file or directory");
 }
 
+TEST(Export, PlaysAMotionOfDaysAtTheSpeedOfTheFilm) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "export toutatis -o a.glb").code, 0);
+  EXPECT_THAT(text_of(folder / "a.glb"), HasSubstr("\"max\":[16.0]"));  // s
+  ASSERT_EQ(run_twrench(folder, "export -o a.glb").code, 0);
+  EXPECT_THAT(text_of(folder / "a.glb"), HasSubstr("\"max\":[96.0]"));
+}
+
 // 1 rad/s at 10,000 s, where float32 times are 1e-3 s apart.
 TEST(Export, TellsWhatAPlayerInFloat32Loses) {
   const ScratchFolder folder;

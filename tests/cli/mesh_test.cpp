@@ -36,7 +36,7 @@ class MeshBody : public testing::Test {
     write("box.obj", box(40, 20, 10));
     write("mesh.toml",
           "[[part]]\nshape = 'mesh'\nfile = 'box.obj'\nunit = 'mm'\ndensity = 2\nposition = "
-          "[-2, -1, -0.5]\n[motion]\nomega = [0.01, 1, 0]\n");
+          "[-2, -1, -0.5]\n[motion]\nomega = [0.01, 1, 0]\nduration = 96\n");
     write("parts.toml",
           "[[part]]\nshape = 'box'\nsize = [4, 2, 1]\ndensity = 2\n[motion]\nomega = [0.01, 1, "
           "0]\n");

@@ -7,6 +7,7 @@
 namespace twrench {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,6 +51,16 @@ TEST(Plot, SeveralScenesTogether) {
                             "Stable rotation about z", "flips of The Dzhanibekov effect"}) {
     EXPECT_THAT(svg, HasSubstr(title));
   }
+}
+
+TEST(Plot, OfAnotherBodyHasANeutralTitle) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_twrench(folder, "plot --inertia 3,5,7 -o a.svg").code, 0);
+  EXPECT_THAT(text_of(folder / "a.svg"),
+              AllOf(HasSubstr(">A free rigid body<"), Not(HasSubstr("Dzhanibekov"))));
+  EXPECT_EQ(run_twrench(folder, "plot dzhanibekov stable-y --inertia 3,5,7 -o a.svg").code, 0);
+  EXPECT_THAT(text_of(folder / "a.svg"), AllOf(HasSubstr(">A free rigid body: dzhanibekov<"),
+                                               HasSubstr(">A free rigid body: stable-y<")));
 }
 
 TEST(Plot, OverlayHasOnePanelForEachColumnAndScene) {

@@ -3,6 +3,7 @@ from __future__ import annotations
 import copy
 import json
 import math
+import pickle
 import os
 import sys
 import subprocess
@@ -89,6 +90,33 @@ def test_a_body_can_be_put_into_a_scene(small):
         with pytest.raises(SceneError, match=message):
             small.body = body
         np.testing.assert_array_equal(small.body.inertia, before)
+
+
+def test_another_body_has_a_neutral_title_and_times_of_its_own():
+    body = twrench.Body(moments=[3, 5, 7])
+    scene = Scene(body=body, omega=[1e-6, 2e-5, 0])
+    assert scene.title == "A free rigid body"
+    assert (scene.step, scene.speed) == (500, 290000)
+    assert twrench.exact(body, scene.omega).flip_times(scene.duration).size == 3
+    scene.omega = [1e3, 2e4, 0]  # a billion times as fast
+    assert (scene.step, scene.speed) == (5e-7, 2.9e-4)
+    assert twrench.exact(body, scene.omega).flip_times(scene.duration).size == 3
+    assert 500 <= scene.frame_count <= 4000
+
+
+def test_values_that_the_caller_gave_stay_with_another_body():
+    body = twrench.Body(moments=[3, 5, 7])
+    own = {"title": "Mine", "step": 0.02, "duration": 12.0, "speed": 2.0}
+    late = Scene(**own)
+    late.body = body
+    restored = pickle.loads(pickle.dumps(Scene(**own)))
+    restored.body = body
+    first = Scene(duration=12.0, body=body, title="Mine", step=0.02, speed=2.0)
+    for scene in (first, late, restored):
+        assert {key: getattr(scene, key) for key in own} == own
+    fresh = pickle.loads(pickle.dumps(Scene()))
+    fresh.body = body
+    assert (fresh.title, fresh.duration) == (Scene(body=body).title, Scene(body=body).duration)
 
 
 @pytest.mark.parametrize(

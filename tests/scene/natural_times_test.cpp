@@ -4,6 +4,7 @@
 #include <twrench/motion/exact.h>
 
 #include <cmath>
+#include <string>
 
 namespace twrench::scene {
 namespace {
@@ -68,6 +69,90 @@ TEST(NaturalTimes, OfAMotionThatTurnsOverButOnce) {
     EXPECT_GT(times.duration, 10 * times.speed);
     EXPECT_LT(times.duration, 61 * times.speed);
   }
+}
+
+TEST(NaturalTimes, SuitAllMotionsThatAreShownSideBySide) {
+  const std::string body = "[body]\nmoments = [3, 5, 7]\n";
+  const Scene both =
+      parse_scene(body + "[overlay]\ncompare_omega = [[0.05, 1, 0], [0, 0, 20]]\n", "both.toml");
+  const Scene slow = parse_scene(body + "[motion]\nomega = [0.05, 1, 0]\n", "slow.toml");
+  const Scene fast = parse_scene(body + "[motion]\nomega = [0, 0, 20]\n", "fast.toml");
+  EXPECT_EQ(both.motion.duration, slow.motion.duration);
+  EXPECT_EQ(both.film.speed, slow.film.speed);
+  EXPECT_EQ(both.motion.control.step, fast.motion.control.step);
+  EXPECT_EQ(sample_rate(both), sample_rate(fast));
+}
+
+constexpr const char* body_and_motion =
+    "[body]\nmoments = [3, 5, 7]\n[motion]\nomega = [0, 2e-5, 1e-6]\n";
+
+TEST(NaturalTimes, ApplyWhereAFileGivesNone) {
+  const Scene scene = parse_scene(body_and_motion, "own.toml");
+  const NaturalTimes times = natural_times(scene);
+  EXPECT_EQ(scene.motion.control.step, times.step);
+  EXPECT_EQ(scene.motion.duration, times.duration);
+  EXPECT_EQ(scene.film.speed, times.speed);
+  EXPECT_EQ(scene.film.fps, 60);
+  EXPECT_EQ(sample_rate(scene), times.sample_rate);
+  const Scene given = parse_scene(
+      std::string(body_and_motion) + "step = 3\nduration = 4\n[film]\nspeed = 5\nfps = 6\n",
+      "own.toml");
+  EXPECT_EQ(given.motion.control.step, 3);
+  EXPECT_EQ(given.motion.duration, 4);
+  EXPECT_EQ(given.film.speed, 5);
+  EXPECT_EQ(given.film.fps, 6);
+}
+
+TEST(NaturalTimes, GiveEachShotItsOwnStepAndSpeed) {
+  const Scene film = parse_scene(std::string(body_and_motion) +
+                                     "[[shot]]\nlength = 5\n[[shot]]\nlength = 5\n"
+                                     "[shot.motion]\nomega = [0, 2e5, 1e4]\n",
+                                 "film.toml");
+  for (const Shot& shot : film.shots) {
+    const NaturalTimes times = natural_times(shot.scene);
+    EXPECT_EQ(shot.scene.motion.control.step, times.step);
+    EXPECT_EQ(shot.scene.film.speed, times.speed);
+    EXPECT_EQ(shot.scene.motion.duration, 5 * times.speed);
+  }
+}
+
+TEST(SampleRate, IsTheFrameRateOfASceneIfThatSuitsTheMotion) {
+  Scene scene = load_scene("dzhanibekov");
+  EXPECT_EQ(sample_rate(scene), 60);
+  scene.film.fps = 0.1;  // 0.6 a turn
+  EXPECT_EQ(sample_rate(scene), 60);
+  scene.film.fps = 1000;
+  EXPECT_EQ(sample_rate(scene), 1000);
+  scene.motion.duration = 1e5;  // 10^8 samples
+  EXPECT_EQ(sample_rate(scene), 60);
+  scene.origins.fps = Origin::user;
+  EXPECT_EQ(sample_rate(scene), 1000);
+}
+
+TEST(ReplaceBody, TakesWhatWasSaidOfTheOtherBodyWithIt) {
+  Scene scene = load_scene("toutatis");
+  Body body;
+  body.moments = Vector3d(3, 5, 7);
+  replace_body(scene, body);
+  set_natural_times(scene);
+  EXPECT_EQ(scene.title, "A free rigid body");
+  EXPECT_FALSE(scene.overlay.trail_length);
+  EXPECT_FALSE(scene.overlay.trail_point);
+  EXPECT_EQ(scene.motion.duration, natural_times(scene).duration);
+  EXPECT_EQ(scene.film.speed, natural_times(scene).speed);
+}
+
+TEST(ReplaceBody, LeavesWhatTheUserGave) {
+  Scene scene = load_scene("toutatis");
+  scene.title = "Mine";
+  scene.motion.duration = 5;
+  scene.origins.title = scene.origins.duration = Origin::user;
+  Body body;
+  body.moments = Vector3d(3, 5, 7);
+  replace_body(scene, body);
+  set_natural_times(scene);
+  EXPECT_EQ(scene.title, "Mine");
+  EXPECT_EQ(scene.motion.duration, 5);
 }
 
 TEST(NaturalTimes, HaveBounds) {
