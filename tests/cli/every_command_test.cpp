@@ -1,0 +1,63 @@
+// Every built-in scene and bodies of any scale with every command. Commands were once made for the
+// T-wrench, whose motion takes a minute and a half.
+#include "cli/every_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/random_scene.h"
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using testing::IsEmpty;
+
+std::vector<std::string> faults_of(const ScratchFolder& folder, const CommandSubject& subject,
+                                   Thoroughness thoroughness) {
+  const RunCommand run = [&](const std::string& arguments) {
+    Outcome outcome = run_twrench(folder, arguments);
+    return CommandEnd{outcome.code, std::move(outcome.out), std::move(outcome.err)};
+  };
+  return faults_of_every_command(subject, folder.path(), run, thoroughness);
+}
+
+class BuiltInScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(BuiltInScene, WorksWithEveryCommand) {
+  const ScratchFolder folder;
+  const std::string name = GetParam();
+  // One of these takes seconds. The torture test is thorough with each body.
+  const bool full = name == "toutatis";
+  EXPECT_THAT(faults_of(folder, {scene::load_scene(name), name, name, "--scene " + name},
+                        full ? Thoroughness::full : Thoroughness::quick),
+              IsEmpty());
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BuiltInScene, testing::ValuesIn(scene::builtin_scene_names()),
+                         name_of);
+
+class RandomBody : public testing::TestWithParam<int> {};
+
+TEST_P(RandomBody, WorksWithEveryCommand) {
+  constexpr std::uint32_t seed = 2026;
+  const ScratchFolder folder;
+  const auto number = static_cast<std::uint32_t>(GetParam());
+  const RandomScene random = random_scene(seed, number);
+  system::write_file_atomically(folder / "own.toml", random.toml);
+  EXPECT_THAT(faults_of(folder, subject_of(random, number % 2 == 0),
+                        number == 7 ? Thoroughness::full : Thoroughness::quick),
+              IsEmpty())
+      << random.toml;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, RandomBody, testing::Range(0, 20));
+
+}  // namespace
+}  // namespace twrench
