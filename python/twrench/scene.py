@@ -314,7 +314,8 @@ class Scene:
         """Draws the frames and writes the film.
 
         :param path: the video, .mp4, .mov, .mkv or .webm, or an animated image of the scene's size,
-            .gif or .webp; None for frames alone.
+            .gif or .webp; None for frames alone. All but .mp4 and .mkv keep a transparent
+            ``background``.
         :param frames_dir: folder for the frames as PNG, with their manifest; None for a video alone.
         :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
         :param container: mp4, mov, mkv, webm, gif or webp, if the ending of ``path`` does not say.
@@ -326,6 +327,7 @@ class Scene:
         :param backend: auto, osmesa or egl.
         :param progress: is called with the numbers of frames done and of all, after each frame. An
             exception that it raises ends the run.
+        :raises UsageError: where the container cannot keep a transparent background.
         :raises OverwriteError: where something else would be overwritten.
         :raises EncoderError: where ffmpeg is missing or fails.
         :raises FileError: where something cannot be written.

@@ -8,6 +8,7 @@
 #include "app/arguments.h"
 #include "app/progress.h"
 #include "scene/limits.h"
+#include "system/file.h"
 
 namespace twrench::app {
 namespace {
@@ -44,7 +45,8 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(comma
   video.add_to(command, "out/SCENE.mp4");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames")
       ->type_name("DIR")
-      ->default_str("out/SCENE/; none for .gif and .webp");
+      ->default_str(
+          "DIR/NAME/ for -o DIR/NAME.mp4, out/SCENE/ without -o; none for .gif and .webp");
   command
       .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");
@@ -106,18 +108,28 @@ scene::Scene RenderOptions::scene_to_draw() const {
   return drawn;
 }
 
+fs::path RenderOptions::default_frames_folder(const scene::Scene& of) const {
+  // Standard output and devices have no ending, and the name alone is that of the video then.
+  const fs::path file = video.output, name = file.stem();
+  const bool is_named = file.has_extension() && name != "." && name != "..";
+  return is_named ? file.parent_path() / name : fs::path("out") / of.name;
+}
+
 film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
   film::RenderSettings settings;
-  const fs::path out = "out";
   // Frames of the size of an animated image would be in the way of those of a video.
   const bool wants_frames =
       no_video || !frames_dir.empty() || !video::is_animated_image(container());
   if (!no_frames && wants_frames)
-    settings.frames_folder = frames_dir.empty() ? out / of.name : fs::path(frames_dir);
+    settings.frames_folder = frames_dir.empty() ? default_frames_folder(of) : fs::path(frames_dir);
   if (!no_video) {
-    const fs::path path = video.output.empty() ? out / (of.name + ".mp4") : fs::path(video.output);
+    const fs::path path =
+        video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
     settings.video = film::VideoOutput{path, container(), video.chapters_in(container())};
     if (!video.is_streamed()) scene.require_not_input(path);
+    if (settings.frames_folder) {
+      twrench::system::require_different_outputs(path, *settings.frames_folder);
+    }
   }
   settings.range = range;
   settings.shard = shard;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "app/command_line.h"
@@ -41,6 +42,8 @@ struct RenderOptions {
 
  private:
   video::Container container() const;
+  /// Returns the folder of the frames without --frames-dir: DIR/NAME for a video DIR/NAME.ENDING.
+  std::filesystem::path default_frames_folder(const scene::Scene& of) const;
 
   const CLI::App& command_;
 };

@@ -12,8 +12,8 @@ void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
       command
           .add_option(
               "-o,--output", output,
-              "video (.mp4, .mov, .mkv, .webm) or animated image (.gif, .webp); - for standard "
-              "output")
+              "video (.mp4, .mov, .mkv, .webm) or animated GIF or WebP for slides (.gif, .webp); "
+              ".mov, .webm, .webp and .gif keep a transparent background; - for standard output")
           ->type_name("VIDEO")
           ->default_str(standard);
   if (standard.empty()) file->required();

@@ -222,7 +222,9 @@ const std::vector<Field>& fields() {
               &Origins::fps),
       natural(
           complete<number>(
-              {"film", "speed", "F", "seconds of motion per second of video", "the time of a turn"},
+              {"film", "speed", "F",
+               "seconds of motion per second of video; a smaller one is slow motion",
+               "the time of a turn"},
               within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
           &Origins::speed),
 
@@ -235,8 +237,11 @@ const std::vector<Field>& fields() {
       complete<integer>(
           {"look", "motion_blur", "N", "poses averaged per frame, at least; 1 = no motion blur"},
           whole_within(limits::motion_blur), [](auto& s) -> auto& { return s.look.motion_blur; }),
-      background({"look", "background", "COLOR",
-                  "background: #rrggbb, #rgb, black, gray, white or transparent", "the theme's"}),
+      background(
+          {"look", "background", "COLOR",
+           "background: #rrggbb, #rgb, black, gray, white, or transparent for overlays (.mov, "
+           ".webm, .webp, .gif)",
+           "the theme's"}),
       material({"look", "material", "NAME", "material, which sets colour, metalness and roughness",
                 "the theme's"}),
       complete<text>(

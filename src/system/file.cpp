@@ -115,7 +115,8 @@ void require_different_outputs(const std::filesystem::path& a, const std::filesy
   };
   if (names_no_file(a) || names_no_file(b)) return;
   const auto place_of = [&](const fs::path& path) {
-    return fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+    const fs::path place = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+    return place.has_filename() ? place : place.parent_path();  // "folder/" is "folder"
   };
   if (!fs::equivalent(a, b, unknown) && place_of(a) != place_of(b)) return;
   throw OverwriteError(b.string(), "two outputs of this command would be written to this file",

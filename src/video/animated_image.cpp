@@ -28,7 +28,7 @@ std::string scaling(const VideoFormat& format) {
 
 /// One palette for all frames keeps what is at rest at rest.
 std::string palette_filter(const VideoFormat& format) {
-  return fmt::format("palettegen=reserve_transparent={}", format.has_alpha() ? 1 : 0);
+  return fmt::format("palettegen=reserve_transparent={}", format.transparent ? 1 : 0);
 }
 
 /// A regular pattern, unlike error diffusion, does not crawl where nothing moves, and compresses.

@@ -75,6 +75,11 @@ Container container_named(std::string_view name) {
                         "choose mp4, mov, mkv, webm, gif or webp");
 }
 
+std::string_view name_of(Container container) {
+  return std::ranges::find(containers, container, [](const auto& known) { return known.second; })
+      ->first;
+}
+
 Container container_of(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   try {

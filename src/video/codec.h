@@ -13,6 +13,9 @@ enum class Container { mp4, mov, matroska, webm, gif, webp };
 /// or webp, in upper or lower case. Throws InvalidArgument for others.
 Container container_named(std::string_view name);
 
+/// Returns that name in lower case.
+std::string_view name_of(Container container);
+
 /// Returns the container for the file's extension. Throws InvalidArgument if it has none or an
 /// unknown one.
 Container container_of(const std::filesystem::path& file);
@@ -24,7 +27,7 @@ bool is_animated_image(Container container);
 constexpr int widest_animation = 640;
 
 /// Returns whether videos in that container keep alpha: WebM (VP9), MOV (ProRes 4444), WebP, and
-/// GIF, whose pixels are either opaque or transparent. The others are composited over black.
+/// GIF, whose pixels are either opaque or transparent.
 bool keeps_alpha(Container container);
 
 /// The size, rate and container of a video.
@@ -37,17 +40,15 @@ struct VideoFormat {
   double fps = 0.0;
   /// Container of the video.
   Container container = Container::mp4;
-  /// Whether frames are RGBA and the container keeps their alpha.
+  /// Whether frames are RGBA; only for a container that keeps their alpha.
   bool transparent = false;
   /// Whether the output is a pipe or another file that is not seekable.
   bool streamed = false;
   /// Width in pixels to which an animated image is scaled; 0 leaves it as it is.
   int scaled_width = 0;
 
-  bool has_alpha() const { return transparent && keeps_alpha(container); }
-
   /// Returns whether the frames go to ffmpeg as RGB or RGBA, not as Y'CbCr.
-  bool is_rgb() const { return has_alpha() || is_animated_image(container); }
+  bool is_rgb() const { return transparent || is_animated_image(container); }
 
   /// Returns the width of the video in pixels.
   int shown_width() const { return scaled_width > 0 ? scaled_width : width; }

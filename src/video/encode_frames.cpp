@@ -69,6 +69,15 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
   return image;
 }
 
+/// Throws unless the frame is transparent if the first one is.
+void require_alpha_as_first(const image::Image& frame, bool transparent,
+                            const std::filesystem::path& path) {
+  if ((frame.channels == 4) == transparent) return;
+  throw system::FileError("cannot use " + path.string(),
+                          transparent ? "it has no transparency, but the first frame has"
+                                      : "it is transparent, but the first frame is not");
+}
+
 /// Reads the frames of a manifest in order, several at once.
 class FrameReader {
  public:
@@ -174,6 +183,8 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   const int total = static_cast<int>(manifest.frames.size());
   for (int done = 0; done < total; progress(++done, total)) {
     image::Image frame = reader.next();
+    require_alpha_as_first(frame, transparent,
+                           folder / manifest.frames[static_cast<std::size_t>(done)].file);
     encoder.write(frame);
     reader.reuse(std::move(frame));
   }

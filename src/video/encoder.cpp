@@ -57,19 +57,6 @@ Arguments chapter_arguments(const std::optional<system::MemoryFile>& chapters) {
       "1"};
 }
 
-/// Composites the unpremultiplied image over black.
-void blend_over_black(const image::Image& rgba, image::Image& rgb) {
-  const std::size_t pixels = rgba.pixels.size() / 4;
-  rgb = image::Image(rgba.width, rgba.height, 3);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const int alpha = rgba.pixels[4 * i + 3];
-    for (std::size_t c = 0; c < 3; ++c) {
-      rgb.pixels[3 * i + c] =
-          static_cast<std::uint8_t>((rgba.pixels[4 * i + c] * alpha + 127) / 255);
-    }
-  }
-}
-
 }  // namespace
 
 void require_encoder(const VideoFormat& format, system::Patience patience) {
@@ -78,7 +65,7 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
   system::ChildProcess ffprobe = start_ffmpeg({"ffprobe", "-version"}, patience);
   // A frame of the real size, because not every encoder supports every size.
   if (format.is_rgb()) {
-    ffmpeg.write(image::Image(format.width, format.height, format.has_alpha() ? 4 : 3).pixels);
+    ffmpeg.write(image::Image(format.width, format.height, format.transparent ? 4 : 3).pixels);
   } else {
     ffmpeg.write(image::Yuv420(format.width, format.height).bytes());
   }
@@ -131,14 +118,12 @@ void VideoEncoder::convert(const image::Image& frame, std::span<const image::Are
   if (frame.width != format_.width || frame.height != format_.height) {
     throw std::invalid_argument("the frame does not have the video's size");
   }
-  if (!is_kept()) return;
-  const image::Image* shown = &frame;
-  if (frame.channels == 4 && !format_.has_alpha()) {
-    blend_over_black(frame, opaque_);
-    shown = &opaque_;
+  if ((frame.channels == 4) != format_.transparent) {
+    throw std::invalid_argument("the frame and the video do not both have alpha");
   }
+  if (!is_kept()) return;
   if (format_.is_rgb()) {
-    rgb_ = shown->pixels;
+    rgb_ = frame.pixels;
     return;
   }
   current_ = 1 - current_;
@@ -147,7 +132,7 @@ void VideoEncoder::convert(const image::Image& frame, std::span<const image::Are
     changed.assign(1, {0, 0, format_.width, format_.height});
   }
   changed.insert(changed.end(), damage.begin(), damage.end());
-  for (const image::Area& area : image::merged(std::move(changed))) planes.update(*shown, area);
+  for (const image::Area& area : image::merged(std::move(changed))) planes.update(frame, area);
   changed.assign(damage.begin(), damage.end());
   background_before = background;
 }
@@ -185,7 +170,7 @@ void VideoEncoder::draw_in_palette() {
   start(joined({{"ffmpeg"},
                 words(quiet_options),
                 passes_->second(),
-                words(codec_arguments(format_.container, format_.has_alpha(), false)),
+                words(codec_arguments(format_.container, format_.transparent, false)),
                 {output_argument(file_)}}));
   constexpr std::int64_t slow_machine = 500;  // pixels per millisecond
   const std::int64_t pixels = frames_ / step_ * format_.shown_width() * format_.shown_height();

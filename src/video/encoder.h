@@ -42,8 +42,8 @@ class VideoEncoder {
                const std::string& identity = {}, const std::vector<Cue>& chapters = {},
                system::Patience patience = {});
 
-  /// Adds a frame, which must have the video's size, and be RGBA if the video has alpha. Otherwise
-  /// RGBA is composited over black. Throws EncoderError if ffmpeg failed.
+  /// Adds a frame, which must have the video's size, and be RGBA if the video is transparent, else
+  /// RGB. Throws EncoderError if ffmpeg failed.
   void write(const image::Image& frame);
 
   /// The two halves of write(). A frame equals its static background outside its damaged areas:
@@ -81,8 +81,6 @@ class VideoEncoder {
   Arguments command_;
   std::unique_ptr<system::ChildProcess>
       ffmpeg_;  // declared after the files, so that it is killed before they are removed
-  /// An RGBA frame composited over black.
-  image::Image opaque_;
   /// A frame as it is, for a video that takes RGB.
   std::vector<std::uint8_t> rgb_;
   /// A frame in ffmpeg's format, and its damaged areas relative to the static background.

@@ -1,6 +1,7 @@
 #include "video/encoder_arguments.h"
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ constexpr const char* conversion =
     "setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709";
 
 const char* pixel_format(const VideoFormat& format) {
-  if (format.has_alpha()) return "rgba";
+  if (format.transparent) return "rgba";
   return format.is_rgb() ? "rgb24" : "yuv420p";
 }
 
@@ -53,6 +54,13 @@ void require_valid_size(const VideoFormat& format) {
   throw FilmSizeError(fmt::format("a video of {}x{}", width, height),
                       "the width and height of a video must be even",
                       std::max(2, width + width % 2), std::max(2, height + height % 2));
+}
+
+void require_kept_alpha(const VideoFormat& format) {
+  if (!format.transparent || keeps_alpha(format.container)) return;
+  throw InvalidArgument(fmt::format("container {}", name_of(format.container)),
+                        "it cannot keep a transparent background",
+                        "choose .mov or .webm (or .webp, .gif), or give an opaque background");
 }
 
 }  // namespace
@@ -72,6 +80,7 @@ Arguments joined(std::initializer_list<Arguments> groups) {
 
 Arguments input_arguments(const VideoFormat& format) {
   require_valid_size(format);
+  require_kept_alpha(format);
   // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders tag a video as its
   // frames are tagged, whatever the output options say.
   const std::string frame_tags =
@@ -83,7 +92,7 @@ Arguments input_arguments(const VideoFormat& format) {
 }
 
 Arguments output_arguments(const VideoFormat& format) {
-  const auto& [container, alpha] = std::pair(format.container, format.has_alpha());
+  const auto& [container, alpha] = std::pair(format.container, format.transparent);
   return joined(
       {is_animated_image(container) ? animation_filters(format) : words(alpha ? conversion : ""),
        words(codec_arguments(container, alpha, format.streamed))});

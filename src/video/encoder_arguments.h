@@ -22,7 +22,8 @@ Arguments joined(std::initializer_list<Arguments> groups);
 
 /// Returns the arguments up to the input: raw frames on standard input, as Yuv420::bytes() provides
 /// them, or RGB or RGBA where VideoFormat::is_rgb(). Throws FilmSizeError for odd sizes, which
-/// yuv420p does not allow, and OutOfRange for an invalid rate.
+/// yuv420p does not allow, OutOfRange for an invalid rate, and InvalidArgument for transparent
+/// frames in a container that does not keep their alpha.
 Arguments input_arguments(const VideoFormat& format);
 
 /// Returns the arguments from there to the output file: filters, codec and container, tagged

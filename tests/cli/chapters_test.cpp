@@ -70,7 +70,7 @@ TEST(Chapters, AreLeftOutOnRequest) {
   ASSERT_EQ(run_twrench(folder, small + "--frames 0-29 --no-chapters -o film.mp4").code, 0);
   EXPECT_EQ(chapters_in(folder, "film.mp4"), "");
   EXPECT_FALSE(fs::exists(folder / "film.chapters.vtt"));
-  ASSERT_EQ(run_twrench(folder, "encode out/dzhanibekov -o e.mp4 --progress none").code, 0);
+  ASSERT_EQ(run_twrench(folder, "encode film -o e.mp4 --progress none").code, 0);
   EXPECT_EQ(chapters_in(folder, "e.mp4"),
             "0.000000,2.000000,start\n2.000000,3.000000,flip 1 at 11.8 s\n");
   for (const char* wrong : {"--chapters --no-chapters -o x.mp4", "--chapters -o x.gif"}) {

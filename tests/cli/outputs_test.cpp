@@ -221,6 +221,67 @@ TEST(Outputs, ThatAreDevicesAreWrittenTo) {
   EXPECT_TRUE(fs::is_symlink("/dev/stdout"));
 }
 
+TEST(Outputs, ATransparentFilmNeedsAContainerThatKeepsAlpha) {
+  const ScratchFolder folder;
+  const std::string clear = "render --bare --background transparent " + picture;
+  for (const std::string output : {"", "-o v.mp4", "-o my/v.MKV", "-o - --container mp4 >/dev/null",
+                                   "-o v.webm --container mkv --no-frames"}) {
+    const Outcome run = run_twrench(folder, clear + output);
+    expect_refused(run, 2, "it cannot keep a transparent background");
+    EXPECT_THAT(run.err, HasSubstr(".mov or .webm"));
+  }
+  EXPECT_EQ(folder.names().size(), 2u) << "only what the shell wrote, no file or folder";
+  ASSERT_EQ(run_twrench(folder, clear + "--no-video --frames-dir f").code, 0);
+  expect_refused(run_twrench(folder, "encode f -o new/v.mp4 --progress none"), 2, ".mov or .webm");
+  EXPECT_FALSE(fs::exists(folder / "new"));
+  for (const char* name : {"v.mov", "v.webm", "v.webp", "v.gif"}) {
+    EXPECT_EQ(run_twrench(folder, std::string("encode f --progress none -o ") + name).code, 0);
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  }
+}
+
+TEST(Outputs, FramesAreInAFolderNamedAfterTheVideo) {
+  const ScratchFolder folder;
+  const std::string film = "render " + picture;
+  ASSERT_EQ(run_twrench(folder, film + "-o my/clip.webm").code, 0);
+  ASSERT_EQ(run_twrench(folder, film + "stable-y -o 'my/v 1.0.mp4'").code, 0);
+  EXPECT_EQ(digests(folder / "my/clip").size(), 5u);
+  EXPECT_EQ(digests(folder / "my/v 1.0").size(), 5u);
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  const auto written = fs::last_write_time(folder / "my/clip/frame_000000.png");
+  EXPECT_EQ(run_twrench(folder, film + "-o my/clip.webm --resume").code, 0);
+  EXPECT_EQ(fs::last_write_time(folder / "my/clip/frame_000000.png"), written) << "drawn again";
+  EXPECT_EQ(run_twrench(folder, "encode my/clip -o my/clip.mp4 --progress none").code, 0);
+  expect_refused(run_twrench(folder, film + "stable-y -o my/clip.mkv"), 2,
+                 "my/clip: contains frames of another scene");
+}
+
+TEST(Outputs, FramesAreInAFolderNamedAfterTheSceneIfTheVideoHasNoName) {
+  for (const std::string output :
+       {"", "-o - >v.mp4", "-o /dev/null --container mkv", "-o film --container mp4", "-o ..mp4"}) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_twrench(folder, "render " + picture + output).code, 0) << output;
+    EXPECT_EQ(digests(folder / "out/dzhanibekov").size(), 5u) << output;
+  }
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "render " + picture + "-o v.gif").code, 0);
+  EXPECT_EQ(folder.names().size(), 3u) << "the GIF, and what the shell wrote";
+}
+
+TEST(Outputs, TheFolderOfFramesIsNotTheVideo) {
+  const ScratchFolder folder;
+  for (const std::string output : {"--frames-dir v.mp4 -o v.mp4", "--frames-dir v.mp4/ -o v.mp4",
+                                   "--frames-dir ./v.mp4 -o x/../v.mp4"}) {
+    const Outcome run = run_twrench(folder, "render " + picture + output);
+    EXPECT_EQ(run.code, 2) << output << run.err;
+    EXPECT_FALSE(fs::exists(folder / "v.mp4")) << output;
+  }
+  system::write_file_atomically(folder / "v", "a file");
+  expect_refused(run_twrench(folder, "render " + picture + "-o v.mp4"), 5, "the folder v");
+  EXPECT_EQ(text_of(folder / "v"), "a file");
+  EXPECT_FALSE(fs::exists(folder / "v.mp4"));
+}
+
 TEST(Outputs, FoldersAreMadeForAFilm) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);

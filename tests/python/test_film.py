@@ -75,6 +75,17 @@ def test_an_animated_image(small, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["f.gif", "f.webp"]
 
 
+def test_a_transparent_film_needs_a_container_that_keeps_alpha(small, tmp_path):
+    small.background = "transparent"
+    for name in ("f.mp4", "f.mkv"):
+        with pytest.raises(twrench.UsageError, match="cannot keep a transparent background") as error:
+            small.render(tmp_path / name, frames_dir=tmp_path / "f", frames="0-1")
+        assert ".mov or .webm" in str(error.value)
+    assert list(tmp_path.iterdir()) == []
+    small.render(tmp_path / "f.webm", frames="0-1")
+    assert probed_frames(tmp_path / "f.webm") == 2
+
+
 def test_nothing_of_another_film_is_overwritten(small, tmp_path):
     small.render(tmp_path / "f.mp4", frames_dir=tmp_path / "f", frames="0-1")
     before = (tmp_path / "f.mp4").read_bytes(), (tmp_path / "f/frame_000000.png").read_bytes()

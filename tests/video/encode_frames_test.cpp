@@ -143,6 +143,28 @@ TEST(EncodeFrames, RefusesAFrameOfAnotherSizeThanTheManifestSays) {
   }
 }
 
+TEST(EncodeFrames, RefusesTransparentFramesThatTheContainerCannotKeep) {
+  const ScratchFolder scratch;
+  draw(scratch, "0-1", "0-1");
+  const Manifest manifest = read_manifest(scratch / "frames/manifest.json");
+  const auto write = [&](const std::vector<FrameRecord>& records, int first_channels) {
+    FrameSequence sequence(scratch / "frames", manifest);
+    sequence.write(records[0], image::encode_png(image::Image(32, 16, first_channels)));
+    sequence.write(records[1], image::encode_png(image::Image(32, 16, 4)));
+    sequence.finish();
+  };
+  std::vector<FrameRecord> records(2);
+  records[1].frame = 1;
+  write(records, 4);
+  EXPECT_THAT(failure<InvalidArgument>(scratch).remedy(), HasSubstr(".mov or .webm"));
+  encode_frames(scratch / "frames", {scratch / "film.mov", Container::mov}, Missing::refuse,
+                [](int, int total) { EXPECT_EQ(total, 2); });
+  EXPECT_TRUE(std::filesystem::exists(scratch / "film.mov"));
+  write(records, 3);
+  EXPECT_THAT(failure<system::FileError>(scratch).what(),
+              HasSubstr("frame_000001.png: it is transparent, but the first frame is not"));
+}
+
 TEST(EncodeFrames, NeedsAManifest) {
   const ScratchFolder scratch;
   EXPECT_THAT(failure<system::FileError>(scratch).what(), HasSubstr("there is no such folder"));

@@ -268,14 +268,35 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
   EXPECT_EQ(system::read_file(raw, 100'000'000), expected);
 }
 
-TEST(Encoder, ShowsTransparentFramesOverBlack) {
+TEST(Encoder, RefusesTransparentFramesThatItsContainerCannotKeep) {
   const ScratchFolder scratch;
-  image::Image image(format.width, format.height, 4);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = i % 4 < 3 ? 200 : 128;  // half transparent
+  for (const auto& [name, container] :
+       {std::pair{"mp4", Container::mp4}, {"mkv", Container::matroska}}) {
+    VideoFormat transparent = format;
+    transparent.container = container;
+    transparent.transparent = true;
+    try {
+      require_encoder(transparent);
+      ADD_FAILURE() << name;
+    } catch (const InvalidArgument& error) {
+      EXPECT_EQ(error.quantity(), std::string("container ") + name);
+      EXPECT_THAT(error.remedy(), HasSubstr(".mov or .webm"));
+    }
+    EXPECT_THROW(VideoEncoder(scratch / "film", transparent), InvalidArgument);
   }
-  encode(scratch / "film.mp4", {image});
-  EXPECT_NEAR(decode(scratch, "film.mp4")[0], 100, 2);
+  EXPECT_TRUE(scratch.names().empty());
+}
+
+TEST(Encoder, TakesFramesWithAlphaOnlyForATransparentVideo) {
+  const ScratchFolder scratch;
+  const image::Image rgba(format.width, format.height, 4);
+  VideoEncoder opaque(scratch / "film.mp4", format);
+  EXPECT_THROW(opaque.write(rgba), std::invalid_argument);
+  VideoFormat transparent = format;
+  transparent.container = Container::webm;
+  transparent.transparent = true;
+  VideoEncoder with_alpha(scratch / "film.webm", transparent);
+  EXPECT_THROW(with_alpha.write(flat({1, 2, 3})), std::invalid_argument);
 }
 
 TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
