@@ -10,6 +10,7 @@
 #include "module.h"
 #include "pickling.h"
 #include "scene/fields.h"
+#include "scene/languages.h"
 #include "scene/scene_json.h"
 #include "scene/scene_values.h"
 #include "timeline/film_timeline.h"
@@ -53,9 +54,13 @@ void add_scenes(py::module_& module) {
   py::class_<Scene>(module, "Scene")
       .def(py::init<const Scene&>())
       .def(py::pickle([](const Scene& scene) { return state_of(scene); }, &scene_with))
-      .def_static(
-          "load",
-          [](const std::string& name) { return on_scene([&] { return scene::load_scene(name); }); })
+      .def_static("load",
+                  [](const std::string& name, const std::optional<std::string>& language) {
+                    return on_scene([&] {
+                      return language ? scene::load_scene(name, *language, "language")
+                                      : scene::load_scene(name);
+                    });
+                  })
       .def_static("parse",
                   [](const std::string& toml, const std::string& source) {
                     return on_scene([&] { return scene::parse_scene(toml, source); });

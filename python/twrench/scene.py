@@ -87,6 +87,8 @@ class Scene:
     """Everything that determines a film.
 
     :param source: name of a built-in scene, or path of a scene file.
+    :param language: code of the language of the captions and the title of a built-in story, en or
+        nb; None for that of the scene.
     :param values: values that replace those of the scene, by their keys in a scene file; also
         ``body``.
     :raises SceneError: for a mistake, which it names with file, line and key.
@@ -136,11 +138,15 @@ class Scene:
     trail_length = _Value[Optional[float]]()
     font = _Value[str]()
 
-    def __init__(self, source: StrPath = "dzhanibekov", **values: Any) -> None:
+    def __init__(
+        self, source: StrPath = "dzhanibekov", *, language: str | None = None, **values: Any
+    ) -> None:
         name = _arguments.path("source", source)
         # A built-in scene is no file.
         self._inputs = [Path(name)] if os.path.exists(name) else []
-        self._native = _native.Scene.load(name)
+        self._native = _native.Scene.load(
+            name, None if language is None else _arguments.text("language", language)
+        )
         for note in self._native.notes():
             warnings.warn(note, stacklevel=2)
         self._drawer: _native.FrameDrawer | None = None

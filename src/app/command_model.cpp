@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/arguments.h"
+#include "scene/languages.h"
 #include "scene/materials.h"
 #include "scene/names.h"
 #include "scene/scene.h"
@@ -31,6 +32,7 @@ std::map<std::string, Candidates> named_values() {
       {"--methods", list(method_names())},
       {"--compare", list(method_names())},
       {"--theme", words(scene::theme_names())},
+      {"--language", words(scene::languages())},
       {"--material", words(scene::material_names())},
       {"--shape", words(scene::equimomental_names())},
       {"--view", words(scene::view_names())},

@@ -11,6 +11,7 @@
 #include "app/message.h"
 #include "app/progress.h"
 #include "scene/fields.h"
+#include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/names.h"
 #include "scene/natural_times.h"
@@ -148,6 +149,15 @@ void SceneOptions::add_shape_option() {
       ->default_str("box");
 }
 
+void SceneOptions::add_language_option() {
+  command_
+      .add_option("--language", language_,
+                  fmt::format("language of the captions and the title of a built-in story: {}",
+                              fmt::join(scene::languages(), " or ")))
+      ->type_name("CODE")
+      ->default_str("the scene's");
+}
+
 void SceneOptions::add_look_options() {
   add_shape_option();
   static constexpr std::array keys{"size",     "theme",     "material",      "color",
@@ -159,6 +169,7 @@ void SceneOptions::add_look_options() {
 }
 
 void SceneOptions::add_picture_options() {
+  add_language_option();
   add_shape_option();
   for (const scene::Field& field : scene::fields()) {
     if (!determines_motion(field) && field.key != "show") add_field(field);
@@ -199,7 +210,9 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   if (!loaded_.empty()) return loaded_;
   std::vector<Loaded> all;
   for (const std::string& name : names_) {
-    Loaded loaded{scene::load_scene(name), {}};
+    Loaded loaded{language_.empty() ? scene::load_scene(name)
+                                    : scene::load_scene(name, language_, "--language"),
+                  {}};
     loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
       override_value(loaded.overridden);

@@ -42,7 +42,8 @@ class SceneOptions {
   /// picture.
   void add_look_options();
 
-  /// Adds an option for each other field of a scene, and --shape, --bare, --show and --hide.
+  /// Adds an option for each other field of a scene, and --language, --shape, --bare, --show and
+  /// --hide.
   void add_picture_options();
 
   /// Adds only --inertia.
@@ -86,6 +87,8 @@ class SceneOptions {
   void add_flag(const std::string& name, const std::string& help,
                 std::function<void(scene::Scene&)> apply);
 
+  /// Adds the option for the language of the text.
+  void add_language_option();
   /// Adds the option for what is drawn of a body that is given by its moments.
   void add_shape_option();
   /// A scene as its file has it, and with the overrides.
@@ -100,6 +103,7 @@ class SceneOptions {
   std::vector<std::string> names_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
+  std::string language_;                ///< Empty for that of each scene.
   mutable std::vector<Loaded> loaded_;  ///< What load() returns; empty before it was called.
 };
 

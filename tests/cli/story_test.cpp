@@ -159,5 +159,19 @@ TEST_F(Story, AMistakeNamesShotAndLine) {
   EXPECT_THAT(run.err, HasSubstr("story.toml:18: shot[1].fade: is 1.6 s, but must be at most 1 s"));
 }
 
+TEST(BuiltInStory, HasCaptionsInAnotherLanguage) {
+  const ScratchFolder folder;
+  const std::string command =
+      "render explain --size 64x36 --frames 0-1 --progress none --language ";
+  ASSERT_EQ(run_twrench(folder, command + "nb -o clip.mp4").code, 0);
+  EXPECT_THAT(text_of(folder / "clip.vtt"), HasSubstr("Den spinner"));
+  ASSERT_EQ(run_twrench(folder, command + "nb --no-video").code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/explain-nb/frame_000000.png"));
+  const Outcome unknown = run_twrench(folder, command + "de");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.err,
+            "twrench: error: --language: explain has no text in 'de', only in en and nb\n");
+}
+
 }  // namespace
 }  // namespace twrench

@@ -57,6 +57,18 @@ TEST(Help, TellsDefaultsAndExitCodesInItsOwnWords) {
   EXPECT_THAT(run_twrench(folder, "plot --help").out, HasSubstr("[SCENE...]\n"));
 }
 
+// Users search the help for these.
+TEST(Help, OfRenderNamesWhatAFilmCanBe) {
+  const ScratchFolder folder;
+  const std::string help = run_twrench(folder, "render --help").out;
+  for (const char* line :
+       {"--output [^\n]*GIF", "--speed [^\n]*slow motion", "--output [^\n]*slides",
+        "--background [^\n]*transparent for overlays[^\n]*webm",
+        "--language [^\n]*language of the captions [^\n]*: en or nb"}) {
+    EXPECT_THAT(help, testing::ContainsRegex(line));
+  }
+}
+
 TEST(Help, AFullDiskIsAnError) {
   const ScratchFolder folder;
   for (const char* words : {"--help", "--version", "help", "render --help"}) {

@@ -34,6 +34,15 @@ show = ["omega"]
 """
 
 
+def test_a_built_in_story_has_captions_in_another_language():
+    assert Scene("explain", language="nb").title == Scene("explain-nb").title == "Hvorfor det snur"
+    assert Scene("explain-nb", language="en").name == "explain"
+    with pytest.raises(SceneError, match="^language: explain has no text in 'de', only in en and nb$"):
+        Scene("explain", language="de")
+    with pytest.raises(twrench.UsageError, match="language: must be a string"):
+        Scene("explain", language=1)  # type: ignore[arg-type]
+
+
 @pytest.fixture
 def story() -> Scene:
     return Scene.from_toml(STORY, "story")
