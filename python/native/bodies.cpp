@@ -126,6 +126,7 @@ void add_bodies(py::module_& module) {
   module.def("mesh_of_file", &mesh_of_file);
   module.def("mesh_of_arrays", &mesh_of_arrays);
   module.def("unit_length", &mesh::unit_length);
+  module.def("is_mesh_name", [](const std::string& name) { return mesh::is_mesh_name(name); });
   py::class_<scene::PartLook>(module, "Look").def(py::init(&make_look));
   py::class_<Part>(module, "Part").def(py::init(&make_part));
   py::class_<Body>(module, "Body")

@@ -11,6 +11,8 @@
 #include "pickling.h"
 #include "scene/fields.h"
 #include "scene/languages.h"
+#include "scene/limits.h"
+#include "scene/mesh_scene.h"
 #include "scene/scene_json.h"
 #include "scene/scene_values.h"
 #include "timeline/film_timeline.h"
@@ -41,6 +43,23 @@ void set_value(Scene& scene, const std::string& key, const std::string& json) {
   });
 }
 
+/// Nothing of weld is 0, of shell a solid, and of density and mass 1 g/cm^3.
+Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
+                    std::optional<double> weld, std::optional<double> shell,
+                    std::optional<double> density, std::optional<double> mass) {
+  using namespace scene::limits;
+  return on_scene([&] {
+    mesh::ReadOptions options;
+    if (scale) options.scale = check(mesh_scale, "scale", *scale);
+    if (weld) options.weld = check(length_or_none, "weld", *weld);
+    if (shell) options.shell = check(length, "shell", *shell);
+    return scene::mesh_scene(file, options, [&](double volume) {
+      return mass ? density_of_mass("mass", *mass, volume)
+                  : check(scene::limits::density, "density", density.value_or(1.0));
+    });
+  });
+}
+
 }  // namespace
 
 void add_scenes(py::module_& module) {
@@ -61,6 +80,8 @@ void add_scenes(py::module_& module) {
                                       : scene::load_scene(name);
                     });
                   })
+      .def_static("of_mesh", &scene_of_mesh, py::arg("file"), py::arg("scale"), py::arg("weld"),
+                  py::arg("shell"), py::arg("density"), py::arg("mass"))
       .def_static("parse",
                   [](const std::string& toml, const std::string& source) {
                     return on_scene([&] { return scene::parse_scene(toml, source); });

@@ -24,6 +24,7 @@ def mesh_of_arrays(
     shell: float,
 ) -> Shape: ...
 def unit_length(name: str, unit: str) -> float: ...
+def is_mesh_name(name: str) -> bool: ...
 
 class Look:
     def __init__(
@@ -188,6 +189,15 @@ class Scene:
     def __init__(self, other: Scene) -> None: ...
     @staticmethod
     def load(name: str, language: str | None) -> Scene: ...
+    @staticmethod
+    def of_mesh(
+        file: str,
+        scale: float | None,
+        weld: float | None,
+        shell: float | None,
+        density: float | None,
+        mass: float | None,
+    ) -> Scene: ...
     @staticmethod
     def parse(toml: str, source: str) -> Scene: ...
     @property

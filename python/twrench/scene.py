@@ -18,6 +18,7 @@ from ._arguments import Array
 from .body import Body
 from .errors import SceneError, UsageError
 from .motion import Motion, simulate
+from .solids import mesh_scale
 
 __all__ = ["Film", "Scene", "scenes"]
 
@@ -86,9 +87,16 @@ class _Value(Generic[T]):
 class Scene:
     """Everything that determines a film.
 
-    :param source: name of a built-in scene, or path of a scene file.
+    :param source: name of a built-in scene, or path of a scene file or of a mesh in OBJ, STL, PLY
+        or glTF. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
     :param language: code of the language of the captions and the title of a built-in story, en or
         nb; None for that of the scene.
+    :param unit: unit of a mesh that is not glTF: mm, cm, m, inch or km.
+    :param scale: centimetres per unit of a mesh, in place of ``unit``.
+    :param weld: vertices of a mesh that are no farther apart than this are joined, cm.
+    :param shell: thickness in cm of a wall along a mesh; None for a solid.
+    :param density: density of a mesh in g/cm^3; 1 unless it or the mass is given.
+    :param mass: mass of a mesh in g, in place of ``density``.
     :param values: values that replace those of the scene, by their keys in a scene file; also
         ``body``.
     :raises SceneError: for a mistake, which it names with file, line and key.
@@ -139,14 +147,36 @@ class Scene:
     font = _Value[str]()
 
     def __init__(
-        self, source: StrPath = "dzhanibekov", *, language: str | None = None, **values: Any
+        self,
+        source: StrPath = "dzhanibekov",
+        *,
+        language: str | None = None,
+        unit: str | None = None,
+        scale: float | None = None,
+        weld: float | None = None,
+        shell: float | None = None,
+        density: float | None = None,
+        mass: float | None = None,
+        **values: Any,
     ) -> None:
         name = _arguments.path("source", source)
         # A built-in scene is no file.
         self._inputs = [Path(name)] if os.path.exists(name) else []
-        self._native = _native.Scene.load(
-            name, None if language is None else _arguments.text("language", language)
-        )
+        of_mesh = {
+            "unit": unit,
+            "scale": scale,
+            "weld": weld,
+            "shell": shell,
+            "density": density,
+            "mass": mass,
+        }
+        if language is None and _native.is_mesh_name(name):
+            self._native = _scene_of_mesh(name, of_mesh)
+        else:
+            _require_no_mesh_values(name, of_mesh)
+            self._native = _native.Scene.load(
+                name, None if language is None else _arguments.text("language", language)
+            )
         for note in self._native.notes():
             warnings.warn(note, stacklevel=2)
         self._drawer: _native.FrameDrawer | None = None
@@ -382,6 +412,24 @@ def _range(frames: str | Iterable[int] | None) -> str:
     if not numbers:
         raise UsageError("frames: must name one frame at least")
     return ",".join(str(number) for number in numbers)
+
+
+def _require_no_mesh_values(name: str, of_mesh: dict[str, Any]) -> None:
+    for key, value in of_mesh.items():
+        if value is not None and not _native.is_mesh_name(name):
+            raise UsageError(f"{key}: is for a mesh, and {_arguments.brief(name)} is a scene")
+
+
+def _scene_of_mesh(file: str, of_mesh: dict[str, Any]) -> _native.Scene:
+    if of_mesh["mass"] is not None and of_mesh["density"] is not None:
+        raise UsageError("mass: density determines it")
+    numbers = {
+        key: None if of_mesh[key] is None else _arguments.number(key, of_mesh[key])
+        for key in ("weld", "shell", "density", "mass")
+    }
+    return _native.Scene.of_mesh(
+        file, mesh_scale(of_mesh["unit"], of_mesh["scale"]), **numbers
+    )
 
 
 @dataclass(frozen=True)

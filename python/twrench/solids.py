@@ -232,11 +232,7 @@ class Mesh(Solid):
     crease: float | None = None
 
     def _shape(self) -> _native.Shape:
-        if self.unit is not None and self.scale is not None:
-            raise UsageError("scale: cannot be combined with unit")
-        scale = None if self.scale is None else _arguments.positive("scale", self.scale)
-        if self.unit is not None:
-            scale = _native.unit_length("unit", _arguments.text("unit", self.unit))
+        scale = mesh_scale(self.unit, self.scale)
         weld = _arguments.number("weld", self.weld)
         shell = 0.0 if self.shell is None else _arguments.positive("shell", self.shell)
         if self.file is not None:
@@ -261,6 +257,15 @@ class Mesh(Solid):
 
     def _crease(self) -> float | None:
         return _number_or_none("crease", self.crease)
+
+
+def mesh_scale(unit: str | None, scale: float | None) -> float | None:
+    """The centimetres per unit of a mesh; None if nothing says it."""
+    if unit is None:
+        return None if scale is None else _arguments.positive("scale", scale)
+    if scale is not None:
+        raise UsageError("scale: cannot be combined with unit")
+    return _native.unit_length("unit", _arguments.text("unit", unit))
 
 
 Part = Union[Cylinder, Box, Ellipsoid, Sphere, Cone, Torus, Capsule, Tube, Mesh]

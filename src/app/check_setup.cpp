@@ -13,6 +13,7 @@
 #include "check/columns.h"
 #include "check/reading.h"
 #include "scene/limits.h"
+#include "scene/mesh_scene.h"
 #include "scene/scene.h"
 #include "system/file.h"
 #include "table/reader.h"
@@ -89,6 +90,16 @@ InvalidArgument ambiguous(const table::Header& header, const check::Convention& 
       fmt::format("say which: {}{}", fmt::join(ways, "; or "), open.size() > most ? " ..." : "")};
 }
 
+/// The unit of a mesh does not matter, because only the ratios of the moments do.
+scene::Scene mesh_scene(const std::string& file) try {
+  return scene::mesh_scene(file, {.scale = 1.0}, [](double) { return 1.0; });
+} catch (const mesh::MeshError& error) {
+  const std::string what = error.what(), named = error.quantity() + ": ";
+  throw InvalidArgument(error.quantity(), what.substr(named.size()),
+                        "give its moments by --inertia, as twrench inertia prints them with --weld "
+                        "or --shell");
+}
+
 }  // namespace
 
 void CheckSetup::add_options(CLI::App& command) {
@@ -96,7 +107,7 @@ void CheckSetup::add_options(CLI::App& command) {
       .add_option("--inertia", inertia_,
                   "principal moments of inertia about the body's axes, in any unit")
       ->type_name("A,B,C");
-  command.add_option("--scene", scene_name_, "take the body of this scene instead")
+  command.add_option("--scene", scene_name_, "take the body of this scene or mesh instead")
       ->type_name("SCENE");
   command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
@@ -136,7 +147,10 @@ void CheckSetup::add_options(CLI::App& command) {
 }
 
 const scene::Scene& CheckSetup::scene() const {
-  if (!scene_) scene_ = scene::load_scene(scene_name_);
+  if (!scene_) {
+    scene_ =
+        mesh::is_mesh_name(scene_name_) ? mesh_scene(scene_name_) : scene::load_scene(scene_name_);
+  }
   return *scene_;
 }
 

@@ -42,7 +42,8 @@ std::map<std::string, Candidates> named_values() {
       {"--color", words({"black", "gray", "white"})},
       {"--container", words({"mp4", "mov", "mkv", "webm", "gif", "webp"})},
       {"--egl-device", words({"software"})},
-      {"SCENE", {Kind::scene, scene::builtin_scene_names(), {"toml"}}},
+      {"SCENE",
+       {Kind::scene, scene::builtin_scene_names(), {"toml", "stl", "obj", "ply", "gltf", "glb"}}},
       {"--font", {Kind::file, {}}},
       {"--output", {Kind::file, {}}},
       {"--plot", {Kind::file, {}}},
@@ -75,11 +76,7 @@ Candidates candidates_of(const CLI::App& command, const CLI::Option& option,
   }
   static const std::map<std::string, Candidates> known = named_values();
   const auto found = known.find(name);
-  Candidates result = found == known.end() ? Candidates() : found->second;
-  if (name == "SCENE" && command.get_name() == "inertia") {
-    for (const char* mesh : {"stl", "obj", "ply", "gltf", "glb"}) result.endings.emplace_back(mesh);
-  }
-  return result;
+  return found == known.end() ? Candidates() : found->second;
 }
 
 /// "--timing{text}" is CLI11's notation for a flag with a default value.

@@ -9,7 +9,6 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
-#include "app/mesh_options.h"
 #include "app/message.h"
 #include "app/output.h"
 #include "app/scene_options.h"
@@ -20,12 +19,9 @@ namespace twrench::app {
 namespace {
 
 struct InertiaOptions {
-  explicit InertiaOptions(CLI::App& command) : scene(command), mesh(command) {
-    scene.add_inertia_option();
-  }
+  explicit InertiaOptions(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
 
   SceneOptions scene;
-  MeshOptions mesh;
   std::string format = "text";
   std::string output = "-";
 };
@@ -128,14 +124,13 @@ std::string json(const Described& described) {
 Described describe(const InertiaOptions& options) {
   const std::string& name = options.scene.sources().front();
   if (!mesh::is_mesh_name(name)) {
-    options.mesh.require_none();
     options.scene.require_not_input(options.output);
     const scene::Scene scene = options.scene.scene();
     return {scene.name, scene::mass_properties(scene.body)};
   }
   system::require_not_input(options.output, name);
   options.scene.require_no_overrides(name);
-  MeshBody mesh = options.mesh.read(name);
+  MeshBody mesh = options.scene.mesh_options().read(name);
   for (const auto& other : mesh.file.others) system::require_not_input(options.output, other);
   return {std::filesystem::path(name).stem().string(), mesh.properties, std::move(mesh.file)};
 }
@@ -145,9 +140,7 @@ Described describe(const InertiaOptions& options) {
 void add_inertia(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
-  command->footer(
-      "SCENE may be a mesh: .obj .stl .ply .gltf .glb\n"
-      "Example: twrench inertia bracket.stl --unit mm --density 7.8");
+  command->footer("Example: twrench inertia bracket.stl --unit mm --density 7.8");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))

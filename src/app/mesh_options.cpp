@@ -8,6 +8,7 @@
 #include "app/arguments.h"
 #include "app/message.h"
 #include "scene/limits.h"
+#include "scene/mesh_scene.h"
 
 namespace twrench::app {
 namespace {
@@ -21,6 +22,17 @@ std::string remedy_in_options(const mesh::MeshError& error) {
   return error.weld() ? fmt::format("--weld {} closes it; or {}", *error.weld(), shell)
                       : "close it; or " + shell;
 }
+
+/// Calls `read`, with options as the remedies of its errors.
+auto with_remedies_in_options(const auto& read) try {
+  return read();
+} catch (const mesh::MeshError& error) {
+  const std::string what = error.what(), named = error.quantity() + ": ";
+  throw InvalidArgument(error.quantity(), what.substr(named.size()), remedy_in_options(error));
+}
+
+constexpr std::array mesh_option_names{"--unit", "--scale", "--density",
+                                       "--mass", "--weld",  "--shell"};
 
 }  // namespace
 
@@ -48,11 +60,21 @@ MeshOptions::MeshOptions(CLI::App& command) : command_(command) {
 }
 
 void MeshOptions::require_none() const {
-  for (const char* option : {"--unit", "--scale", "--density", "--mass", "--weld", "--shell"}) {
+  for (const char* option : mesh_option_names) {
     if (command_.count(option) == 0) continue;
     throw InvalidArgument(option, "is for a mesh, and this is a scene",
                           "name a file that ends in .obj, .stl, .ply, .gltf or .glb");
   }
+}
+
+std::vector<std::string> MeshOptions::given() const {
+  std::vector<std::string> words;
+  for (const char* option : mesh_option_names) {
+    if (command_.count(option) == 0) continue;
+    words.emplace_back(option);
+    words.push_back(command_.get_option(option)->results().front());
+  }
+  return words;
 }
 
 mesh::ReadOptions MeshOptions::read_options() const {
@@ -75,15 +97,19 @@ double MeshOptions::density(double volume) const {
   return scene::limits::density_of_mass("--mass", parse_number(mass_, "--mass"), volume);
 }
 
-MeshBody MeshOptions::read(const std::string& file) const try {
-  mesh::MeshFile mesh = mesh::read_mesh(std::filesystem::path(file), read_options());
+MeshBody MeshOptions::read(const std::string& file) const {
+  mesh::MeshFile mesh = with_remedies_in_options(
+      [&] { return mesh::read_mesh(std::filesystem::path(file), read_options()); });
   for (const std::string& note : mesh.notes) warn(file + ": " + note);
   const body::Part part{mesh.shape, density(body::volume(mesh.shape)), Eigen::Vector3d::Zero(),
                         Eigen::Matrix3d::Identity()};
   return {std::move(mesh), body::mass_properties({&part, 1})};
-} catch (const mesh::MeshError& error) {
-  const std::string what = error.what(), named = error.quantity() + ": ";
-  throw InvalidArgument(error.quantity(), what.substr(named.size()), remedy_in_options(error));
+}
+
+scene::Scene MeshOptions::scene(const std::string& file) const {
+  return with_remedies_in_options([&] {
+    return scene::mesh_scene(file, read_options(), [&](double volume) { return density(volume); });
+  });
 }
 
 }  // namespace twrench::app

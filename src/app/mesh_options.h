@@ -3,9 +3,11 @@
 #include <twrench/body/mass_properties.h>
 
 #include <string>
+#include <vector>
 
 #include "app/command_line.h"
 #include "mesh/mesh_file.h"
+#include "scene/scene.h"
 
 namespace twrench::app {
 
@@ -24,9 +26,15 @@ class MeshOptions {
   /// Throws InvalidArgument where one of the options is given, as for a scene they mean nothing.
   void require_none() const;
 
+  /// Returns the options that were given, as words of a command line.
+  std::vector<std::string> given() const;
+
   /// Reads the mesh. Warns on standard error of what was changed. Throws as read_mesh() does, with
   /// these options as the remedies, and InvalidArgument about them.
   MeshBody read(const std::string& file) const;
+
+  /// Loads the scene of a mesh without warnings. Throws as read(), and as scene::mesh_scene().
+  scene::Scene scene(const std::string& file) const;
 
  private:
   mesh::ReadOptions read_options() const;

@@ -28,7 +28,7 @@ void write_page(const PageOptions& options) {
   }
   const std::string empty = page_template(options.template_file);
   const PageScene scene{options.scene.scene(), options.scene.original(),
-                        options.scene.sources().front()};
+                        options.scene.sources().front(), options.scene.mesh_options().given()};
   write_output(options.output, page_html(empty, scene, poster_html(scene.shown)));
 }
 

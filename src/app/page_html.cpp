@@ -30,6 +30,7 @@ std::string scene_html(const PageScene& scene) {
   nlohmann::ordered_json json = page::page_json(scene.shown, surface);
   json["program"] = std::string("twrench ") + version;
   json["source"] = scene.source;
+  json["source_options"] = scene.source_options;
   json["source_scene"] = scene::scene_json(scene.original);
   std::string data;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {

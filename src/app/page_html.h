@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -22,6 +23,8 @@ struct PageScene {
   scene::Scene original;
   /// Its name or file, as a command line has it.
   std::string source;
+  /// The options that a command line has with it, if it is a mesh.
+  std::vector<std::string> source_options;
 };
 
 /// Returns the page of a scene. `poster` is an <img>. Throws FileError where the template lacks a

@@ -43,7 +43,8 @@ std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
   if (options.command.count("SCENE") == 0 && !options.solves_tasks()) scenes.resize(1);
   std::vector<report::Experiment> experiments;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const std::string source = argument_of(options.scenes.sources()[i]);
+    std::vector<std::string> source = options.scenes.words(i);
+    source.front() = argument_of(source.front());
     experiments.push_back({scenes[i], commands_of(scenes[i], source, options.command)});
   }
   return experiments;
@@ -72,7 +73,7 @@ report::Document document_of(const ReportOptions& options,
   return {experiments.size() > 1 ? "The motion of a free rigid body" : title,
           escape(options.author),
           escape(options.date),
-          escape(report_command_line(options.command, options.scenes.sources(), options.output,
+          escape(report_command_line(options.command, options.scenes, options.output,
                                      options.is_static)),
           std::string("twrench ") + version,
           options.solves_tasks() ? report::report_on_tasks(experiments, task_commands())
@@ -90,7 +91,8 @@ void write_report(const ReportOptions& options) {
   std::optional<report::Viewer> viewer;
   if (interactive) {
     viewer = viewer_of(empty, {experiments.front().scene, options.scenes.original(),
-                               argument_of(options.scenes.sources().front())});
+                               argument_of(options.scenes.sources().front()),
+                               options.scenes.mesh_options().given()});
   }
   Output output(options.output);
   const report::Write write = [&](std::string_view text) { output.write(text); };

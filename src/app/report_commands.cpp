@@ -35,12 +35,14 @@ std::string argument_of(const std::string& name) {
   return name.starts_with('-') && name != "-" ? "./" + name : name;
 }
 
-std::string report_command_line(const CLI::App& command, const std::vector<std::string>& sources,
+std::string report_command_line(const CLI::App& command, const SceneOptions& scenes,
                                 const std::string& output, bool is_static) {
   std::vector<std::string> words{"twrench", "report"};
   if (command.count("SCENE") > 0) {
-    for (const std::string& source : sources) words.push_back(argument_of(source));
+    for (const std::string& source : scenes.sources()) words.push_back(argument_of(source));
   }
+  const std::vector<std::string> mesh = scenes.mesh_options().given();
+  words.insert(words.end(), mesh.begin(), mesh.end());
   const auto others = given(command, {"--omega", "--inertia", "--method", "--step", "--tolerance",
                                       "--duration", "--fps", "--speed", "--author", "--date"});
   words.insert(words.end(), others.begin(), others.end());
@@ -48,11 +50,11 @@ std::string report_command_line(const CLI::App& command, const std::vector<std::
   return line_of(std::move(words), {"-o", argument_of(output)});
 }
 
-report::Commands commands_of(const scene::Scene& scene, const std::string& source,
+report::Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& source,
                              const CLI::App& command) {
-  const std::string body = line_of({source}, given(command, {"--inertia"}));
+  const std::string body = line_of(source, given(command, {"--inertia"}));
   const std::string motion =
-      line_of({source}, given(command, {"--inertia", "--omega", "--duration"}));
+      line_of(source, given(command, {"--inertia", "--omega", "--duration"}));
   const std::string study = "twrench study " + motion, plot = "twrench plot " + motion;
   const std::string file = line_of({"-o"}, {"components-" + scene.name + ".svg"});
   const motion::StepControl& control = scene.motion.control;

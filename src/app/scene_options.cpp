@@ -84,8 +84,11 @@ std::string help_of(const scene::Field& field) {
 }
 
 SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::string> without)
-    : command_(command), names_(std::move(without)) {
-  command.add_option("SCENE", names_, ".toml file or built-in scene (see twrench scenes)")
+    : command_(command), names_(std::move(without)), mesh_(command) {
+  command
+      .add_option("SCENE", names_,
+                  ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb) or built-in scene (see twrench "
+                  "scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
       ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }
@@ -206,13 +209,17 @@ void SceneOptions::require_not_input(const std::filesystem::path& output) const 
   }
 }
 
+scene::Scene SceneOptions::load(const std::string& name) const {
+  if (!language_.empty()) return scene::load_scene(name, language_, "--language");
+  return mesh::is_mesh_name(name) ? mesh_.scene(name) : scene::load_scene(name);
+}
+
 const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   if (!loaded_.empty()) return loaded_;
+  if (std::ranges::none_of(names_, mesh::is_mesh_name)) mesh_.require_none();
   std::vector<Loaded> all;
   for (const std::string& name : names_) {
-    Loaded loaded{language_.empty() ? scene::load_scene(name)
-                                    : scene::load_scene(name, language_, "--language"),
-                  {}};
+    Loaded loaded{load(name), {}};
     loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
       override_value(loaded.overridden);
@@ -226,6 +233,15 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
     all.push_back(std::move(loaded));
   }
   return loaded_ = std::move(all);
+}
+
+std::vector<std::string> SceneOptions::words(std::size_t index) const {
+  const std::string& name = names_.at(index);
+  std::vector<std::string> words{name};
+  if (!mesh::is_mesh_name(name)) return words;
+  const std::vector<std::string> options = mesh_.given();
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
 }
 
 const scene::Scene& SceneOptions::original() const { return load().front().original; }

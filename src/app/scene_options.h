@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/mesh_options.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/error.h"
@@ -24,8 +25,8 @@ void warn_of_unreal_moments(const std::string& of, const Eigen::Vector3d& moment
 /// Returns the help of a field, which names the command that lists its values if there is one.
 std::string help_of(const scene::Field& field);
 
-/// The SCENE argument, one or several, and the options that override its values. Must live as long
-/// as the command.
+/// The SCENE argument, one or several, what its file does not say if it is a mesh, and the options
+/// that override its values. Must live as long as the command.
 class SceneOptions {
  public:
   /// How many scenes the command accepts.
@@ -59,6 +60,12 @@ class SceneOptions {
 
   /// Returns the scene without overrides. Throws as load_scene() does.
   const scene::Scene& original() const;
+
+  /// Returns the name of a scene and, if it is a mesh, its options, as words of a command line.
+  std::vector<std::string> words(std::size_t index) const;
+
+  /// Returns the options for SCENE as a mesh.
+  const MeshOptions& mesh_options() const { return mesh_; }
 
   /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
   void require_no_overrides(const std::string& name) const;
@@ -98,9 +105,11 @@ class SceneOptions {
 
   /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
   const std::vector<Loaded>& load() const;
+  scene::Scene load(const std::string& name) const;
 
   CLI::App& command_;
   std::vector<std::string> names_;
+  MeshOptions mesh_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
   std::string language_;                ///< Empty for that of each scene.

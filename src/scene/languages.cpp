@@ -26,11 +26,6 @@ std::string original_of(const std::string& name) {
   return found == translations.end() ? name : found->original;
 }
 
-bool is_built_in(const std::string& name) {
-  const std::vector<std::string> names = builtin_scene_names();
-  return std::ranges::find(names, name) != names.end();
-}
-
 }  // namespace
 
 std::vector<std::string> languages() {
@@ -40,15 +35,15 @@ std::vector<std::string> languages() {
 }
 
 Scene load_scene(const std::string& name, const std::string& language, const std::string& what) {
-  if (!is_built_in(name)) {
-    load_scene(name);  // whether there is such a file comes first
+  if (is_scene_file(name)) {
     throw InvalidArgument(what, name + " has one language, that of its file",
                           fmt::format("leave it out; built-in stories have text in {}",
                                       fmt::join(languages(), " and ")));
   }
+  Scene scene = load_scene(name);
   const std::string original = original_of(name);
   std::vector<std::string> known{english};
-  if (language == english) return load_scene(original);
+  if (language == english) return original == name ? scene : load_scene(original);
   for (const Translation& translation : translations) {
     if (translation.original != original) continue;
     if (translation.language == language) return load_scene(translation.name);

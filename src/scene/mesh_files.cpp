@@ -28,11 +28,23 @@ mesh::MeshFile read_built_in(const std::string& name, const mesh::ReadOptions& o
 
 }  // namespace
 
+MeshEntry mesh_entry(mesh::MeshFile mesh, const std::string& file, const fs::path& path,
+                     const mesh::ReadOptions& options) {
+  return {std::move(mesh.shape),
+          {.file = file,
+           .path = path,
+           .others = std::move(mesh.others),
+           .scale = options.scale,
+           .weld = options.weld,
+           .sha256 = std::move(mesh.sha256)},
+          std::move(mesh.notes)};
+}
+
 MeshFiles MeshFiles::beside(const std::string& scene_file) {
   return MeshFiles(fs::path(scene_file).parent_path());
 }
 
-const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::ReadOptions& options) {
+const MeshEntry& MeshFiles::read(const std::string& file, const mesh::ReadOptions& options) {
   const Key key{file, options.scale, options.weld, options.shell};
   const auto found = entries_.find(key);
   if (found != entries_.end()) return found->second;
@@ -57,20 +69,13 @@ const MeshFiles::Entry& MeshFiles::read(const std::string& file, const mesh::Rea
                         "give parts of one mesh the same values, or use a mesh of fewer triangles");
 }
 
-MeshFiles::Entry MeshFiles::load(const std::string& file, const mesh::ReadOptions& options) const {
+MeshEntry MeshFiles::load(const std::string& file, const mesh::ReadOptions& options) const {
   std::error_code failed;
   const fs::path path = folder_.value_or(fs::path()) / file;
   const bool is_built_in =
       !folder_ || (embedded::meshes().contains(file) && !fs::exists(path, failed));
-  mesh::MeshFile read = is_built_in ? read_built_in(file, options) : mesh::read_mesh(path, options);
-  return {std::move(read.shape),
-          {.file = file,
-           .path = is_built_in ? fs::path() : path,
-           .others = std::move(read.others),
-           .scale = options.scale,
-           .weld = options.weld,
-           .sha256 = std::move(read.sha256)},
-          std::move(read.notes)};
+  if (is_built_in) return mesh_entry(read_built_in(file, options), file, {}, options);
+  return mesh_entry(mesh::read_mesh(path, options), file, path, options);
 }
 
 }  // namespace twrench::scene

@@ -67,7 +67,7 @@ body::Shape read_mesh(TomlTable& part, MeshFiles& meshes, PartDescription& descr
   read_dimension(part, "weld", options.weld, limits::length_or_none);
   read_dimension(part, "crease", description.look.crease_angle, limits::crease);
   try {
-    const MeshFiles::Entry& entry = meshes.read(file, options);
+    const MeshEntry& entry = meshes.read(file, options);
     description.mesh = entry.source;
     description.notes = entry.notes;
     return entry.shape;

@@ -320,10 +320,15 @@ std::vector<std::filesystem::path> input_files(const Scene& scene);
 /// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();
 
-/// Loads a scene. `name_or_path` is a path if it ends in ".toml" (in upper or lower case), contains
-/// a folder, or is an existing file but no built-in name; otherwise it names a built-in scene.
-/// Throws InvalidArgument for an unknown name (suggesting the nearest) or an invalid scene (with
-/// file, line and key), FileError if the file or a mesh that it names cannot be read.
+/// Returns whether that is a path and not the name of a built-in scene: it ends in ".toml" or as
+/// meshes do (in upper or lower case), contains a folder, or is an existing file but no built-in
+/// name.
+bool is_scene_file(const std::string& name_or_path);
+
+/// Loads a scene from a scene file or a mesh, or a built-in one. A mesh has the unit of its file
+/// and a density of 1 g/cm^3; see mesh_scene(). Throws InvalidArgument for an unknown name
+/// (suggesting the nearest) or an invalid scene (with file, line and key), FileError if the file or
+/// a mesh that it names cannot be read.
 Scene load_scene(const std::string& name_or_path);
 
 /// Parses a scene from TOML text; `source` names it in errors, and paths of meshes start from its

@@ -10,6 +10,7 @@
 #include "embedded/scenes.h"
 #include "scene/fields.h"
 #include "scene/mesh_files.h"
+#include "scene/mesh_scene.h"
 #include "scene/natural_times.h"
 #include "scene/scene.h"
 #include "scene/scene_tables.h"
@@ -19,15 +20,8 @@
 namespace twrench::scene {
 namespace {
 
-/// Whether this is a path: because of its extension (in upper or lower case), because it has a
-/// folder, or because the file exists. No name of a built-in scene looks like one.
-bool is_path(const std::string& name_or_path) {
-  const std::string ending =
-      in_small_letters(std::filesystem::path(name_or_path).extension().string());
-  std::error_code none;
-  const bool is_builtin = embedded::scenes().contains(name_or_path + ".toml");
-  return ending == ".toml" || name_or_path.find('/') != std::string::npos ||
-         (!is_builtin && std::filesystem::exists(name_or_path, none));
+bool has_ending_of_scenes(const std::string& path) {
+  return in_small_letters(std::filesystem::path(path).extension().string()) == ".toml";
 }
 
 /// The parser's message, without the name of the macro that sets the limit.
@@ -54,7 +48,10 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
     root = toml::parse(text, source);
   } catch (const toml::parse_error& error) {
     throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
-                          reason_of(error));
+                          reason_of(error),
+                          has_ending_of_scenes(source)
+                              ? ""
+                              : "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb");
   }
   Scene scene;
   scene.name = std::filesystem::path(source).stem().string();
@@ -83,8 +80,19 @@ std::vector<std::string> builtin_scene_names() {
           "book",        "hammer",     "toutatis", "explorer-1"};
 }
 
+bool is_scene_file(const std::string& name_or_path) {
+  std::error_code none;
+  const bool is_builtin = embedded::scenes().contains(name_or_path + ".toml");
+  return has_ending_of_scenes(name_or_path) || mesh::is_mesh_name(name_or_path) ||
+         name_or_path.find('/') != std::string::npos ||
+         (!is_builtin && std::filesystem::exists(name_or_path, none));
+}
+
 Scene load_scene(const std::string& name_or_path) {
-  if (is_path(name_or_path)) {
+  if (mesh::is_mesh_name(name_or_path)) {
+    return mesh_scene(name_or_path, {}, [](double) { return 1.0; });
+  }
+  if (is_scene_file(name_or_path)) {
     constexpr std::size_t largest = 1 << 20;
     const std::vector<std::uint8_t> bytes = system::read_file(name_or_path, largest);
     return parse_scene(std::string(bytes.begin(), bytes.end()), name_or_path);

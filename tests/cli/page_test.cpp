@@ -85,6 +85,20 @@ TEST(Page, TakesASceneFromAPipe) {
   EXPECT_NE(scene["source_scene"]["motion"]["omega"], scene["scene"]["motion"]["omega"]);
 }
 
+TEST(Page, OfAMeshHasTheOptionsThatItsCommandsNeed) {
+  const ScratchFolder folder;
+  write_template(folder);
+  std::ofstream(folder / "ball.obj") << fine_ball(4);
+  const Outcome run =
+      run_twrench(folder, "page ball.obj --unit mm --omega 0,2,0 --template t.html -o a.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json scene = scene_of(text_of(folder / "a.html"));
+  EXPECT_EQ(scene["source"], "ball.obj");
+  EXPECT_EQ(scene["source_options"], nlohmann::json({"--unit", "mm"}));
+  EXPECT_EQ(scene["source_scene"]["part"][0]["scale"], 0.1);
+  EXPECT_EQ(scene["source_scene"]["title"], "ball");
+}
+
 TEST(Page, HasAPictureForWhereItCannotDraw) {
   const ScratchFolder folder;
   write_template(folder);

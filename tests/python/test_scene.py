@@ -292,3 +292,57 @@ def test_scenes_and_methods():
     assert twrench.scenes()[0] == "dzhanibekov"
     names = [method.name for method in twrench.methods()]
     assert {"rk4", "rkf45", "exact"} <= set(names) and len(names) == len(set(names))
+
+
+BOX = """v 0 0 0
+v 2 0 0
+v 2 3 0
+v 0 3 0
+v 0 0 4
+v 2 0 4
+v 2 3 4
+v 0 3 4
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+"""
+
+
+def test_a_mesh_is_a_scene(program, tmp_path):
+    file = tmp_path / "my box.obj"
+    file.write_text(BOX)
+    scene = Scene(file, unit="mm", mass=3, size=(160, 90))
+    assert scene.title == scene.name == "my box"
+    assert scene.body.mass == pytest.approx(3)
+    assert len(twrench.exact(scene.body, scene.omega).flip_times(scene.duration)) == 3
+    assert Scene(file, scale=0.1, density=2).body.mass == pytest.approx(0.048)
+    assert Scene(file, unit="cm", shell=0.5).body.mass == pytest.approx(26)
+    told = json.loads(program("inertia", file, "--unit", "mm", "--mass", 3, "--format", "json"))
+    assert np.array_equal(scene.body.inertia, told["inertia"])
+    with pytest.raises(twrench.OverwriteError, match="is an input"):
+        scene.render(file, container="mp4", frames="0", overwrite=True)
+    assert file.read_text() == BOX
+
+
+def test_what_the_file_of_a_mesh_does_not_say(tmp_path):
+    file = tmp_path / "box.obj"
+    file.write_text(BOX)
+    (tmp_path / "empty.stl").write_bytes(b"")
+    for source, values, message in [
+        (file, {}, "its unit is not known: the format has none; say unit"),
+        (file, {"unit": "ft"}, "unit: unknown name 'ft'"),
+        (file, {"unit": "mm", "scale": 2}, "scale: cannot be combined with unit"),
+        (file, {"unit": "mm", "mass": 1, "density": 1}, "mass: density determines it"),
+        (file, {"unit": "mm", "density": -1}, "density: is -1, but must be"),
+        (file, {"unit": "mm", "weld": "1"}, "weld: must be a number"),
+        (file, {"unit": "mm", "language": "nb"}, "language: .* has one language"),
+        ("dzhanibekov", {"unit": "mm"}, "unit: is for a mesh"),
+        (tmp_path / "empty.stl", {"unit": "mm"}, "it is empty"),
+        (tmp_path / "none.stl", {"unit": "mm"}, "No such file"),
+    ]:
+        with pytest.raises(twrench.Error, match=message) as error:
+            Scene(source, **values)
+        assert "\n" not in str(error.value)

@@ -84,7 +84,7 @@ export function commandLine(state, data, theme) {
   const source = data.source ?? data.scene.name,
     given = data.source_scene ?? data.scene;
   if (given.shot) return storyCommands(source);
-  const parts = [`twrench render ${quoted(source)}`];
+  const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
   const moments = state.moments ?? data.scene.body?.moments ?? [];
   if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf('inertia', moments));
   for (const [, key, value] of changes(state, data, theme))

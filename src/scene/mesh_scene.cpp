@@ -1,0 +1,100 @@
+#include "scene/mesh_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "scene/dimensions.h"
+#include "scene/limits.h"
+#include "scene/mesh_files.h"
+#include "scene/natural_times.h"
+
+namespace twrench::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+bool are_close(double smaller, double larger, double tolerance) {
+  return larger - smaller <= tolerance * larger;
+}
+
+/// Rounds to six decimals, to which the motion is the same on every machine.
+Vector3d rounded(const Vector3d& v) {
+  constexpr double decimals = 1e6;
+  return (v * decimals).array().round() / decimals;
+}
+
+/// A direction at right angles to the axis. It does not depend on the rounding of the other two
+/// principal axes, which are arbitrary.
+Vector3d across(const Vector3d& axis) {
+  Eigen::Index least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vector3d unit = Vector3d::Unit(least);
+  return (unit - axis.dot(unit) * axis).normalized();
+}
+
+/// The name as a title, in one line.
+std::string title_of(std::string name) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::ranges::replace_if(name, is_control, ' ');
+  return name;
+}
+
+Body body_of(const std::string& file, const mesh::ReadOptions& options,
+             const std::function<double(double volume)>& density_of) {
+  MeshEntry entry =
+      mesh_entry(mesh::read_mesh(std::filesystem::path(file), options), file, file, options);
+  check_dimensions(entry.shape, [&](const std::string& key) { return file + ": " + key; });
+  Body body;
+  body.parts.push_back({entry.shape, density_of(body::volume(entry.shape)), Vector3d::Zero(),
+                        Eigen::Matrix3d::Identity()});
+  PartDescription description;
+  description.mesh = std::move(entry.source);
+  description.notes = std::move(entry.notes);
+  body.descriptions.push_back(std::move(description));
+  limits::check_moments(file, mass_properties(body).moments);
+  return body;
+}
+
+/// The azimuth in rad from which the angular momentum L lies across the picture.
+double azimuth_across(const Vector3d& L) {
+  constexpr double upright = 0.1;
+  const bool is_upright = std::hypot(L.x(), L.z()) < upright * L.norm();
+  constexpr double decimals = 1e3;
+  return is_upright ? 0.0 : std::round(std::atan2(-L.z(), L.x()) * decimals) / decimals;
+}
+
+}  // namespace
+
+Vector3d natural_omega(const body::MassProperties& body) {
+  constexpr double push = 0.05, tilt = 0.3;  // rad/s; rad
+  constexpr double ball = 0.01, symmetric = 1e-4;
+  const Vector3d& moments = body.moments;
+  if (are_close(moments[0], moments[2], ball)) return Vector3d::UnitX();
+  const bool is_flat = are_close(moments[0], moments[1], symmetric);
+  if (is_flat || are_close(moments[1], moments[2], symmetric)) {
+    const Vector3d axis = body.axes.col(is_flat ? 2 : 0);
+    return rounded(std::cos(tilt) * axis + std::sin(tilt) * across(axis));
+  }
+  const bool differs_below = moments[1] * moments[1] > moments[0] * moments[2];
+  return rounded(body.axes.col(1) + push * body.axes.col(differs_below ? 0 : 2));
+}
+
+Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,
+                 const std::function<double(double volume)>& density_of) {
+  Scene scene;
+  scene.name = std::filesystem::path(file).stem().string();
+  scene.title = title_of(scene.name);
+  scene.body = body_of(file, options, density_of);
+  const body::MassProperties properties = mass_properties(scene.body);
+  scene.motion.omega = natural_omega(properties);
+  scene.camera.azimuth = azimuth_across(properties.inertia * scene.motion.omega);
+  const NaturalTimes times = natural_times(scene);
+  scene.motion.control.step = times.step;
+  scene.motion.duration = times.duration;
+  scene.film.speed = times.speed;
+  return scene;
+}
+
+}  // namespace twrench::scene
