@@ -73,13 +73,15 @@ void add_scenes(py::module_& module) {
   py::class_<Scene>(module, "Scene")
       .def(py::init<const Scene&>())
       .def(py::pickle([](const Scene& scene) { return state_of(scene); }, &scene_with))
-      .def_static("load",
-                  [](const std::string& name, const std::optional<std::string>& language) {
-                    return on_scene([&] {
-                      return language ? scene::load_scene(name, *language, "language")
-                                      : scene::load_scene(name);
-                    });
-                  })
+      .def_static(
+          "load",
+          [](const std::string& name, const std::optional<std::string>& language) {
+            return on_scene([&] {
+              return language ? scene::load_scene(name, *language, "language")
+                              : scene::load_scene(name);
+            });
+          },
+          py::arg("name"), py::arg("language") = py::none())
       .def_static("of_mesh", &scene_of_mesh, py::arg("file"), py::arg("scale"), py::arg("weld"),
                   py::arg("shell"), py::arg("density"), py::arg("mass"))
       .def_static("parse",
