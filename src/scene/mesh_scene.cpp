@@ -19,7 +19,7 @@ bool are_close(double smaller, double larger, double tolerance) {
   return larger - smaller <= tolerance * larger;
 }
 
-/// Rounds to six decimals, to which the motion is the same on every machine.
+/// Rounds to six decimals, so that the motion is the same on every machine.
 Vector3d rounded(const Vector3d& v) {
   constexpr double decimals = 1e6;
   return (v * decimals).array().round() / decimals;

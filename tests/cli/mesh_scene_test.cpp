@@ -1,4 +1,4 @@
-// A mesh in the place of a scene, in every command.
+// A mesh as SCENE, in every command.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -144,7 +144,6 @@ TEST_F(MeshScene, HasTheLimitsOfSceneFiles) {
   EXPECT_THROW(scene_of(prism(3, 1, 1e7), 1e-2), InvalidArgument) << "moments of 1 : 1e13";
 }
 
-// What is neither a scene file nor a mesh is no TOML.
 TEST_F(MeshScene, OfAnUnknownFormatIsRefusedWithTheKnownOnes) {
   const std::string file = (folder_ / "x.step").string();
   system::write_file_atomically(file, "ISO-10303-21;\n");
