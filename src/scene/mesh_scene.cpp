@@ -19,19 +19,27 @@ bool are_close(double smaller, double larger, double tolerance) {
   return larger - smaller <= tolerance * larger;
 }
 
-/// Rounds to six decimals, so that the motion is the same on every machine.
-Vector3d rounded(const Vector3d& v) {
-  constexpr double decimals = 1e6;
-  return (v * decimals).array().round() / decimals;
+/// Rounds to so many decimals, so that a scene is the same on every machine. Zero is positive.
+double round_to(int decimals, double value) {
+  const double unit = std::pow(10, decimals);
+  return std::round(value * unit) / unit + 0.0;
 }
 
-/// A direction at right angles to the axis. It does not depend on the rounding of the other two
-/// principal axes, which are arbitrary.
-Vector3d across(const Vector3d& axis) {
-  Eigen::Index least = 0;
-  axis.cwiseAbs().minCoeff(&least);
+Vector3d round_each(const Vector3d& v) {
+  return v.unaryExpr([](double component) { return round_to(6, component); });
+}
+
+/// An angular velocity of 1 rad/s at that angle to an axis of symmetry. Neither its sign nor its
+/// direction around the axis depends on the rounding of the other two principal axes.
+Vector3d tilted(const Vector3d& axis, double angle) {
+  const Vector3d clean = round_each(axis);
+  Eigen::Index largest = 0, least = 0;
+  clean.cwiseAbs().maxCoeff(&largest);
+  clean.cwiseAbs().minCoeff(&least);
+  const Vector3d forward = clean[largest] < 0 ? Vector3d(-axis) : axis;
   const Vector3d unit = Vector3d::Unit(least);
-  return (unit - axis.dot(unit) * axis).normalized();
+  const Vector3d across = (unit - forward.dot(unit) * forward).normalized();
+  return std::cos(angle) * forward + std::sin(angle) * across;
 }
 
 /// The name as a title, in one line.
@@ -61,8 +69,7 @@ Body body_of(const std::string& file, const mesh::ReadOptions& options,
 double azimuth_across(const Vector3d& L) {
   constexpr double upright = 0.1;
   const bool is_upright = std::hypot(L.x(), L.z()) < upright * L.norm();
-  constexpr double decimals = 1e3;
-  return is_upright ? 0.0 : std::round(std::atan2(-L.z(), L.x()) * decimals) / decimals;
+  return is_upright ? 0.0 : round_to(3, std::atan2(-L.z(), L.x()));
 }
 
 }  // namespace
@@ -74,11 +81,10 @@ Vector3d natural_omega(const body::MassProperties& body) {
   if (are_close(moments[0], moments[2], ball)) return Vector3d::UnitX();
   const bool is_flat = are_close(moments[0], moments[1], symmetric);
   if (is_flat || are_close(moments[1], moments[2], symmetric)) {
-    const Vector3d axis = body.axes.col(is_flat ? 2 : 0);
-    return rounded(std::cos(tilt) * axis + std::sin(tilt) * across(axis));
+    return round_each(tilted(body.axes.col(is_flat ? 2 : 0), tilt));
   }
   const bool differs_below = moments[1] * moments[1] > moments[0] * moments[2];
-  return rounded(body.axes.col(1) + push * body.axes.col(differs_below ? 0 : 2));
+  return round_each(body.axes.col(1) + push * body.axes.col(differs_below ? 0 : 2));
 }
 
 Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,

@@ -96,6 +96,22 @@ TEST_F(MeshScene, OfASymmetricBodyWobbles) {
   }
 }
 
+TEST_F(MeshScene, OfASymmetricBodyDoesNotDependOnRounding) {
+  body::MassProperties body{};
+  body.moments = {2, 2, 3};
+  for (const double angle : {0.0, 0.3, 2.0, 4.0}) {
+    const Vector3d u(std::cos(angle), std::sin(angle), 1e-17), v(-u.y(), u.x(), -1e-17);
+    for (const bool swapped : {false, true}) {
+      body.axes.col(0) = swapped ? v : u;
+      body.axes.col(1) = swapped ? u : v;
+      body.axes.col(2) = body.axes.col(0).cross(body.axes.col(1));
+      const Vector3d omega = natural_omega(body);
+      EXPECT_EQ(omega, Vector3d(0.29552, 0, 0.955336)) << angle;
+      EXPECT_FALSE(std::signbit(omega.y())) << "a zero without a sign";
+    }
+  }
+}
+
 TEST_F(MeshScene, OfABodyWithThreeEqualMomentsSpins) {
   for (const double length : {1.0, 1.004}) {
     const Scene scene = scene_of(prism(4, std::sqrt(0.5), length));
