@@ -220,12 +220,11 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   std::vector<Loaded> all;
   for (const std::string& name : names_) {
     Loaded loaded{load(name), {}};
-    loaded.overridden = loaded.original;
+    scene::Scene& scene = loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
-      override_value(loaded.overridden);
-      for (scene::Shot& shot : loaded.overridden.shots) override_value(shot.scene);
+      override_value(scene);
+      for (scene::Shot& shot : scene.shots) override_value(shot.scene);
     }
-    scene::Scene& scene = loaded.overridden;
     scene::set_natural_times(scene);
     // Only its motion tells one neutral title from another.
     const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();

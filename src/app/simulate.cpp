@@ -21,8 +21,9 @@ struct SimulateOptions {
 
 std::vector<double> times_asked_for(const SimulateOptions& options) {
   std::vector<double> times = parse_numbers(options.times, "--times");
-  for (const double t : times) scene::limits::check({-scene::limits::duration.high, scene::limits::duration.high},
-                                              "--times", t);
+  for (const double t : times)
+    scene::limits::check({-scene::limits::duration.high, scene::limits::duration.high}, "--times",
+                         t);
   return times;
 }
 

@@ -220,13 +220,12 @@ const std::vector<Field>& fields() {
                    "60; samples: 60 a radian"},
                   within(limits::fps), [](auto& s) -> auto& { return s.film.fps; }),
               &Origins::fps),
-      natural(
-          complete<number>(
-              {"film", "speed", "F",
-               "seconds of motion per second of video; a smaller one is slow motion",
-               "the time of a turn"},
-              within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
-          &Origins::speed),
+      natural(complete<number>(
+                  {"film", "speed", "F",
+                   "seconds of motion per second of video; a smaller one is slow motion",
+                   "the time of a turn"},
+                  within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
+              &Origins::speed),
 
       choice(
           {"look", "theme", "NAME", "theme"}, theme_names(), theme_of,

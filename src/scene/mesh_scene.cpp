@@ -96,10 +96,8 @@ Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,
   const body::MassProperties properties = mass_properties(scene.body);
   scene.motion.omega = natural_omega(properties);
   scene.camera.azimuth = azimuth_across(properties.inertia * scene.motion.omega);
-  const NaturalTimes times = natural_times(scene);
-  scene.motion.control.step = times.step;
-  scene.motion.duration = times.duration;
-  scene.film.speed = times.speed;
+  scene.origins.title = Origin::scene;
+  set_natural_times(scene);
   return scene;
 }
 

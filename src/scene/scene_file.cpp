@@ -47,8 +47,7 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
   try {
     root = toml::parse(text, source);
   } catch (const toml::parse_error& error) {
-    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
-                          reason_of(error),
+    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line), reason_of(error),
                           has_ending_of_scenes(source)
                               ? ""
                               : "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb");

@@ -82,6 +82,13 @@ TEST_F(MeshAsScene, HasOptionsThatReplaceItsMotion) {
       run("simulate box.obj --unit cm --omega 0,0,2 --method exact --times 1 --format json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(json::parse(outcome.out)["samples"][0]["omega"], json({0, 0, 2}));
+  const auto duration = [&](const std::string& options, const std::string& frames) {
+    EXPECT_EQ(run("render box.obj --unit cm " + options + draw + frames).code, 0);
+    const json manifest = json::parse(text_of(folder_ / (frames + "/manifest.json")));
+    return manifest["scene"]["motion"]["duration"].get<double>();
+  };
+  EXPECT_NEAR(duration("--omega 0,2,0.1 ", "fast"), duration("", "usual") / 2, 1);
+  EXPECT_EQ(duration("--omega 0,2,0.1 --duration 7 ", "given"), 7);
 }
 
 TEST_F(MeshAsScene, ThatIsBadIsOneClearLine) {
