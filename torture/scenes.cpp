@@ -26,6 +26,8 @@
 #include <vector>
 
 #include "gl/backend.h"
+#include "gl/child_call.h"
+#include "gl/error.h"
 #include "image/png.h"
 #include "random_body.h"
 #include "render/renderer.h"
@@ -237,6 +239,16 @@ Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>
   return Outcome::fault;
 }
 
+/// Whether a process that is forked from this one, which has drawn, refuses to draw.
+bool refuses_after_fork() {
+  try {
+    gl::ChildCall([] { return gl::open_context(gl::BackendChoice{}).context->backend(); }).result();
+    return false;
+  } catch (const gl::GlError& error) {
+    return error.reason() == gl::GlError::Reason::forked;
+  }
+}
+
 int run(double seconds, std::uint32_t seed, std::optional<std::uint32_t> only) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -249,6 +261,10 @@ int run(double seconds, std::uint32_t seed, std::optional<std::uint32_t> only) {
     ++number;
   } while (!only && Clock::now() < end);
   fmt::print(stderr, "\n");
+  if (outcomes[Outcome::drawn] > 0 && !refuses_after_fork()) {
+    fmt::print("scenes: fault: a forked process does not refuse to draw\n");
+    ++outcomes[Outcome::fault];
+  }
   for (const auto& [what, count] : refusals) fmt::print("scenes: {} refused: {}\n", count, what);
   fmt::print("scenes: {} drawn, {} faults\n", outcomes[Outcome::drawn], outcomes[Outcome::fault]);
   return outcomes[Outcome::fault] > 0 ? 1 : 0;

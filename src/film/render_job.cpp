@@ -175,7 +175,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
       gl_trial_(settings_.backend),
       trial_(try_encoder(settings_, scene_)),
       timeline_(timed_timeline(scene_, numbers_, times_)),
-      opened_(gl::open_context(std::move(gl_trial_))),
+      opened_(gl::open_context(gl_trial_)),
       renderer_(*opened_.context, scene_),
       frames_(numbers_.size()) {
   const video::Manifest manifest = manifest_of(settings_, scene_, renderer_, asked_);

@@ -91,7 +91,7 @@ class RenderJob {
   const RenderSettings settings_;
   const std::vector<int> asked_;    ///< Numbers of the frames of all shards.
   const std::vector<int> numbers_;  ///< Numbers of those of this run.
-  gl::BackendTrial gl_trial_;       ///< Started before there are threads, and used up by opened_.
+  gl::BackendTrial gl_trial_;       ///< Started before there are threads.
   std::future<void> trial_;         ///< The test of the encoder.
   const timeline::FilmTimeline timeline_;
   const gl::OpenedContext opened_;

@@ -66,7 +66,7 @@ OpenedContext fall_back(bool egl_alone) {
   }
 }
 
-/// Draws some pixels, for which the driver compiles its first program, and returns the renderer.
+/// Draws some pixels and returns the renderer. The driver compiles its first program for them.
 std::string try_drawing(const Context& context) {
   constexpr int size = 16;
   constexpr Rectangle all{0, 0, size, size};
@@ -139,14 +139,18 @@ BackendTrial::BackendTrial(BackendChoice choice) : choice_(std::move(choice)) {
 }
 
 BackendTrial::~BackendTrial() = default;
-BackendTrial::BackendTrial(BackendTrial&& other) noexcept = default;
 
 const BackendChoice& BackendTrial::finish() {
-  if (const auto call = std::exchange(call_, nullptr)) call->result();
+  if (call_ && !std::exchange(is_finished_, true)) call_->result();
   return choice_;
 }
 
-OpenedContext open_context(BackendTrial trial) { return open_here(trial.finish()); }
+OpenedContext open_context(BackendTrial& trial) { return open_here(trial.finish()); }
+
+OpenedContext open_context(BackendChoice choice) {
+  BackendTrial trial(std::move(choice));
+  return open_context(trial);
+}
 
 std::vector<BackendReport> backends() {
   std::vector<BackendReport> reports{report("osmesa", make_osmesa_context)};

@@ -29,14 +29,13 @@ struct BackendChoice {
 
 class ChildCall;
 
-/// A trial of a backend in a child process, which a crash of the driver ends in place of this one.
+/// A trial of a backend in a child process, which a crash of the driver ends instead of this one.
 /// It runs while this process does something else. A process whose driver has worked tries no more.
 class BackendTrial {
  public:
   /// Starts it. Throws GlError in a process that was forked from one that has used OpenGL.
   explicit BackendTrial(BackendChoice choice);
   ~BackendTrial();
-  BackendTrial(BackendTrial&& other) noexcept;
 
   /// Waits for its end and returns the choice. Throws GlError with a remedy if the driver crashes.
   const BackendChoice& finish();
@@ -44,6 +43,7 @@ class BackendTrial {
  private:
   BackendChoice choice_;
   std::unique_ptr<ChildCall> call_;
+  bool is_finished_ = false;
 };
 
 struct OpenedContext {
@@ -61,10 +61,8 @@ struct OpenedContext {
 ///
 /// Throws GlError with a remedy if there is none, or the trial fails, and InvalidArgument as
 /// make_egl_context() does, or if an EGL device is requested together with OSMesa.
-OpenedContext open_context(BackendTrial trial);
-inline OpenedContext open_context(BackendChoice choice) {
-  return open_context(BackendTrial(std::move(choice)));
-}
+OpenedContext open_context(BackendTrial& trial);
+OpenedContext open_context(BackendChoice choice);
 
 /// A backend or device, and whether it is usable here.
 struct BackendReport {

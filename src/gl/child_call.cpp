@@ -24,9 +24,9 @@
 namespace twrench::gl {
 namespace {
 
-/// What the child writes: that the call returned, or that it threw, and then the texts, each with a
-/// NUL behind it, which none has.
-constexpr char returned = 'r', threw = 't';
+/// The child writes that the call returned, or that it threw, then the texts, each with a NUL
+/// behind it, which none has, and then that it is done.
+constexpr char returned = 'r', threw = 't', done = '\4';
 
 void write_all(int pipe, std::string_view text) {
   while (!text.empty()) {
@@ -38,12 +38,12 @@ void write_all(int pipe, std::string_view text) {
 
 std::string answer_of(const std::function<std::string()>& call) {
   try {
-    return returned + call();
+    return returned + call() + done;
   } catch (const GlError& error) {
     return fmt::format("{}{}{}{}", threw, static_cast<int>(error.reason()), error.what(), '\0') +
-           error.remedy();
+           error.remedy() + done;
   } catch (const std::exception&) {  // it will be thrown once more by the call in this process
-    return {returned};
+    return {returned, done};
   }
 }
 
@@ -62,7 +62,7 @@ void become_quiet() {
   }
 }
 
-/// What to do about a driver that crashes.
+/// Returns the remedy for a driver that crashes.
 std::string remedy_for_crash() {
   std::vector<std::string> set;
   for (const char* name :
@@ -133,16 +133,18 @@ std::string ChildCall::read_all() {
     pollfd from_child{pipe_, POLLIN, 0};
     if (::poll(&from_child, 1, 1000) <= 0) continue;
     const ssize_t got = ::read(pipe_, bytes.data(), bytes.size());
-    if (got == 0) return all;
-    if (got > 0) all.append(bytes.data(), static_cast<std::size_t>(got));
+    if (got == 0) throw crashed(reap());
+    if (got < 0) continue;
+    all.append(bytes.data(), static_cast<std::size_t>(got));
+    if (all.back() != done) continue;
+    all.pop_back();
+    return all;
   }
   throw GlError("OpenGL", "its driver hangs", remedy_for_crash(), GlError::Reason::crashed);
 }
 
 std::string ChildCall::result() {
   const std::string answer = read_all();
-  const int status = reap();
-  if (answer.empty() || status != 0) throw crashed(status);
   if (answer[0] == returned) return answer.substr(1);
   const auto reason = static_cast<GlError::Reason>(answer[1] - '0');
   const std::size_t end = answer.find('\0');

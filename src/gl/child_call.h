@@ -7,10 +7,11 @@
 
 namespace twrench::gl {
 
-/// A call in a child process, which a crash of an OpenGL driver ends in place of this one.
+/// A call in a child process, which a crash of an OpenGL driver ends instead of this one.
 class ChildCall {
  public:
-  /// Starts the child, a copy of this process with one thread, which prints nothing.
+  /// Starts the child, a copy of this process with one thread, which prints nothing. The text that
+  /// `call` returns has no control characters but line ends.
   explicit ChildCall(const std::function<std::string()>& call);
 
   /// Kills the child if it is still running.
@@ -18,12 +19,13 @@ class ChildCall {
   ChildCall(const ChildCall&) = delete;
   ChildCall& operator=(const ChildCall&) = delete;
 
-  /// Waits for the call and returns what it returned; call this once. Throws the GlError that it
+  /// Waits for the call, not for the end of the child, which takes some milliseconds more, and
+  /// returns what it returned; call this once. Throws the GlError that it
   /// threw; and a GlError with a remedy if it crashed, or took longer than a minute.
   std::string result();
 
  private:
-  /// Reads what the child writes until it ends.
+  /// Reads the answer of the child. Throws GlError if it ends without one.
   std::string read_all();
   /// Returns the wait status of the child.
   int reap();

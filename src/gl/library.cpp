@@ -19,8 +19,7 @@ bool has_used_opengl() {
   const pid_t process = user_of_opengl;
   if (process == 0 || process == ::getpid()) return process != 0;
   throw GlError("OpenGL", "this process was forked from one that has used it",
-                "start the process anew, or before the first picture is drawn",
-                GlError::Reason::forked);
+                "start the process before the first picture is drawn", GlError::Reason::forked);
 }
 
 Library::Library(std::span<const char* const> names, const std::string& remedy,

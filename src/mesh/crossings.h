@@ -27,7 +27,7 @@ struct Crossings {
 };
 
 /// Returns the pairs of triangles that pass through each other, farther than a touch. Those that
-/// have an edge in common cannot. Gives up when the allowance is used up.
+/// have an edge in common cannot. The search ends when the allowance is used up.
 Crossings find_crossings(const TriangleTree& tree, Allowance& allowance);
 
 }  // namespace twrench::mesh

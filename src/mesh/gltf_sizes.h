@@ -19,7 +19,7 @@ struct GltfPrimitive {
   GltfMode mode;
 };
 
-/// What a mesh of a glTF file consists of.
+/// The contents of a mesh of a glTF file, counted.
 struct GltfMesh {
   std::vector<GltfPrimitive> primitives;
   std::uint64_t vertices = 0, triangles = 0;
