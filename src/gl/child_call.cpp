@@ -47,10 +47,13 @@ std::string answer_of(const std::function<std::string()>& call) {
   }
 }
 
-/// Leaves the handlers of signals to the parent, writes no core file, and ends with the parent.
+/// Leaves signals to the parent, with which it ends, reports no crash itself, and writes no core
+/// file.
 void become_quiet() {
-  for (const int signal :
-       {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
+    static_cast<void>(std::signal(signal, SIG_IGN));
+  }
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     static_cast<void>(std::signal(signal, SIG_DFL));
   }
   const rlimit none{0, 0};
@@ -131,10 +134,12 @@ std::string ChildCall::read_all() {
   std::array<char, 4096> bytes{};
   while (Clock::now() < end) {
     pollfd from_child{pipe_, POLLIN, 0};
-    if (::poll(&from_child, 1, 1000) <= 0) continue;
+    const int ready = ::poll(&from_child, 1, 1000);
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    // If poll() fails, the call is waited for without a limit of time.
     const ssize_t got = ::read(pipe_, bytes.data(), bytes.size());
-    if (got == 0) throw crashed(reap());
-    if (got < 0) continue;
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) throw crashed(reap());
     all.append(bytes.data(), static_cast<std::size_t>(got));
     if (all.back() != done) continue;
     all.pop_back();
