@@ -145,9 +145,10 @@ TEST_F(MeshBody, IsDrawnInShardsAndEncoded) {
 }
 
 TEST_F(MeshBody, MayBeThatOfAShot) {
-  write("story.toml", text_of(folder_ / "parts.toml") +
-                          "[[shot]]\nlength = 1\n[[shot]]\nlength = 1\n[[shot.part]]\nshape = "
-                          "'mesh'\nfile = 'box.obj'\nunit = 'mm'\nmass = 3\n");
+  write("story.toml",
+        text_of(folder_ / "parts.toml") +
+            "[film]\nspeed = 6\n[[shot]]\nlength = 1\n[[shot]]\nlength = 1\n[[shot.part]]\nshape = "
+            "'mesh'\nfile = 'box.obj'\nunit = 'mm'\nmass = 3\n");
   const std::string command =
       "render story.toml --size 96x64 --fps 4 --progress none --frames-dir f --no-video ";
   ASSERT_EQ(run(command).code, 0);
