@@ -232,6 +232,17 @@ TEST(Faults, AnOpenGlWithoutACoreProfile) {
   expect_told(run, 3, "core profile");
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they report crashes
+TEST(Faults, ACrashIsOneMessage) {
+  const ScratchFolder folder;
+  const Outcome run =
+      run_shell(folder, long_run(3000) +
+                            " & until [ -e f/frame_000010.png ]; do sleep 0.01; done; "
+                            "kill -SEGV $!; wait $!");
+  expect_told(run, 70, "internal: it crashed");
+}
+#endif
+
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
 TEST(Faults, TooLittleMemory) {
   const ScratchFolder folder;
