@@ -253,9 +253,11 @@ Tried Commands::run_case(const CommandLine& line, const fs::path& folder) const 
   Tried tried{line, {}, take_snapshot(work), {}, asked_by(line, work), inputs_of(line, work)};
   Program program{{}, work, folder / "said"};
   if (!line.piped_scene.empty()) {
-    // The scene may be a pipe that nobody writes to: cat must not keep the shell waiting.
-    program.command = {"sh", "-c", R"(scene=$1; shift; timeout 60 cat -- "$scene" | "$@")", "sh",
-                       line.piped_scene};
+    // The program takes the place of the shell, which must get its signals. Nobody may ever write
+    // to the scene, if it is a pipe.
+    program.command = {"bash", "-c",
+                       R"(scene=$1; shift; exec "$@" < <(timeout 60 cat -- "$scene" 2>/dev/null))",
+                       "bash", line.piped_scene};
   }
   if (line.has_loud_children) {
     const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
