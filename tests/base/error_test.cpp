@@ -23,8 +23,8 @@ TEST(Error, LeavesOutTheMiddleOfALongText) {
   EXPECT_LT(message.size(), 2100U);
   EXPECT_THAT(message, StartsWith("beginxxx"));
   EXPECT_THAT(message.substr(0, message.find(": ")), EndsWith("xxxend"));
-  const std::string longest = std::string(1000, 'x') + ": why";
-  EXPECT_EQ(Error(std::string(1000, 'x'), "why").what(), longest);
+  const std::string longest(1000, 'x');
+  EXPECT_EQ(Error(longest, "why").what(), longest + ": why");
 }
 
 TEST(Error, LeavesOutWholeCharacters) {

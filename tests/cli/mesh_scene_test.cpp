@@ -40,7 +40,7 @@ class MeshAsScene : public testing::Test {
 };
 
 TEST_F(MeshAsScene, IsTakenByEveryCommand) {
-  for (const std::string command :
+  for (const std::string& command :
        {"render box.obj --unit cm " + draw + "f",
         std::string("simulate box.obj --unit mm -o run.csv"),
         std::string("export box.obj --unit km -o box.aem"),

@@ -51,7 +51,7 @@ std::string prism(int corners, double radius, double length) {
 }
 
 /// A box of 2 x 3 x 4.
-const std::string box =
+const std::string box_obj =
     "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nv 0 0 4\nv 2 0 4\nv 2 3 4\nv 0 3 4\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
@@ -66,21 +66,21 @@ class MeshScene : public testing::Test {
 };
 
 TEST_F(MeshScene, TurnsOverThreeTimesAndIsNamedAfterItsFile) {
-  const Scene scene = scene_of(box, 1, "my box.obj");
+  const Scene scene = scene_of(box_obj, 1, "my box.obj");
   EXPECT_EQ(scene.name, "my box");
   EXPECT_EQ(scene.title, "my box");
   EXPECT_DOUBLE_EQ(mass_properties(scene.body).mass, 48);
   EXPECT_EQ(scene.motion.omega, Vector3d(0, 1, 0.05)) << "about the intermediate axis";
   EXPECT_EQ(exact_motion(scene).flip_times(scene.motion.duration).size(), 3U);
-  EXPECT_EQ(scene_of(box, 1, "two\nlines\x7F.obj").title, "two lines ");
+  EXPECT_EQ(scene_of(box_obj, 1, "two\nlines\x7F.obj").title, "two lines ");
   ASSERT_EQ(input_files(scene).size(), 2U);
   EXPECT_EQ(input_files(scene)[1], folder_ / "my box.obj");
 }
 
 TEST_F(MeshScene, HasTheSameTimesWhateverItsSize) {
-  const Scene usual = scene_of(box);
+  const Scene usual = scene_of(box_obj);
   for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
-    const Scene scene = scene_of(box, scale);
+    const Scene scene = scene_of(box_obj, scale);
     EXPECT_EQ(scene.motion.omega, usual.motion.omega) << scale;
     EXPECT_EQ(scene.motion.duration, usual.motion.duration) << scale;
     EXPECT_EQ(scene.film.speed, usual.film.speed) << scale;
@@ -135,9 +135,9 @@ TEST_F(MeshScene, OfAnAlmostSymmetricBodyTurnsOver) {
 }
 
 TEST_F(MeshScene, IsSeenWithItsMomentumAcrossThePicture) {
-  const Scene along_y = scene_of(box);
+  const Scene along_y = scene_of(box_obj);
   EXPECT_EQ(along_y.camera.azimuth, 0) << "upright";
-  std::string turned = box;  // the intermediate axis along z
+  std::string turned = box_obj;  // the intermediate axis along z
   for (std::size_t at = 0; (at = turned.find("v ", at)) != std::string::npos; at += 7) {
     std::swap(turned[at + 4], turned[at + 6]);
   }
@@ -146,7 +146,7 @@ TEST_F(MeshScene, IsSeenWithItsMomentumAcrossThePicture) {
 }
 
 TEST_F(MeshScene, IsLoadedByItsName) {
-  system::write_file_atomically(folder_ / "box.obj", box);
+  system::write_file_atomically(folder_ / "box.obj", box_obj);
   try {
     load_scene((folder_ / "box.obj").string());
     ADD_FAILURE() << "it has no unit";
@@ -156,7 +156,7 @@ TEST_F(MeshScene, IsLoadedByItsName) {
 }
 
 TEST_F(MeshScene, HasTheLimitsOfSceneFiles) {
-  EXPECT_THROW(scene_of(box, 1e9), InvalidArgument) << "4e9 cm";
+  EXPECT_THROW(scene_of(box_obj, 1e9), InvalidArgument) << "4e9 cm";
   EXPECT_THROW(scene_of(prism(3, 1, 1e7), 1e-2), InvalidArgument) << "moments of 1 : 1e13";
 }
 
