@@ -78,7 +78,7 @@ std::string remedy_for_crash() {
   if (::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) {
     return "raise the limit on memory (ulimit -v)";
   }
-  return "install the driver again: apt-get install --reinstall libgl1-mesa-dri";
+  return "install the OpenGL driver again, or another version of it";
 }
 
 GlError crashed(int status) {
