@@ -51,7 +51,7 @@ try_debian_13() (
   fi
 )
 
-# start_debian_13: runs its step in a process group of its own, which ends with this script.
+# start_debian_13: runs its step in a separate process group, which ends with this script.
 start_debian_13() {
   require_writable build/check
   set -m

@@ -253,8 +253,8 @@ Tried Commands::run_case(const CommandLine& line, const fs::path& folder) const 
   Tried tried{line, {}, take_snapshot(work), {}, asked_by(line, work), inputs_of(line, work)};
   Program program{{}, work, folder / "said"};
   if (!line.piped_scene.empty()) {
-    // The program takes the place of the shell, which must get its signals. Nobody may ever write
-    // to the scene, if it is a pipe.
+    // The program replaces the shell, because it must get the signals. If the scene is a pipe,
+    // perhaps no process ever writes to it.
     program.command = {"bash", "-c",
                        R"(scene=$1; shift; exec "$@" < <(timeout 60 cat -- "$scene" 2>/dev/null))",
                        "bash", line.piped_scene};

@@ -38,7 +38,7 @@ class CheckSetup {
   bool fit_ = false;
   std::string columns_, units_, sequence_, rates_ = "body";
   bool inverse_ = false;
-  mutable std::optional<scene::Scene> scene_;  ///< What scene() returns.
+  mutable std::optional<scene::Scene> scene_;  ///< Set by scene().
 };
 
 }  // namespace twrench::app

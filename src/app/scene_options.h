@@ -113,7 +113,7 @@ class SceneOptions {
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
   std::string language_;                ///< Empty for that of each scene.
-  mutable std::vector<Loaded> loaded_;  ///< What load() returns; empty before it was called.
+  mutable std::vector<Loaded> loaded_;  ///< Set by load().
 };
 
 }  // namespace twrench::app

@@ -47,8 +47,8 @@ std::string answer_of(const std::function<std::string()>& call) {
   }
 }
 
-/// Leaves signals to the parent, with which it ends, reports no crash itself, and writes no core
-/// file.
+/// Leaves signals to the parent. The child ends with the parent, reports no crash and writes no
+/// core file.
 void become_quiet() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
     static_cast<void>(std::signal(signal, SIG_IGN));

@@ -20,8 +20,8 @@ struct Crossing {
 /// Pairs of triangles that pass through each other.
 struct Crossings {
   std::size_t count = 0;
-  /// Whether the search was given up because far more triangles than usual are close to each
-  /// other, such as those of a fan of very many. Nothing is said of the mesh then.
+  /// Whether the search stopped early because far more triangles than usual are close to each
+  /// other, such as those of a large fan. The result is then incomplete.
   bool given_up = false;
   std::vector<Crossing> examples;  ///< Some of them; none only where there are none.
 };

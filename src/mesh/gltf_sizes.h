@@ -27,10 +27,9 @@ struct GltfMesh {
   bool has_targets = false;
 };
 
-/// Returns the meshes of the instances by their index, and counts what is in them without building
-/// it. Throws system::FileError where one is damaged, and InvalidArgument where the instances
-/// together are far more than a file of this size can hold: a file may repeat a mesh as often as it
-/// likes.
+/// Returns the sizes of the meshes of the instances by their index, without building the meshes. A
+/// file can repeat a mesh any number of times. Throws system::FileError if a mesh is damaged, and
+/// InvalidArgument if the instances together have far more triangles than the file has bytes.
 std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfValue& document,
                                               const std::vector<GltfInstance>& instances,
                                               GltfBuffers& buffers);

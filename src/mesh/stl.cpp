@@ -168,7 +168,7 @@ Content read_stl(const Source& source) {
   }
   if (is_text(bytes)) {
     throw system::FileError(what, "it begins as a text STL, but no line begins with 'facet'",
-                            "put each 'facet', 'vertex' and 'endfacet' on a line of its own");
+                            "put each 'facet', 'vertex' and 'endfacet' on a separate line");
   }
   throw system::FileError(
       what,

@@ -36,8 +36,8 @@ class MeshFiles {
   /// Those of a built-in scene, which are built in too.
   static MeshFiles built_in() { return MeshFiles(std::nullopt); }
 
-  /// Reads a mesh. Throws InvalidArgument about the mesh, and FileError. A short scene file must
-  /// not take minutes because it reads a mesh a thousand times, each time in another size.
+  /// Reads a mesh. Throws FileError, and InvalidArgument if the mesh is invalid or if too many
+  /// triangles are read again in other sizes: a short scene file must not take minutes.
   const MeshEntry& read(const std::string& file, const mesh::ReadOptions& options);
 
  private:
@@ -49,7 +49,7 @@ class MeshFiles {
 
   std::optional<std::filesystem::path> folder_;  ///< Nothing for a built-in scene.
   std::map<Key, MeshEntry> entries_;
-  std::size_t repeated_triangles_ = 0;  ///< Of files that were read once more.
+  std::size_t repeated_triangles_ = 0;  ///< Triangles of files that were read again.
 };
 
 }  // namespace twrench::scene

@@ -100,7 +100,7 @@ class ShotReader {
   std::vector<Shot> shots_;
   std::vector<Shown> motions_;
   std::vector<std::size_t> motion_of_shot_;
-  std::size_t parts_ = 0;  ///< Of the bodies of all shots.
+  std::size_t parts_ = 0;  ///< Number of parts in all shots.
 };
 
 /// A time in s that the shot's start has room for; 0 if it is not given.

@@ -37,7 +37,7 @@ TEST(Error, LeavesOutWholeCharacters) {
   EXPECT_EQ(message, "x ... : why");
 }
 
-// The parts of a message can be told apart by the length of the quantity.
+// The length of the quantity separates the parts of a message.
 TEST(Error, BeginsWithItsQuantity) {
   const InvalidArgument error(std::string(5000, 'q'), "why");
   EXPECT_EQ(error.what(), error.quantity() + ": why");

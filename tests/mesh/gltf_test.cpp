@@ -189,7 +189,7 @@ TEST(Gltf, ReadsABufferOnceHoweverOftenItIsNamed) {
   EXPECT_THAT(file.others, ElementsAre(folder / "a.bin"));
 }
 
-// What is repeated is counted before it is built: the first would take minutes and gigabytes.
+// Repeated meshes are counted before they are built; the first would take minutes and gigabytes.
 TEST(Gltf, RefusesFarMoreTrianglesThanTheFileHasBytes) {
   json other = document();
   const json primitive = other["meshes"][0]["primitives"][0];
