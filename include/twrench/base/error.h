@@ -13,7 +13,7 @@ namespace twrench {
 class Error : public std::runtime_error {
  public:
   /// What failed and why, and the remedy, if there is one. The texts may quote input of any length
-  /// and content: the middle of a long one is left out, and a NUL becomes \x00.
+  /// and content: the middle of a long one is left out, and a NUL is written as an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
 
   /// What can be done about it, whoever calls; may be empty.
