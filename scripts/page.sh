@@ -29,7 +29,7 @@ clang_version() {
 
 # The sources that the page needs. bindings.cpp is compiled with them, as are those beside it.
 core_sources() {
-  printf 'src/%s.cpp\n' base/{nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
+  printf 'src/%s.cpp\n' base/{error,nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
     motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,stability,stepper} \
     motion/{taylor,trajectory} study/flip_search
   printf 'web/core/%s.cpp\n' bindings platform recorded_run
