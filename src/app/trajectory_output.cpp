@@ -145,7 +145,7 @@ std::string remedy_for_samples(double duration) {
 
 RegularTimes::RegularTimes(const scene::Scene& scene)
     : duration_(scene.motion.duration), rate_(scene::sample_rate(scene)) {
-  const double whole = std::floor(duration_ * rate_);
+  const double samples = duration_ * rate_, whole = std::floor(samples);
   if (whole > scene::limits::max_frames) {
     throw InvalidArgument(
         "samples",
@@ -153,7 +153,8 @@ RegularTimes::RegularTimes(const scene::Scene& scene)
                     whole, rate_, duration_, scene::limits::max_frames),
         remedy_for_samples(duration_));
   }
-  regular_ = static_cast<std::size_t>(whole) + 1;
+  constexpr double rounding = 1e-12;  // else the last two times might differ by it
+  size_ = static_cast<std::size_t>(std::ceil(samples * (1 - rounding))) + 1;
 }
 
 void write_trajectory(Output& output, const scene::Scene& scene, const std::string& format,

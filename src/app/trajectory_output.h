@@ -14,16 +14,15 @@ class RegularTimes {
   /// Throws InvalidArgument if there would be too many.
   explicit RegularTimes(const scene::Scene& scene);
 
-  std::size_t size() const { return regular_ + (last_regular() < duration_ ? 1 : 0); }
+  std::size_t size() const { return size_; }
+  /// The last one is the duration itself, whatever the rounding of the rate.
   double operator()(std::size_t i) const {
-    return i < regular_ ? static_cast<double>(i) / rate_ : duration_;
+    return i + 1 < size_ ? static_cast<double>(i) / rate_ : duration_;
   }
 
  private:
-  double last_regular() const { return static_cast<double>(regular_ - 1) / rate_; }
-
   double duration_, rate_;
-  std::size_t regular_;
+  std::size_t size_;
 };
 
 /// Writes the scene's motion, by its own method, as "csv" or "json" at those times, or at the

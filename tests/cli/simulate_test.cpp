@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -57,6 +58,19 @@ TEST(Simulate, FromZeroToTheDurationBothIncluded) {
   const auto odd = rows_of(run_twrench(folder, "simulate --duration 1.05 --fps 10").out);
   ASSERT_EQ(odd.size(), 12u);
   EXPECT_EQ(odd.back()[0], 1.05);
+}
+
+// 4560 / 0.0006 is rounded up, 4559.9... samples would be rounded down.
+TEST(Simulate, EndsAtTheDurationWhateverTheRoundingOfTheRate) {
+  const ScratchFolder folder;
+  for (const char* times : {"--duration 7600000 --fps 0.0006", "--duration 4.35 --fps 100"}) {
+    const Outcome run = run_twrench(folder, std::string("simulate --method exact ") + times);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto rows = rows_of(run.out);
+    EXPECT_EQ(rows.back()[0], std::atof(times + sizeof("--duration")));
+    const double before = rows[rows.size() - 2][0], step = rows[1][0];
+    EXPECT_NEAR(rows.back()[0] - before, step, 1e-6 * step) << times;
+  }
 }
 
 TEST(Simulate, TellsTheTruthOfItsMethod) {
