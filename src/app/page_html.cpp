@@ -96,7 +96,7 @@ std::string poster_html(const scene::Scene& scene) {
 std::string page_html(const std::string& page_template, const PageScene& scene,
                       const std::string& poster) {
   const scene::Scene& shown = scene.shown;
-  const std::string title = xml_text(shown.title.empty() ? shown.name : shown.title);
+  const std::string title = xml_text(shown.shown_title());
   Filling page(page_template);
   page.put("{{title}}", title);
   page.put("{{title}}", title);

@@ -41,7 +41,7 @@ plot::AttitudeCurve curve_of(const scene::Scene& scene) {
   const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
   const motion::Method& method = motion::find_method(scene.motion.method);
   plot::AttitudeCurve curve;
-  curve.title = scene.title.empty() ? scene.name : scene.title;
+  curve.title = scene.shown_title();
   curve.samples = motion::integrate(body, method, scene.motion.control, plot_times(scene)).samples;
   const motion::ExactMotion motion(body);
   const auto flips = motion.flips();

@@ -68,9 +68,8 @@ bool is_markdown(const std::string& output) {
 
 report::Document document_of(const ReportOptions& options,
                              const std::vector<report::Experiment>& experiments) {
-  const scene::Scene& first = experiments.front().scene;
-  const std::string& title = first.title.empty() ? first.name : first.title;
-  return {experiments.size() > 1 ? "The motion of a free rigid body" : title,
+  return {experiments.size() > 1 ? "The motion of a free rigid body"
+                                 : experiments.front().scene.shown_title(),
           escape(options.author),
           escape(options.date),
           escape(report_command_line(options.command, options.scenes, options.output,

@@ -134,13 +134,14 @@ Table drift_table(const Solution& solution, const std::vector<NumericalSolution>
 Figure components_figure(const Solution& solution, std::vector<motion::Sample> samples,
                          std::string command) {
   const scene::Scene& scene = solution.scene();
-  plot::AttitudeCurve curve{.title = title_of(scene), .samples = std::move(samples), .flips = {}};
+  plot::AttitudeCurve curve{
+      .title = scene.shown_title(), .samples = std::move(samples), .flips = {}};
   const auto flips = solution.exact.flips();
   if (flips && flips->turns_over() && scene.motion.duration / flips->interval < 100) {
     curve.flips = solution.exact.flip_times(scene.motion.duration);
   }
   return {.name = "components-" + scene.name,
-          .caption = title_of(scene) + ": the nine components of X against time" +
+          .caption = scene.shown_title() + ": the nine components of X against time" +
                      std::string(curve.flips.empty() ? "" : ", with the flips"),
           .command = std::move(command),
           .plot = plot::nine_panels({{curve}})};

@@ -6,7 +6,7 @@
 namespace twrench::report {
 
 Section motion_section(const Solution& solution) {
-  Section section{.heading = title_of(solution.scene()), .content = {}};
+  Section section{.heading = solution.scene().shown_title(), .content = {}};
   section.content.emplace_back(constants_table(solution));
   section.content.emplace_back(
       components_figure(solution, solution.exact.at(plot_times(solution.scene().motion)),

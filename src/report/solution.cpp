@@ -79,8 +79,4 @@ std::vector<double> plot_times(const scene::Motion& motion) {
   return times;
 }
 
-const std::string& title_of(const scene::Scene& scene) {
-  return scene.title.empty() ? scene.name : scene.title;
-}
-
 }  // namespace twrench::report

@@ -50,7 +50,4 @@ study::Study study_of_all(const Experiment& experiment);
 /// Returns the times of a plot: enough for smooth curves, but no more than a plot can show.
 std::vector<double> plot_times(const scene::Motion& motion);
 
-/// Returns the title of a scene, or else its name.
-const std::string& title_of(const scene::Scene& scene);
-
 }  // namespace twrench::report

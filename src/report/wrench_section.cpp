@@ -12,7 +12,7 @@ namespace {
 
 /// "(a) The Dzhanibekov effect"
 std::string experiment_heading(const PrintedSolution& solution, std::size_t i) {
-  return fmt::format("({}) {}: ω(0) = {} rad/s", "abc"[i], title_of(solution.solution.scene()),
+  return fmt::format("({}) {}: ω(0) = {} rad/s", "abc"[i], solution.solution.scene().shown_title(),
                      triple(solution.solution.body.omega()));
 }
 

@@ -252,6 +252,9 @@ struct Scene {
   /// The length of a shot in s of video; nothing outside of shots.
   std::optional<double> length;
 
+  /// Returns the title, or the name if there is none.
+  const std::string& shown_title() const { return title.empty() ? name : title; }
+
   /// Returns the number of frames: round(duration * fps / speed), or as many as the shots have.
   /// Throws InvalidArgument unless it is 1 to 10^7.
   int frame_count() const;

@@ -66,7 +66,7 @@ void LayoutDraft::place_words_and_insets() {
 /// Two lines for a title that would otherwise be set smaller; its width is estimated.
 double LayoutDraft::title_height(int width) const {
   const auto& [title, readout, caption] = layout_.text;
-  const std::string& text = scene_.title.empty() ? scene_.name : scene_.title;
+  const std::string& text = scene_.shown_title();
   const double corner = single() ? 0 : 6 * readout;
   const double length = letter_width * title * static_cast<double>(characters(text));
   const int lines = !overlay_.shows(scene::Feature::hud)                         ? 0

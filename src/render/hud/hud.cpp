@@ -105,7 +105,7 @@ std::vector<TextBlock> Typesetter::blocks() && {
 void Typesetter::add_title() {
   TextBlock& block = blocks_.emplace_back(style_, *layout_.title);
   if (shows(scene::Feature::hud)) {
-    const std::string& title = scene_.title.empty() ? scene_.name : scene_.title;
+    const std::string& title = scene_.shown_title();
     canvas::require_characters(style_.typeface.strong, title, "title");
     if (compares()) block.add_corner(figures_.time());
     block.add_title(title, style_.typeface.strong, layout_.text.title, style_.colors.text);
