@@ -77,6 +77,20 @@ Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
   throw InvalidArgument(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
 }
 
+std::vector<std::string> given_options(const CLI::App& command,
+                                       const std::vector<std::string>& names) {
+  std::vector<std::string> words;
+  for (const std::string& name : names) {
+    const CLI::Option& option = *command.get_option(name);
+    if (option.count() == 0) continue;
+    const std::string& value = option.results().front();
+    // "--omega -1,0,0" would be an option's name.
+    words.push_back(name + (value.starts_with('-') ? "=" + value : ""));
+    if (!value.starts_with('-')) words.push_back(value);
+  }
+  return words;
+}
+
 CLI::Validator one_of(const std::string& what, std::vector<std::string> names) {
   const std::string description = fmt::format("{{{}}}", fmt::join(names, ","));
   const auto check = [what, names = std::move(names)](const std::string& word) -> std::string {

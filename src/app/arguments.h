@@ -30,6 +30,10 @@ std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::s
 /// Parses "WxH" without checking the values.
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what);
 
+/// Returns the options with those names as they were given, as words of a command line.
+std::vector<std::string> given_options(const CLI::App& command,
+                                       const std::vector<std::string>& names);
+
 /// Returns a check for CLI::Option that the value is one of `names`; it throws InvalidArgument if
 /// not. The names are its description, "{csv,json}", by which read_command() knows them.
 CLI::Validator one_of(const std::string& what, std::vector<std::string> names);

@@ -94,10 +94,8 @@ InvalidArgument ambiguous(const table::Header& header, const check::Convention& 
 scene::Scene mesh_scene(const std::string& file) try {
   return scene::mesh_scene(file, {.scale = 1.0}, [](double) { return 1.0; });
 } catch (const mesh::MeshError& error) {
-  const std::string what = error.what(), named = error.quantity() + ": ";
-  throw InvalidArgument(error.quantity(), what.substr(named.size()),
-                        "give its moments by --inertia, as twrench inertia prints them with --weld "
-                        "or --shell");
+  throw error.with_remedy(
+      "give its moments by --inertia, as twrench inertia prints them with --weld or --shell");
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ std::string remedy_in_options(const mesh::MeshError& error) {
 auto with_remedies_in_options(const auto& read) try {
   return read();
 } catch (const mesh::MeshError& error) {
-  const std::string what = error.what(), named = error.quantity() + ": ";
-  throw InvalidArgument(error.quantity(), what.substr(named.size()), remedy_in_options(error));
+  throw error.with_remedy(remedy_in_options(error));
 }
 
 constexpr std::array mesh_option_names{"--unit", "--scale", "--density",
@@ -68,13 +67,7 @@ void MeshOptions::require_none() const {
 }
 
 std::vector<std::string> MeshOptions::given() const {
-  std::vector<std::string> words;
-  for (const char* option : mesh_option_names) {
-    if (command_.count(option) == 0) continue;
-    words.emplace_back(option);
-    words.push_back(command_.get_option(option)->results().front());
-  }
-  return words;
+  return given_options(command_, {mesh_option_names.begin(), mesh_option_names.end()});
 }
 
 mesh::ReadOptions MeshOptions::read_options() const {

@@ -5,24 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/arguments.h"
 #include "system/program.h"
 
 namespace twrench::app {
 namespace {
-
-/// The options with those names as they were given.
-std::vector<std::string> given(const CLI::App& command, const std::vector<std::string>& names) {
-  std::vector<std::string> words;
-  for (const std::string& name : names) {
-    const CLI::Option& option = *command.get_option(name);
-    if (option.count() == 0) continue;
-    const std::string& value = option.results().front();
-    // "--omega -1,0,0" would be an option's name.
-    words.push_back(name + (value.starts_with('-') ? "=" + value : ""));
-    if (!value.starts_with('-')) words.push_back(value);
-  }
-  return words;
-}
 
 std::string line_of(std::vector<std::string> words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
@@ -43,8 +30,9 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
   }
   const std::vector<std::string> mesh = scenes.mesh_options().given();
   words.insert(words.end(), mesh.begin(), mesh.end());
-  const auto others = given(command, {"--omega", "--inertia", "--method", "--step", "--tolerance",
-                                      "--duration", "--fps", "--speed", "--author", "--date"});
+  const auto others =
+      given_options(command, {"--omega", "--inertia", "--method", "--step", "--tolerance",
+                              "--duration", "--fps", "--speed", "--author", "--date"});
   words.insert(words.end(), others.begin(), others.end());
   if (is_static) words.emplace_back("--static");
   return line_of(std::move(words), {"-o", argument_of(output)});
@@ -52,9 +40,9 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
 
 report::Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& source,
                              const CLI::App& command) {
-  const std::string body = line_of(source, given(command, {"--inertia"}));
+  const std::string body = line_of(source, given_options(command, {"--inertia"}));
   const std::string motion =
-      line_of(source, given(command, {"--inertia", "--omega", "--duration"}));
+      line_of(source, given_options(command, {"--inertia", "--omega", "--duration"}));
   const std::string study = "twrench study " + motion, plot = "twrench plot " + motion;
   const std::string file = line_of({"-o"}, {"components-" + scene.name + ".svg"});
   const motion::StepControl& control = scene.motion.control;

@@ -191,6 +191,12 @@ void require_content(const std::string& name, const body::TriangleMesh& mesh) {
 
 }  // namespace
 
+InvalidArgument MeshError::with_remedy(const std::string& remedy) const {
+  const std::string_view message = what();
+  const std::size_t named = quantity().size() + std::string_view(": ").size();
+  return {quantity(), std::string(message.substr(named)), remedy};
+}
+
 bool is_mesh_name(const std::filesystem::path& file) { return format_of(file) != nullptr; }
 
 double unit_length(const std::string& what, std::string_view unit) {

@@ -57,12 +57,15 @@ class MeshError : public InvalidArgument {
 
   /// The file and why, the remedy in the keys of a scene file, and the tolerance in cm at which
   /// welding closes the surface, if there is one.
-  MeshError(Reason reason, const std::string& file, const std::string& why, std::string remedy,
-            std::optional<double> weld = {})
-      : InvalidArgument(file, why, std::move(remedy)), reason_(reason), weld_(weld) {}
+  MeshError(Reason reason, const std::string& file, const std::string& why,
+            const std::string& remedy, std::optional<double> weld = {})
+      : InvalidArgument(file, why, remedy), reason_(reason), weld_(weld) {}
 
   Reason reason() const noexcept { return reason_; }
   const std::optional<double>& weld() const noexcept { return weld_; }
+
+  /// Returns the same error with another remedy, for those who have no keys of a scene file.
+  InvalidArgument with_remedy(const std::string& remedy) const;
 
  private:
   Reason reason_;
