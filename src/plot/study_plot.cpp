@@ -215,23 +215,14 @@ std::string drift_range(const study::Study& study) {
   return decades(drifts);
 }
 
-std::string time_range(const study::Study& study) {
-  std::vector<double> times;
+/// The range of a member of all runs, times a factor.
+std::string run_range(const study::Study& study, double study::StudyRun::*member, double factor) {
+  std::vector<double> values;
   for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
-    for (const study::StudyRun& run : m.runs) times.push_back(1e3 * run.cpu_seconds);
+    for (const study::StudyRun& run : m.runs) values.push_back(factor * run.*member);
   }
-  return decades(times);
-}
-
-/// The range of the energy drifts of all runs.
-std::string energy_range(const study::Study& study) {
-  std::vector<double> drifts;
-  for (const study::MethodStudy& m : study.methods) {
-    if (!has_ladder(m)) continue;
-    for (const study::StudyRun& run : m.runs) drifts.push_back(run.energy_drift);
-  }
-  return decades(drifts);
+  return decades(values);
 }
 
 std::string order_panel(const study::Study& study, const PanelGrid& grid) {
@@ -249,7 +240,7 @@ std::string work_panel(const study::Study& study) {
   return fmt::format(
              "set xrange {}\nset title 'Work and precision'\nset xlabel 'CPU time (ms)'\n"
              "set ylabel 'error of X at {}' offset 1.5, 0\n",
-             time_range(study), brief_time(study.duration)) +
+             run_range(study, &study::StudyRun::cpu_seconds, 1e3), brief_time(study.duration)) +
          run_curves(study, "run", "3:4", true);
 }
 
@@ -258,7 +249,7 @@ std::string energy_panel(const study::Study& study) {
   return fmt::format(
              "set xrange {}\nset title 'Error against energy'\n"
              "set xlabel 'energy drift (relative)'\n",
-             energy_range(study)) +
+             run_range(study, &study::StudyRun::energy_drift, 1)) +
          run_curves(study, "run", "5:4", true, "x with lines lw 5 lc rgb '#e4e4e4' notitle, ");
 }
 
