@@ -94,9 +94,9 @@ py::tuple look_state(const scene::PartLook& look) {
 }
 
 py::tuple origins_state(const scene::Origins& origins) {
-  return py::make_tuple(static_cast<int>(origins.title), static_cast<int>(origins.step),
-                        static_cast<int>(origins.duration), static_cast<int>(origins.fps),
-                        static_cast<int>(origins.speed));
+  py::list states;
+  for (const auto member : scene::all_origins) states.append(static_cast<int>(origins.*member));
+  return states;
 }
 
 py::tuple Writer::part(const body::Part& part, const scene::PartDescription& description) {
@@ -189,10 +189,12 @@ std::optional<scene::MeshSource> source_with(const py::object& state) {
 }
 
 scene::Origins origins_with(const py::tuple& state) {
-  const auto origin = [&](std::size_t i) {
-    return static_cast<scene::Origin>(state[i].cast<int>());
-  };
-  return {origin(0), origin(1), origin(2), origin(3), origin(4)};
+  scene::Origins origins;
+  std::size_t next = 0;
+  for (const auto member : scene::all_origins) {
+    origins.*member = static_cast<scene::Origin>(state[next++].cast<int>());
+  }
+  return origins;
 }
 
 scene::Body Reader::body(const py::tuple& state) {

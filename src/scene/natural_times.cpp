@@ -103,29 +103,20 @@ void set_natural_times(Scene& scene) {
 }
 
 double sample_rate(const Scene& scene) {
+  const double fps = scene.film.fps;
+  if (scene.origins.fps == Origin::user) return fps;
   constexpr double coarsest = 0.01, most = 1e6;  // of the natural rate; samples
-  const double natural = natural_times(scene).sample_rate, fps = scene.film.fps;
+  const double natural = natural_times(scene).sample_rate;
   const bool suits = fps >= coarsest * natural && fps * scene.motion.duration <= most;
-  switch (scene.origins.fps) {
-    case Origin::none:
-      return natural;
-    case Origin::scene:
-      return suits ? fps : natural;
-    case Origin::user:
-      break;
-  }
-  return fps;
+  return scene.origins.fps == Origin::scene && suits ? fps : natural;
 }
 
 void replace_body(Scene& scene, Body body) {
   scene.body = std::move(body);
-  Origins& origins = scene.origins;
-  if (origins.title != Origin::user) {
-    scene.title = "A free rigid body";
-    origins.title = Origin::none;
-  }
-  for (Origin* origin : {&origins.step, &origins.duration, &origins.fps, &origins.speed}) {
-    if (*origin == Origin::scene) *origin = Origin::none;
+  if (scene.origins.title != Origin::user) scene.title = "A free rigid body";
+  for (const auto member : all_origins) {
+    Origin& origin = scene.origins.*member;
+    if (origin == Origin::scene) origin = Origin::none;
   }
   scene.overlay.trail_point.reset();
   scene.overlay.trail_length.reset();

@@ -5,6 +5,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -218,6 +219,10 @@ struct Origins {
   Origin title = Origin::none, step = Origin::none, duration = Origin::none, fps = Origin::none,
          speed = Origin::none;
 };
+
+/// All members of Origins.
+inline constexpr std::array all_origins{&Origins::title, &Origins::step, &Origins::duration,
+                                        &Origins::fps, &Origins::speed};
 
 struct Shot;
 

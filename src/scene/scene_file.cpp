@@ -35,10 +35,9 @@ std::string reason_of(const toml::parse_error& error) {
 
 /// Marks the values set so far as given by the scene instead of the user.
 void mark_as_of_scene(Scene& scene) {
-  Origins& origins = scene.origins;
-  for (Origin* origin :
-       {&origins.title, &origins.step, &origins.duration, &origins.fps, &origins.speed}) {
-    if (*origin == Origin::user) *origin = Origin::scene;
+  for (const auto member : all_origins) {
+    Origin& origin = scene.origins.*member;
+    if (origin == Origin::user) origin = Origin::scene;
   }
 }
 
