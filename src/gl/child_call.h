@@ -19,9 +19,9 @@ class ChildCall {
   ChildCall(const ChildCall&) = delete;
   ChildCall& operator=(const ChildCall&) = delete;
 
-  /// Waits for the call, not for the end of the child, which takes some milliseconds more, and
-  /// returns what it returned; call this once. Throws the GlError that it
-  /// threw; and a GlError with a remedy if it crashed, or took longer than a minute.
+  /// Waits for the call and returns its result. Does not wait for the end of the child, which takes
+  /// some milliseconds more. Call this once. Throws the GlError of the call, or a GlError with a
+  /// remedy if the call crashed or took longer than a minute.
   std::string result();
 
  private:

@@ -15,9 +15,9 @@ class GlError : public Error {
     forked,              ///< this process was forked from one that has used OpenGL
   };
 
-  GlError(const std::string& what, const std::string& why, std::string remedy = {},
+  GlError(const std::string& what, const std::string& why, const std::string& remedy = {},
           Reason reason = Reason::failed)
-      : Error(what, why, std::move(remedy)), reason_(reason) {}
+      : Error(what, why, remedy), reason_(reason) {}
 
   Reason reason() const noexcept { return reason_; }
 

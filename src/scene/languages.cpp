@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+
 namespace twrench::scene {
 namespace {
 

@@ -7,8 +7,7 @@
 namespace twrench::scene {
 
 /// The times that suit a motion, whatever its scale. At 1 rad/s they are the built-in values of the
-/// T-wrench. All are rounded, to
-/// one digit or two, and within their limits.
+/// T-wrench. All are rounded to one digit or two, and within their limits.
 struct NaturalTimes {
   /// Integration step in s: the time of a turn by 0.01 rad.
   double step;

@@ -1,4 +1,4 @@
-// Stands for a driver of OpenGL that crashes as soon as it is loaded.
+// An OpenGL driver, for tests, that crashes as soon as it is loaded.
 #include <csignal>
 
 namespace {

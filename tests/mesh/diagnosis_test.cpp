@@ -159,7 +159,7 @@ TriangleMesh cylinder(std::uint32_t sides) {
 }
 
 TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
-  // Seven points of a circle, of which the face takes every other; rounding leaves it a volume.
+  // The face joins every other one of seven points. Rounding leaves a small volume.
   std::string star;
   for (int i = 0; i < 7; ++i) {
     const double angle = 4 * i * 3.14159265358979 / 7;

@@ -36,7 +36,7 @@ TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
   }
 }
 
-// Each shot has a body of its own.
+// Each shot has a separate body.
 TEST(SceneFile, HasALimitOfPartsInAllShots) {
   std::string text;
   for (int i = 0; i < 1000; ++i) {

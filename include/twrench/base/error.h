@@ -12,15 +12,15 @@ namespace twrench {
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
 class Error : public std::runtime_error {
  public:
-  /// What failed and why, and the remedy, if there is one. The texts may quote input of any length
-  /// and content: the middle of a long one is left out, and a NUL is written as an escape sequence.
+  /// `what` failed because of `why`; `remedy` may be empty. The texts may quote input of any length
+  /// and content. A long text loses its middle, and a NUL becomes an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
 
   /// What can be done about it, whoever calls; may be empty.
   const std::string& remedy() const noexcept { return remedy_; }
 
  protected:
-  /// Returns `what` as it stands in the message.
+  /// Returns `what` as the message quotes it.
   static std::string quoted(const std::string& what);
 
  private:
