@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/film_renderer.h"
+#include "scene/natural_times.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::page {
@@ -17,10 +18,6 @@ scene::Scene still(scene::Scene scene) {
     return std::max(16, 2 * static_cast<int>(std::lround(scale * side / 2)));
   };
   scene.film.width = scaled(scene.film.width), scene.film.height = scaled(scene.film.height);
-  // Nothing of t > 0 is seen.
-  scene.motion.method = "exact";
-  scene.motion.duration = 1;
-  scene.film.fps = 60, scene.film.speed = 1;
   using enum scene::Feature;
   scene.overlay.view = scene::View::wrench;
   scene.overlay.show = {floor, momentum, omega};
@@ -29,6 +26,10 @@ scene::Scene still(scene::Scene scene) {
   scene.look.transparent = false;
   scene.shots.clear();
   scene.title.clear();
+  // Nothing of t > 0 is seen, so the film has one frame and the motion one step.
+  scene.motion.method = "exact";
+  scene.motion.duration = scene.film.speed = scene::natural_times(scene).step;
+  scene.film.fps = 1;
   return scene;
 }
 

@@ -85,6 +85,16 @@ TEST(Page, TakesASceneFromAPipe) {
   EXPECT_NE(scene["source_scene"]["motion"]["omega"], scene["scene"]["motion"]["omega"]);
 }
 
+// Such a body would turn over 400 million times in a second.
+TEST(Page, OfABodyThatTurnsInNanoseconds) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const Outcome run =
+      run_twrench(folder, "page --inertia 3,4,5 --omega 1e7,3e9,1e7 --template t.html -o a.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(text_of(folder / "a.html").find("<img"), std::string::npos);
+}
+
 TEST(Page, OfAMeshHasTheOptionsThatItsCommandsNeed) {
   const ScratchFolder folder;
   write_template(folder);
