@@ -7,7 +7,7 @@
 #include <iterator>
 #include <random>
 
-namespace twrench::torture {
+namespace twrench {
 
 /// Random numbers that are the same with every standard library; the standard distributions are
 /// not.
@@ -41,4 +41,4 @@ class SceneDice {
   std::mt19937_64 engine_;
 };
 
-}  // namespace twrench::torture
+}  // namespace twrench

@@ -6,52 +6,40 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "scene_dice.h"
 
 namespace twrench {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Random numbers that are the same with every standard library.
-class Random {
- public:
-  Random(std::uint32_t seed, std::uint32_t number) {
-    std::seed_seq sequence{seed, number};
-    engine_.seed(sequence);
-  }
-  double between(double a, double b) {
-    return a + (b - a) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
-  }
-  /// From 10^-decades to 10^decades.
-  double scale(double decades) { return std::pow(10, between(-decades, decades)); }
-
- private:
-  std::mt19937_64 engine_;
-};
+/// From 10^-decades to 10^decades.
+double scale(SceneDice& dice, double decades) {
+  return std::pow(10, dice.uniform(-decades, decades));
+}
 
 /// A unit vector near the axis, or any if that is none.
-Vector3d direction(Random& random, int axis) {
-  const Vector3d any(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+Vector3d direction(SceneDice& dice, int axis) {
+  const Vector3d any = dice.vector(-1, 1);
   if (axis < 0) return any.normalized();
-  return (Vector3d(Vector3d::Unit(axis)) + random.between(0.001, 0.1) * any).normalized();
+  return (Vector3d(Vector3d::Unit(axis)) + dice.uniform(0.001, 0.1) * any).normalized();
 }
 
 }  // namespace
 
 RandomScene random_scene(std::uint32_t seed, std::uint32_t number) {
   static constexpr std::array axes{1, 0, 1, 2, -1};
-  Random random(seed, number);
-  const double length = random.scale(6), mass = random.scale(6);
-  const double turn = random.scale(number % 4 == 3 ? 9 : 6);
+  SceneDice dice(seed, number);
+  const double length = scale(dice, 6), mass = scale(dice, 6);
+  const double turn = scale(dice, number % 4 == 3 ? 9 : 6);
   // The edges differ by a tenth at least and are in ascending order, so that y is the intermediate
   // axis.
-  const double x = random.between(0.1, 0.5), y = x + random.between(0.1, 0.3);
-  const Vector3d edges = length * Vector3d(x, y, y + random.between(0.1, 0.3));
+  const double x = dice.uniform(0.1, 0.5), y = x + dice.uniform(0.1, 0.3);
+  const Vector3d edges = length * Vector3d(x, y, y + dice.uniform(0.1, 0.3));
   const Vector3d squares = edges.array().square();
   const Vector3d moments = mass / 12 * (Vector3d::Constant(squares.sum()) - squares);
-  const Vector3d omega =
-      2 * std::numbers::pi / turn * direction(random, axes[number % axes.size()]);
+  const Vector3d omega = 2 * std::numbers::pi / turn * direction(dice, axes[number % axes.size()]);
   const double density = mass / edges.prod();
   // Within the limits of scene files for parts; otherwise the moments are given.
   const bool solid = density > 1e-9 && density < 1e6;
