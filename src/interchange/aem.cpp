@@ -10,7 +10,15 @@
 namespace twrench::interchange {
 namespace {
 
-std::int64_t nanoseconds(double time) { return std::llround(1e9 * time); }
+/// The decimals of the times: those of a nanosecond, or as many as resolve a thousandth of the mean
+/// interval between rows. An epoch can have up to 18.
+int decimals(double duration, std::size_t count) {
+  constexpr int least = 9, most = 18;
+  if (count < 2) return least;
+  const double interval = duration / static_cast<double>(count - 1);
+  return static_cast<int>(
+      std::clamp(3 - std::floor(std::log10(interval)), double{least}, double{most}));
+}
 
 /// The name in the characters that a message may have.
 std::string in_ascii(std::string name) {
@@ -63,21 +71,25 @@ void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& genera
                const std::function<void(std::string_view)>& write) {
   const motion::ExactMotion motion(
       motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega));
+  const double end = time(count - 1);
+  const int digits = decimals(end - time(0), count);
+  const double in_a_second = std::pow(10.0, digits);
+  const auto ticks = [&](double t) { return std::llround(in_a_second * t); };
   write(fmt::format(fmt::runtime(head), fmt::arg("generator", generator),
                     fmt::arg("name", in_ascii(scene.name)),
-                    fmt::arg("start", format_epoch(epoch, nanoseconds(time(0)))),
-                    fmt::arg("stop", format_epoch(epoch, nanoseconds(time(count - 1))))));
+                    fmt::arg("start", format_epoch(epoch, ticks(time(0)), digits)),
+                    fmt::arg("stop", format_epoch(epoch, ticks(end), digits))));
   Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
   std::int64_t written = -1;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t instant = nanoseconds(time(i));
+    const std::int64_t instant = ticks(time(i));
     if (instant == written) continue;
     written = instant;
-    Eigen::Quaterniond q(motion.at(static_cast<double>(instant) * 1e-9).X);
+    Eigen::Quaterniond q(motion.at(static_cast<double>(instant) / in_a_second).X);
     if (q.dot(last) < 0) q.coeffs() = -q.coeffs();
     last = q;
-    write(fmt::format("{} {:.15f} {:.15f} {:.15f} {:.15f}\n", format_epoch(epoch, instant), q.x(),
-                      q.y(), q.z(), q.w()));
+    write(fmt::format("{} {:.15f} {:.15f} {:.15f} {:.15f}\n", format_epoch(epoch, instant, digits),
+                      q.x(), q.y(), q.z(), q.w()));
   }
   write("DATA_STOP\n");
 }

@@ -11,8 +11,8 @@ namespace twrench::interchange {
 
 /// Writes the exact motion of a scene as a CCSDS attitude ephemeris message in key-value notation,
 /// version 1.0 (CCSDS 504.0-B-1), in pieces. The rows show it at time(0), ..., time(count - 1), in
-/// s after the epoch and ascending, to the nanosecond. `generator` is the program's name and
-/// version.
+/// s after the epoch and ascending, to the nanosecond, or to a thousandth of the mean interval if
+/// that is finer. `generator` is the program's name and version.
 ///
 /// A row has the unit quaternion of X, space_from_body, scalar last. It turns the axes of the space
 /// frame, REF_FRAME_A, into those of the body, REF_FRAME_B (A2B). Consecutive ones have a positive

@@ -44,18 +44,19 @@ Epoch parse_epoch(const std::string& text, const std::string& what) {
          chrono::seconds(second);
 }
 
-std::string format_epoch(Epoch epoch, std::int64_t nanoseconds) {
-  constexpr std::int64_t in_a_second = 1'000'000'000;
-  const Epoch instant = epoch + chrono::seconds(nanoseconds / in_a_second);
+std::string format_epoch(Epoch epoch, std::int64_t ticks, int digits) {
+  std::int64_t in_a_second = 1;
+  for (int i = 0; i < digits; ++i) in_a_second *= 10;
+  const Epoch instant = epoch + chrono::seconds(ticks / in_a_second);
   const auto midnight = chrono::floor<chrono::days>(instant);
   const chrono::year_month_day day(midnight);
   if (day.year() > chrono::year(9999)) {
     throw InvalidArgument("epoch", "the motion would last beyond the year 9999");
   }
   const auto seconds = (instant - midnight).count();
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:09}", static_cast<int>(day.year()),
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:0{}}", static_cast<int>(day.year()),
                      static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()),
-                     seconds / 3600, seconds / 60 % 60, seconds % 60, nanoseconds % in_a_second);
+                     seconds / 3600, seconds / 60 % 60, seconds % 60, ticks % in_a_second, digits);
 }
 
 }  // namespace twrench::interchange

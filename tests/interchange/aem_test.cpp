@@ -132,6 +132,23 @@ TEST(Aem, HasNoInstantTwice) {
   EXPECT_EQ(Message(aem_of(tumbling(), {0, 1, 1 + 1e-12})).epochs.size(), 2U);
 }
 
+// A body that turns in nanoseconds: all rows in whole nanoseconds would be the same.
+TEST(Aem, HasFinerTimesForFasterBodies) {
+  scene::Scene scene = tumbling();
+  scene.motion.omega *= 1e10;
+  std::vector<double> times;
+  for (int i = 0; i <= 300; ++i) times.push_back(1e-11 * i / 7.0);
+  const Message message(aem_of(scene, times));
+  ASSERT_EQ(message.attitudes.size(), times.size());
+  EXPECT_EQ(message.epochs.back(), "1996-11-28T21:29:07.000000000428571");
+  const motion::ExactMotion exact(
+      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_LT(angle_between(message.attitudes[i], exact.at(times[i]).X), 2e-5)
+        << "its time is rounded to 1 fs";
+  }
+}
+
 TEST(Aem, IsInAscii) {
   scene::Scene scene = tumbling();
   scene.name = "kn\xc3\xa4uel\n";
