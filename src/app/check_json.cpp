@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check_report.h"
+#include "check/units.h"
 
 namespace twrench::app {
 namespace {
@@ -28,12 +29,24 @@ Json flips_json(const Judgement& judgement) {
   return list;
 }
 
-Json convention_json(const check::Convention& convention, check::Angle unit) {
+Json convention_json(const check::Convention& convention) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+  };
+  Json offset = nullptr;
+  if (convention.offset) {
+    const Eigen::Quaterniond& q = *convention.offset;
+    offset = {q.w(), q.x(), q.y(), q.z()};
+  }
   return {{"columns", convention.columns},
-          {"units", unit == check::Angle::degrees ? "deg" : "rad"},
-          {"sequence", convention.sequence.empty() ? Json(nullptr) : Json(convention.sequence)},
+          {"time_unit", name_of(check::time_unit(convention)).option},
+          {"units", name_of(check::rate_unit(convention)).option},
+          {"angle_units", name_of(check::angle_unit(convention)).option},
+          {"sequence", text_or_null(convention.sequence)},
           {"inverse", convention.inverse},
-          {"rates", convention.rates_in_space ? "space" : "body"}};
+          {"rates", convention.rates_in_space ? "space" : "body"},
+          {"axes", check::format_body_axes(convention.axes)},
+          {"offset", offset}};
 }
 
 Json fit_json(const Judgement& judgement, double factor) {
@@ -106,13 +119,39 @@ Json consistency_json(const Judgement& judgement) {
           {"explained_by_frame_rate", judgement.frame_turn.share}};
 }
 
-Json proposal_json(const CheckedFile& file) {
-  if (!file.proposal) return nullptr;
-  const check::Reading& reading = *file.proposal;
+Json alternative_json(const CheckedFile& file, const check::Reading& reading) {
   const check::Convention& before = file.judgement.convention;
   return {{"options", option_text(before, reading.convention)},
           {"without_inverse", before.inverse && !reading.convention.inverse},
-          {"moment_order", reading.moment_order}};
+          {"read_as", convention_json(reading.convention)},
+          {"misfit", nullable(reading.misfit.worst())}};
+}
+
+Json alternatives_json(const CheckedFile& file) {
+  Json list = Json::array();
+  for (const check::Reading& reading : file.alternatives.fitting) {
+    list.push_back(alternative_json(file, reading));
+  }
+  return list;
+}
+
+Json nearest_json(const CheckedFile& file) {
+  const auto& nearest = file.alternatives.nearest;
+  return nearest ? alternative_json(file, *nearest) : Json(nullptr);
+}
+
+Json noise_json(const Judgement& judgement, double factor) {
+  return {{"rates", judgement.has_rates ? Json(judgement.noise.rate * factor) : Json(nullptr)},
+          {"attitude",
+           judgement.has_attitude ? Json(degrees(judgement.noise.attitude)) : Json(nullptr)}};
+}
+
+Json precision_json(const Judgement& judgement) {
+  return {{"times", precision_text(judgement.digits.time)},
+          {"rates",
+           judgement.has_rates ? Json(precision_text(judgement.rate_resolution)) : Json(nullptr)},
+          {"attitude", judgement.has_attitude ? Json(precision_text(judgement.attitude_resolution))
+                                              : Json(nullptr)}};
 }
 
 Json bounds_json(const CheckedFile& file) {
@@ -129,17 +168,18 @@ Json bounds_json(const CheckedFile& file) {
 
 Json file_json(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
+  const Verdict found = verdict(file);
   const double speed = judgement.reference.body.omega().norm();
   return {{"file", file.name},
           {"rows", judgement.rows},
           {"first_time", judgement.first_time},
           {"last_time", judgement.last_time},
           {"step", file.step},
-          {"read_as", convention_json(judgement.convention, judgement.rate_unit)},
+          {"read_as", convention_json(judgement.convention)},
           {"omega", vector_json(judgement.reference.body.omega() * unit.per_radian)},
           {"omega_at", judgement.reference.start},
-          {"rates", size_json(judgement.rates, unit.per_radian, unit.name)},
+          {"rates", size_json(judgement.rates, unit.per_radian, unit.symbol)},
           {"attitude", size_json(judgement.attitude, degrees(1), "deg")},
           {"energy_drift", judgement.energy_drift},
           {"momentum_drift", nullable(judgement.momentum_drift)},
@@ -154,10 +194,15 @@ Json file_json(const CheckedFile& file) {
           {"amplitude", amplitude_json(judgement, unit.per_radian)},
           {"consistency", consistency_json(judgement)},
           {"fit", fit_json(judgement, unit.per_radian)},
+          {"precision", precision_json(judgement)},
+          {"noise", noise_json(judgement, unit.per_radian)},
           {"follows_the_motion", !is_foreign(judgement)},
-          {"proposal", proposal_json(file)},
+          {"alternatives", alternatives_json(file)},
+          {"nearest", nearest_json(file)},
           {"bounds", bounds_json(file)},
-          {"verdict", verdict(file)}};
+          {"finding", name_of(found.finding)},
+          {"passes", passes(file)},
+          {"verdict", found.text}};
 }
 
 }  // namespace

@@ -17,14 +17,21 @@ std::string bound_case(const CheckedFile& file, const CheckBound& bound) {
   return fmt::format(
       "{}>\n      <failure type=\"exceeded\" message=\"{:.6g}{}{}: {}\"/>\n    </testcase>\n",
       start, bound.value, bound.unit.empty() ? "" : " ", xml_text(bound.unit),
-      xml_text(verdict(file)));
+      xml_text(verdict(file).text));
 }
 
-/// A file without bounds was judged, which cannot fail.
+/// Without bounds the only case is whether the file follows the motion.
+std::string follows_case(const CheckedFile& file) {
+  const std::string start = fmt::format(
+      "    <testcase classname=\"{}\" name=\"follows the exact motion\"", xml_text(file.name));
+  if (passes(file)) return start + "/>\n";
+  const Verdict found = verdict(file);
+  return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start,
+                     name_of(found.finding), xml_text(found.text));
+}
+
 std::string cases(const CheckedFile& file) {
-  if (file.bounds.empty()) {
-    return fmt::format("    <testcase classname=\"{}\" name=\"judged\"/>\n", xml_text(file.name));
-  }
+  if (file.bounds.empty()) return follows_case(file);
   std::string text;
   for (const CheckBound& bound : file.bounds) text += bound_case(file, bound);
   return text;
@@ -33,6 +40,7 @@ std::string cases(const CheckedFile& file) {
 std::size_t tests(const CheckedFile& file) { return std::max<std::size_t>(1, file.bounds.size()); }
 
 std::size_t failures(const CheckedFile& file) {
+  if (file.bounds.empty()) return passes(file) ? 0 : 1;
   return static_cast<std::size_t>(std::ranges::count_if(file.bounds, &CheckBound::is_exceeded));
 }
 
@@ -40,7 +48,7 @@ std::string suite(const CheckedFile& file) {
   return fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n{}"
       "    <system-out>{}</system-out>\n  </testsuite>\n",
-      xml_text(file.name), tests(file), failures(file), cases(file), xml_text(verdict(file)));
+      xml_text(file.name), tests(file), failures(file), cases(file), xml_text(verdict(file).text));
 }
 
 }  // namespace

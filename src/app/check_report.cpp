@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/message.h"
+#include "check/units.h"
 
 namespace twrench::app {
 namespace {
@@ -21,6 +22,21 @@ std::string reading_text(const check::Convention& convention) {
   if (!convention.sequence.empty()) text += ", sequence " + convention.sequence;
   if (convention.inverse) text += ", body from space";
   if (convention.rates_in_space) text += ", rates in space axes";
+  if (convention.time_unit)
+    text += fmt::format(", times in {}", name_of(*convention.time_unit).option);
+  if (convention.axes != check::BodyAxes()) {
+    text += ", axes " + check::format_body_axes(convention.axes);
+  }
+  if (convention.offset) text += ", attitude of a part that is turned in the body";
+  return text;
+}
+
+/// How the numbers are written, of which the resolution limit follows.
+std::string precision_line(const Judgement& judgement) {
+  std::string text = "times: " + precision_text(judgement.digits.time);
+  if (judgement.has_rates) text += "; rates: " + precision_text(judgement.rate_resolution);
+  if (judgement.has_attitude)
+    text += "; attitude: " + precision_text(judgement.attitude_resolution);
   return text;
 }
 
@@ -29,10 +45,11 @@ std::string vector_text(const Eigen::Vector3d& v) {
 }
 
 std::string start_text(const Judgement& judgement) {
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   const check::Reference& reference = judgement.reference;
   const std::string rates = vector_text(reference.body.omega() * unit.per_radian);
-  std::string text = fmt::format("omega {} {} at t = {:.10g} s", rates, unit.name, reference.start);
+  std::string text =
+      fmt::format("omega {} {} at t = {:.10g} s", rates, unit.symbol, reference.start);
   if (!judgement.fit) return text;
   const check::Fit& fit = *judgement.fit;
   text += fmt::format(", fitted to {} rows, +- {:.2g},{:.2g},{:.2g}", fit.rows,
@@ -40,7 +57,7 @@ std::string start_text(const Judgement& judgement) {
                       fit.omega_deviation[1] * unit.per_radian,
                       fit.omega_deviation[2] * unit.per_radian);
   if (fit.rate_residual) {
-    text += fmt::format("; residual {:.3g} {}", *fit.rate_residual * unit.per_radian, unit.name);
+    text += fmt::format("; residual {:.3g} {}", *fit.rate_residual * unit.per_radian, unit.symbol);
   }
   if (fit.attitude_residual) {
     text += fmt::format("; residual {:.3g} deg", degrees(*fit.attitude_residual));
@@ -58,10 +75,10 @@ std::string size_text(const std::optional<check::ErrorSize>& size, double factor
 std::string phase_text(const Judgement& judgement) {
   if (!judgement.parts) return "none: the motion is steady";
   const check::ErrorParts& parts = *judgement.parts;
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),
                                  parts.delay < 0 ? "early" : "late", parts.delay_at,
-                                 parts.phase_rate * unit.per_radian, unit.name);
+                                 parts.phase_rate * unit.per_radian, unit.symbol);
   if (judgement.has_attitude) {
     text += fmt::format("; about L {:.3g} deg", degrees(parts.angle_about_l));
   }
@@ -69,11 +86,12 @@ std::string phase_text(const Judgement& judgement) {
 }
 
 std::string amplitude_text(const Judgement& judgement) {
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   std::string text = fmt::format("energy {:.2e}", judgement.energy_error);
   if (judgement.momentum_error) text += fmt::format(", |L| {:.2e}", *judgement.momentum_error);
   if (!judgement.parts) return text;
-  text += fmt::format(", {:.3g} {}", judgement.parts->amplitude_rate * unit.per_radian, unit.name);
+  text +=
+      fmt::format(", {:.3g} {}", judgement.parts->amplitude_rate * unit.per_radian, unit.symbol);
   if (judgement.has_attitude) {
     text += fmt::format("; across L {:.3g} deg", degrees(judgement.parts->tilt));
   }
@@ -94,13 +112,13 @@ std::string drift_text(const Judgement& judgement) {
 
 /// How far an error of the initial state grows, and the digits of the file with it.
 std::string conditioning_text(const Judgement& judgement) {
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   const check::LastDigits& digits = judgement.digits;
   if (judgement.rows == 1) return {};
   std::string of_digits, open;
   if (judgement.has_rates) {
-    of_digits = fmt::format("{:.2g} {}, ", digits.rate * unit.per_radian, unit.name);
-    open = fmt::format("{:.3g} {}", judgement.rate_limit * unit.per_radian, unit.name);
+    of_digits = fmt::format("{:.2g} {}, ", digits.rate * unit.per_radian, unit.symbol);
+    open = fmt::format("{:.3g} {}", judgement.rate_limit * unit.per_radian, unit.symbol);
   }
   if (judgement.has_attitude) {
     of_digits += fmt::format("{:.2g} deg, ", degrees(digits.attitude));
@@ -114,15 +132,23 @@ std::string conditioning_text(const Judgement& judgement) {
       judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
 }
 
-/// Where a program prints digits that it does not have.
+/// What is independent from row to row, where the digits do not explain it.
 std::string noise_text(const Judgement& judgement) {
   const check::LastDigits& digits = judgement.digits;
-  constexpr double clearly = 2;
-  if (!(digits.rate > clearly * digits.printed_rate)) return {};
-  const RateUnit unit = rate_unit(judgement);
-  return fmt::format("rates are printed to {:.1e} {}, but scatter by {:.1e} from row to row",
-                     digits.printed_rate * unit.per_radian, unit.name,
-                     digits.rate * unit.per_radian);
+  std::string text;
+  if (is_foreign(judgement)) return text;
+  if (judgement.noise.rate > digits.printed_rate) {
+    const RateScale unit = rate_scale(judgement);
+    text = fmt::format("rates are printed to {:.1e} {}, but scatter by {:.1e} from row to row",
+                       digits.printed_rate * unit.per_radian, unit.symbol,
+                       judgement.noise.rate * unit.per_radian);
+  }
+  if (judgement.noise.attitude > digits.printed_attitude) {
+    text += fmt::format("{}the attitude is printed to {:.1e} deg, but scatters by {:.1e}",
+                        text.empty() ? "" : "; ", degrees(digits.printed_attitude),
+                        degrees(judgement.noise.attitude));
+  }
+  return text;
 }
 
 std::string time_text(const std::optional<double>& t) {
@@ -170,17 +196,17 @@ std::string bounds_text(const CheckedFile& file) {
 
 std::string file_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", escape(file.name), judgement.rows,
                      judgement.first_time, judgement.last_time) +
          line("read as", escape(reading_text(judgement.convention))) +
-         line("from", start_text(judgement)) +
-         line("rate error", size_text(judgement.rates, unit.per_radian, unit.name)) +
+         line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
+         line("rate error", size_text(judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement.attitude, degrees(1), "deg")) +
          line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +
          line("amplitude", amplitude_text(judgement)) + flips_text(judgement) +
          line("conditioning", conditioning_text(judgement)) + line("noise", noise_text(judgement)) +
-         bounds_text(file) + line("verdict", escape(verdict(file)));
+         bounds_text(file) + line("verdict", escape(verdict(file).text));
 }
 
 std::string orders_text(const CheckResult& result) {

@@ -13,7 +13,7 @@ std::string check_text(const CheckResult& result);
 std::string check_json(const CheckResult& result);
 
 /// Returns JUnit's XML, as servers for continuous integration read it: a suite for each file, with
-/// a test case for each bound, or one that passes where there is none.
+/// a test case for each bound, or, where there is none, for whether the file follows the motion.
 std::string check_junit(const CheckResult& result);
 
 }  // namespace twrench::app

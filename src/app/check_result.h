@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "check/hypotheses.h"
 #include "check/judge.h"
-#include "check/reading.h"
 
 namespace twrench::app {
 
@@ -24,8 +24,8 @@ struct CheckBound {
 struct CheckedFile {
   std::string name;
   check::Judgement judgement;
-  /// The only other way to read it that fits the physics, where it does not fit as it is read.
-  std::optional<check::Reading> proposal;
+  /// How else it may be read, where it does not follow the motion as it is read.
+  check::Alternatives alternatives;
   std::vector<CheckBound> bounds;
   double step;  ///< s: what was told, or the mean time between rows
 };
@@ -42,13 +42,12 @@ struct CheckResult {
   CheckOrders orders;
 };
 
-/// A quantity of rates in the file's unit, and the unit's name.
-struct RateUnit {
-  double per_radian;
-  const char* name;        ///< "deg/s"
-  const char* angle_name;  ///< "deg"
+/// How a file has its rates.
+struct RateScale {
+  double per_radian;   ///< of the file's unit in 1 rad/s
+  const char* symbol;  ///< "deg/s"
 };
-RateUnit rate_unit(const check::Judgement& judgement);
+RateScale rate_scale(const check::Judgement& judgement);
 
 /// rad in degrees.
 double degrees(double angle);
@@ -57,8 +56,33 @@ double degrees(double angle);
 /// "--units deg --inverse".
 std::string option_text(const check::Convention& before, const check::Convention& after);
 
-/// Returns what is to be told of a file in one line.
-std::string verdict(const CheckedFile& file);
+/// What the file is found to be.
+enum class Finding {
+  exact,         ///< within the resolution of its digits
+  noisy,         ///< within that and noise
+  unit_or_axes,  ///< read in another convention than it was written in
+  other_start,   ///< from another initial state
+  other_law,     ///< no motion of this body
+  inconsistent,  ///< the attitude is not that of the rates
+  inexact,       ///< the motion with errors of its computation
+};
+
+/// What is to be told of a file.
+struct Verdict {
+  Finding finding;
+  std::string text;  ///< in one line
+};
+Verdict verdict(const CheckedFile& file);
+
+/// How the numbers of a column are written: "6 decimals", "float32 (24 bits)".
+std::string precision_text(const check::Resolution& resolution);
+
+/// "exact", "noise", "convention" ...
+const char* name_of(Finding finding);
+
+/// Whether a file passes: it follows the exact motion within what its digits and its noise allow,
+/// or holds the bounds that were set for it.
+bool passes(const CheckedFile& file);
 
 /// Whether the rows follow another law than the motion of the body, as far as they tell.
 bool is_foreign(const check::Judgement& judgement);

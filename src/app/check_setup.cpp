@@ -4,14 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "app/arguments.h"
 #include "app/check_result.h"
 #include "app/scene_options.h"
 #include "check/columns.h"
+#include "check/hypotheses.h"
 #include "check/reading.h"
+#include "check/units.h"
 #include "scene/limits.h"
 #include "scene/mesh_scene.h"
 #include "scene/scene.h"
@@ -64,7 +68,9 @@ std::string choice_text(const check::Convention& said, const std::vector<check::
     if (differ(aspect)) before.*aspect = said.*aspect;
   };
   take_back(&check::Convention::columns);
-  take_back(&check::Convention::unit);
+  take_back(&check::Convention::time_unit);
+  take_back(&check::Convention::rate_unit);
+  take_back(&check::Convention::angle_unit);
   take_back(&check::Convention::sequence);
   take_back(&check::Convention::inverse);
   take_back(&check::Convention::rates_in_space);
@@ -88,6 +94,45 @@ InvalidArgument ambiguous(const table::Header& header, const check::Convention& 
   return {
       header.file, why,
       fmt::format("say which: {}{}", fmt::join(ways, "; or "), open.size() > most ? " ..." : "")};
+}
+
+template <typename Name>
+void add_unit_option(CLI::App& command, const std::string& option, std::string& text,
+                     const std::string& description, const std::vector<Name>& units,
+                     const std::string& otherwise) {
+  std::vector<std::string> names;
+  for (const Name& unit : units) names.emplace_back(unit.option);
+  command.add_option(option, text, fmt::format("{}: {}", description, fmt::join(names, ", ")))
+      ->check(one_of(option, names))
+      ->type_name("UNIT")
+      ->default_str(otherwise);
+}
+
+/// The unit that an option names; nothing where it was not given.
+template <typename Name>
+auto unit_named(const std::vector<Name>& units, const std::string& text) {
+  std::optional<decltype(Name::unit)> found;
+  for (const Name& unit : units) {
+    if (unit.option == text) found = unit.unit;
+  }
+  return found;
+}
+
+/// Throws InvalidArgument unless the four numbers are those of a rotation.
+Eigen::Quaterniond parse_rotation(const std::string& text, const std::string& option) {
+  const std::vector<double> q = parse_numbers(text, option);
+  if (q.size() != 4) {
+    throw InvalidArgument(option, fmt::format("has {} numbers", q.size()),
+                          "give the four of a quaternion, the scalar first");
+  }
+  Eigen::Quaterniond rotation(q[0], q[1], q[2], q[3]);
+  constexpr double most = 0.1;  // as of the quaternions of a file
+  if (!(std::abs(rotation.norm() - 1) <= most)) {
+    throw InvalidArgument(option, fmt::format("has the length {:.6g}", rotation.norm()),
+                          "a quaternion of a rotation has the length 1");
+  }
+  rotation.normalize();
+  return rotation;
 }
 
 /// The unit of a mesh does not matter, because only the ratios of the moments do.
@@ -131,10 +176,13 @@ void CheckSetup::add_options(CLI::App& command) {
                   "the file's columns for t, wx wy wz, x11 to x33, qw qx qy qz, yaw pitch roll")
       ->type_name("t=NAME,wx=NAME,...")
       ->default_str("by their names");
-  command.add_option("--units", units_, "unit of angles and, a second, of rates: rad or deg")
-      ->check(one_of("--units", {"rad", "deg"}))
-      ->type_name("UNIT")
-      ->default_str("what the file says, else rad");
+  add_unit_option(command, "--time-unit", time_unit_, "unit of times", check::time_units(),
+                  "what the file says, else s");
+  add_unit_option(command, "--units", units_,
+                  "unit of angles and, a second, of rates; rpm of rates alone", check::rate_units(),
+                  "what the file says, else rad");
+  add_unit_option(command, "--angle-units", angle_units_, "unit of Euler angles alone",
+                  check::angle_units(), "what the file says, else that of --units");
   command.add_option("--sequence", sequence_, "axes of Euler angles in the order of the rotations")
       ->type_name("AXES");
   command.add_flag("--inverse", inverse_, "the attitude is body from space, not space from body");
@@ -142,6 +190,17 @@ void CheckSetup::add_options(CLI::App& command) {
       ->check(one_of("--rates", {"body", "space"}))
       ->type_name("AXES")
       ->capture_default_str();
+  command
+      .add_option("--axes", axes_,
+                  "the body's axes along which the file's x, y and z point, such as x,-z,y")
+      ->type_name("X,Y,Z")
+      ->default_str("x,y,z");
+  command
+      .add_option(
+          "--offset", offset_,
+          "the attitude is that of a part: the quaternion, scalar first, that takes its axes to "
+          "the body's")
+      ->type_name("W,X,Y,Z");
 }
 
 const scene::Scene& CheckSetup::scene() const {
@@ -186,10 +245,14 @@ check::Problem CheckSetup::problem() const {
 check::Convention CheckSetup::said() const {
   check::Convention said;
   if (!columns_.empty()) said.columns = check::parse_columns(columns_, "--columns");
-  if (!units_.empty()) said.unit = units_ == "deg" ? check::Angle::degrees : check::Angle::radians;
+  said.time_unit = unit_named(check::time_units(), time_unit_);
+  said.rate_unit = unit_named(check::rate_units(), units_);
+  said.angle_unit = unit_named(check::angle_units(), angle_units_);
   if (!sequence_.empty()) said.sequence = check::parse_sequence(sequence_, "--sequence");
   said.inverse = inverse_;
   said.rates_in_space = rates_ == "space";
+  if (!axes_.empty()) said.axes = check::parse_body_axes(axes_, "--axes");
+  if (!offset_.empty()) said.offset = parse_rotation(offset_, "--offset");
   return said;
 }
 
@@ -202,9 +265,10 @@ check::Convention CheckSetup::convention(const std::string& file,
   std::optional<check::Reading> fitting =
       check::only_fitting(check::readings(file, problem.inertia, open));
   // Perhaps none of them fits, but one that no name suggests does.
-  if (!fitting) fitting = check::fitting_variant(file, problem.inertia, open.front());
-  // The moments in another order are no way to read the columns.
-  if (fitting && choice_text(said, open, fitting->convention).empty()) fitting.reset();
+  if (!fitting) {
+    const check::Alternatives other = check::alternatives(file, problem, open.front());
+    if (other.fitting.size() == 1) fitting = other.fitting.front();
+  }
   throw ambiguous(header, said, open, fitting);
 }
 

@@ -36,7 +36,8 @@ class CheckSetup {
 
   std::string inertia_, scene_name_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
-  std::string columns_, units_, sequence_, rates_ = "body";
+  std::string columns_, time_unit_, units_, angle_units_, sequence_, rates_ = "body", axes_,
+                                                                     offset_;
   bool inverse_ = false;
   mutable std::optional<scene::Scene> scene_;  ///< Set by scene().
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/check_result.h"
+#include "check/units.h"
 
 namespace twrench::app {
 namespace {
@@ -17,33 +18,89 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
   return text;
 }
 
-const char* unit_word(check::Angle unit) { return unit == check::Angle::degrees ? "deg" : "rad"; }
-
-/// The moments that were given, in the order 1,0,2, say.
-std::string moments_text(const Judgement& judgement, const std::array<int, 3>& order) {
-  const Eigen::Vector3d moments = judgement.reference.body.inertia().diagonal();
-  return fmt::format("--inertia {},{},{}", moments[order[0]], moments[order[1]], moments[order[2]]);
+/// The moments in the order of a file whose axes are exchanged.
+std::string moments_text(const Eigen::Matrix3d& inertia, const check::BodyAxes& axes) {
+  const Eigen::Vector3d moments = inertia.diagonal();
+  return fmt::format("--inertia {},{},{}", moments[axes.axis[0]], moments[axes.axis[1]],
+                     moments[axes.axis[2]]);
 }
 
-/// "with --units deg", "without --inverse".
-std::string proposal_text(const CheckedFile& file) {
-  const check::Reading& reading = *file.proposal;
-  const check::Convention& before = file.judgement.convention;
-  const bool drops_inverse = before.inverse && !reading.convention.inverse;
-  const std::string options = option_text(before, reading.convention);
-  if (options.empty() && !drops_inverse) {
-    return "with " + moments_text(file.judgement, reading.moment_order);
+/// Whether other axes are nothing but another order of the moments.
+bool is_moment_order(const Judgement& judgement, const check::Convention& after) {
+  return judgement.convention.axes == check::BodyAxes() && after.axes != check::BodyAxes() &&
+         after.axes.matrix().determinant() > 0 && judgement.reference.body.inertia().isDiagonal(0);
+}
+
+/// "t is in ms", "the rates are in deg/s" ...
+std::vector<std::string> condition_texts(const Judgement& judgement,
+                                         const check::Convention& after) {
+  const check::Convention& before = judgement.convention;
+  std::vector<std::string> texts;
+  if (time_unit(after) != time_unit(before)) {
+    texts.push_back(
+        fmt::format("{} is in {}", after.columns.at("t"), name_of(time_unit(after)).option));
   }
+  if (rate_unit(after) != rate_unit(before)) {
+    texts.push_back(fmt::format("the rates are in {}", name_of(rate_unit(after)).symbol));
+  }
+  if (angle_unit(after) != angle_unit(before)) {
+    texts.push_back(fmt::format("the angles are in {}", name_of(angle_unit(after)).option));
+  }
+  if (after.columns != before.columns) texts.emplace_back("the columns have another order");
+  if (after.sequence != before.sequence) {
+    texts.push_back("the sequence of the angles is " + after.sequence);
+  }
+  if (after.inverse != before.inverse) {
+    texts.push_back(std::string("the attitude is ") +
+                    (after.inverse ? "body from space" : "space from body"));
+  }
+  if (after.rates_in_space != before.rates_in_space) {
+    texts.push_back(std::string("the rates are in ") +
+                    (after.rates_in_space ? "space axes" : "the body's axes"));
+  }
+  if (is_moment_order(judgement, after)) {
+    texts.emplace_back("the moments have another order");
+  } else if (after.axes != before.axes) {
+    texts.push_back("its axes are the body's " + check::format_body_axes(after.axes));
+  }
+  if (after.offset) texts.emplace_back("the attitude is that of a part that is turned in the body");
+  return texts;
+}
+
+/// "t is in ms and the rates are in deg/s: use --time-unit ms --units deg".
+std::string alternative_text(const Judgement& judgement, const check::Convention& after) {
+  const check::Convention& before = judgement.convention;
+  check::Convention options = after;
   std::vector<std::string> parts;
-  if (!options.empty()) parts.push_back("with " + options);
-  if (drops_inverse) parts.emplace_back("without --inverse");
-  return joined(parts, ", ");
+  const bool is_order = is_moment_order(judgement, after);
+  if (is_order) {
+    options.axes = before.axes;
+    parts.push_back(moments_text(judgement.reference.body.inertia(), after.axes));
+  }
+  const std::string added = option_text(before, options);
+  if (!added.empty()) parts.push_back(added);
+  std::string use = parts.empty() ? "" : "use " + joined(parts, " ");
+  if (before.inverse && !after.inverse)
+    use += use.empty() ? "leave --inverse out" : ", without --inverse";
+  if (is_order) use += fmt::format(" (or --axes {})", check::format_body_axes(after.axes));
+  return joined(condition_texts(judgement, after), " and ") + ": " + use;
 }
 
 std::string foreign_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  if (file.proposal) {
-    return "as read, it does not follow this body's motion, but it does " + proposal_text(file);
+  const check::Alternatives& alternatives = file.alternatives;
+  if (!alternatives.fitting.empty()) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> texts;
+    for (const check::Reading& reading : alternatives.fitting) {
+      if (texts.size() < most) texts.push_back(alternative_text(judgement, reading.convention));
+    }
+    const char* const start =
+        is_foreign(judgement) ? "as read, it does not follow this body's motion, but it does if "
+                              : "as read, it follows this body's motion only roughly, but it "
+                                "does far better if ";
+    return start + joined(texts, "; or if ") +
+           (alternatives.fitting.size() > most ? "; or in other ways" : "");
   }
   const check::Misfit& misfit = judgement.misfit;
   if (misfit.constant_rates) {
@@ -55,11 +112,16 @@ std::string foreign_text(const CheckedFile& file) {
     return "attitude and rates are inconsistent in every frame and unit, though the rates follow "
            "this body's motion";
   }
+  std::string text = "does not follow this body's motion in any unit or frame";
   if (!judgement.has_attitude) {
-    return "does not follow this body's motion in either unit (without an attitude, rates in space "
-           "axes cannot be recognised)";
+    text += " (without an attitude, rates in space axes cannot be recognised)";
   }
-  return "does not follow this body's motion in any unit or frame";
+  if (alternatives.nearest) {
+    text += fmt::format("; the nearest is that {}; then it still misses {:.2g} of what changes",
+                        alternative_text(judgement, alternatives.nearest->convention),
+                        *alternatives.nearest->misfit.worst());
+  }
+  return text;
 }
 
 /// "x, y and z": the unit vector of a rate to three places.
@@ -115,9 +177,9 @@ std::string cause_text(const Judgement& judgement) {
 std::string sizes_text(const Judgement& judgement) {
   std::vector<std::string> sizes;
   if (judgement.rates) {
-    const RateUnit unit = rate_unit(judgement);
+    const RateScale unit = rate_scale(judgement);
     sizes.push_back(fmt::format("{:.3g} {} at {:.10g} s", judgement.rates->max * unit.per_radian,
-                                unit.name, judgement.rates->at));
+                                unit.symbol, judgement.rates->at));
   }
   if (judgement.attitude && !judgement.attitude_contradicts_rates) {
     sizes.push_back(fmt::format("{:.3g} deg at {:.10g} s", degrees(judgement.attitude->max),
@@ -148,11 +210,11 @@ bool begins_otherwise(const Judgement& judgement) {
 }
 
 std::string beginning_text(const Judgement& judgement) {
-  const RateUnit unit = rate_unit(judgement);
+  const RateScale unit = rate_scale(judgement);
   return fmt::format(
       "starts from another state: its first row is already off by {:.3g} {}, which grows to "
       "explain the largest error, {}",
-      judgement.first_rate_error * unit.per_radian, unit.name, sizes_text(judgement));
+      judgement.first_rate_error * unit.per_radian, unit.symbol, sizes_text(judgement));
 }
 
 bool rates_within_digits(const Judgement& judgement) {
@@ -188,6 +250,38 @@ std::string no_rotation_text(const Judgement& judgement) {
                      *judgement.orthogonality_error);
 }
 
+/// The noise, and what it makes of the errors.
+std::string noise_verdict_text(const Judgement& judgement) {
+  std::vector<std::string> noise;
+  if (judgement.noise.rate > judgement.digits.rate) {
+    const RateScale unit = rate_scale(judgement);
+    noise.push_back(
+        fmt::format("{:.2g} {} in the rates", judgement.noise.rate * unit.per_radian, unit.symbol));
+  }
+  if (judgement.noise.attitude > judgement.digits.attitude) {
+    noise.push_back(fmt::format("{:.2g} deg in the attitude", degrees(judgement.noise.attitude)));
+  }
+  return fmt::format(
+      "follows the exact motion within its noise, which is independent from row to row, {} rms: "
+      "off "
+      "by up to {}{}",
+      joined(noise, " and "), sizes_text(judgement),
+      judgement.fit ? "" : "; the noise of the first row grows with time: use --fit");
+}
+
+/// A body that does not turn at first.
+Verdict verdict_at_rest(const Judgement& judgement) {
+  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(judgement)};
+  if (judgement.within_digits) {
+    return {Finding::exact, "cannot be faulted: the body is at rest, and stays so"};
+  }
+  return {
+      Finding::other_law,
+      "does not follow the motion of a free body: it is at rest at first and turns later, by up "
+      "to " +
+          sizes_text(judgement)};
+}
+
 std::string error_text(const Judgement& judgement) {
   return fmt::format(
       "off by up to {}, and by up to {:.3g} times the resolution limit of its digits{}",
@@ -196,11 +290,9 @@ std::string error_text(const Judgement& judgement) {
 
 }  // namespace
 
-RateUnit rate_unit(const Judgement& judgement) {
-  if (judgement.rate_unit == check::Angle::degrees) {
-    return {180 / std::numbers::pi, "deg/s", "deg"};
-  }
-  return {1, "rad/s", "rad"};
+RateScale rate_scale(const Judgement& judgement) {
+  const check::RateUnitName& name = name_of(rate_unit(judgement.convention));
+  return {1 / name.in_rad_s, name.symbol};
 }
 
 double degrees(double angle) { return angle * (180 / std::numbers::pi); }
@@ -210,42 +302,106 @@ std::string option_text(const check::Convention& before, const check::Convention
   if (after.columns != before.columns) {
     options.push_back("--columns '" + check::format_columns(after.columns) + "'");
   }
-  if (after.unit && after.unit != before.unit) {
-    options.push_back(std::string("--units ") + unit_word(*after.unit));
+  if (time_unit(after) != time_unit(before)) {
+    options.push_back(std::string("--time-unit ") + name_of(time_unit(after)).option);
+  }
+  if (rate_unit(after) != rate_unit(before)) {
+    options.push_back(std::string("--units ") + name_of(rate_unit(after)).option);
+  }
+  // What --units alone would say of angles.
+  check::Convention implied = before;
+  if (rate_unit(after) != rate_unit(before)) implied.rate_unit = rate_unit(after);
+  if (attitude_form(after) == check::AttitudeForm::euler &&
+      angle_unit(after) != angle_unit(implied)) {
+    options.push_back(std::string("--angle-units ") + name_of(angle_unit(after)).option);
   }
   if (after.sequence != before.sequence) options.push_back("--sequence " + after.sequence);
   if (after.inverse && !before.inverse) options.emplace_back("--inverse");
   if (after.rates_in_space != before.rates_in_space) {
     options.push_back(after.rates_in_space ? "--rates space" : "--rates body");
   }
+  if (after.axes != before.axes) options.push_back("--axes " + check::format_body_axes(after.axes));
+  if (after.offset) {
+    const Eigen::Quaterniond& q = *after.offset;
+    options.push_back(
+        fmt::format("--offset {:.15g},{:.15g},{:.15g},{:.15g}", q.w(), q.x(), q.y(), q.z()));
+  }
   return joined(options, " ");
 }
 
 bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 
-std::string verdict(const CheckedFile& file) {
+Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  if (judgement.rows == 1) return "cannot be judged: one row tells nothing of a motion";
-  if (begins_otherwise(judgement)) return beginning_text(judgement);
-  if (judgement.reference.body.omega().norm() == 0) {
-    return judgement.within_digits ? "cannot be faulted: the body is at rest, and stays so"
-                                   : "does not follow the motion of a free body: it is at rest at "
-                                     "first and turns later, by up to " +
-                                         sizes_text(judgement);
+  if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(judgement);
+  if (is_foreign(judgement) || !file.alternatives.fitting.empty()) {
+    const bool is_misread = !file.alternatives.fitting.empty();
+    const bool rates_fit =
+        judgement.misfit.rates && check::Misfit{judgement.misfit.rates, {}}.fits();
+    const Finding of_none =
+        judgement.misfit.attitude && rates_fit ? Finding::inconsistent : Finding::other_law;
+    return {is_misread ? Finding::unit_or_axes : of_none, foreign_text(file)};
   }
-  if (is_foreign(judgement)) return foreign_text(file);
+  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(judgement)};
   if (is_no_rotation(judgement) && !judgement.attitude_contradicts_rates) {
-    return no_rotation_text(judgement) +
-           (judgement.within_digits ? faultless_text(judgement) : error_text(judgement));
+    return {Finding::inexact,
+            no_rotation_text(judgement) +
+                (judgement.within_digits ? faultless_text(judgement) : error_text(judgement))};
   }
-  if (judgement.within_digits) return "cannot be faulted: " + faultless_text(judgement);
+  if (judgement.within_digits) {
+    return {Finding::exact, "cannot be faulted: " + faultless_text(judgement)};
+  }
+  if (judgement.within_noise) return {Finding::noisy, noise_verdict_text(judgement)};
   if (judgement.attitude_contradicts_rates) {
     const std::string of_rates = rates_within_digits(judgement)
                                      ? "the rates cannot be faulted: " + faultless_text(judgement)
                                      : "the rates are " + error_text(judgement);
-    return contradiction_text(judgement) + "; " + of_rates;
+    return {Finding::inconsistent, contradiction_text(judgement) + "; " + of_rates};
   }
-  return error_text(judgement);
+  return {Finding::inexact, error_text(judgement)};
+}
+
+const char* name_of(Finding finding) {
+  switch (finding) {
+    case Finding::exact:
+      return "exact";
+    case Finding::noisy:
+      return "noise";
+    case Finding::unit_or_axes:
+      return "convention";
+    case Finding::other_start:
+      return "start";
+    case Finding::other_law:
+      return "law";
+    case Finding::inconsistent:
+      return "inconsistent";
+    case Finding::inexact:
+      return "integration";
+  }
+  return "";
+}
+
+bool passes(const CheckedFile& file) {
+  if (!file.bounds.empty()) return std::ranges::none_of(file.bounds, &CheckBound::is_exceeded);
+  const Finding finding = verdict(file).finding;
+  return finding == Finding::exact || finding == Finding::noisy;
+}
+
+std::string precision_text(const check::Resolution& resolution) {
+  const std::string before = resolution.converted ? " before a change of the unit" : "";
+  switch (resolution.written) {
+    case check::Written::decimals:
+      return fmt::format("{} decimals{}", resolution.count, before);
+    case check::Written::digits:
+      return fmt::format("{} significant digits{}", resolution.count, before);
+    case check::Written::float16:
+      return "float16 (11 bits)";
+    case check::Written::float32:
+      return "float32 (24 bits)";
+    case check::Written::float64:
+      return "all digits of a double";
+  }
+  return {};
 }
 
 }  // namespace twrench::app

@@ -74,22 +74,6 @@ std::map<std::string, Group> find_groups(const table::Header& header, Kind kind)
   return groups;
 }
 
-/// All that a complete group can be. A quaternion that is numbered has its scalar first or last, a
-/// matrix its entries by rows or by columns.
-std::vector<ColumnSet> readings_of(Kind kind, std::vector<std::size_t> columns,
-                                   const Group& group) {
-  std::vector<ColumnSet> sets{{kind, columns, group.in_space}};
-  if (group.is_open && kind == Kind::quaternion) {
-    sets.push_back({kind, {columns[3], columns[0], columns[1], columns[2]}, false});
-  }
-  if (group.is_open && kind == Kind::matrix) {
-    std::vector<std::size_t> transposed;
-    for (std::size_t i = 0; i < 9; ++i) transposed.push_back(columns[3 * (i % 3) + i / 3]);
-    sets.push_back({kind, transposed, false});
-  }
-  return sets;
-}
-
 /// Throws where most of a group is there and the rest is missing: what is wanted was written
 /// otherwise, or forgotten.
 void require_no_rest(const table::Header& header, Kind kind,
@@ -116,6 +100,19 @@ void require_no_rest(const table::Header& header, Kind kind,
 
 }  // namespace
 
+std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns) {
+  std::vector<ColumnSet> sets{{kind, columns}};
+  if (kind == Kind::quaternion) {
+    sets.push_back({kind, {columns[3], columns[0], columns[1], columns[2]}});
+  }
+  if (kind == Kind::matrix) {
+    std::vector<std::size_t> transposed;
+    for (std::size_t i = 0; i < 9; ++i) transposed.push_back(columns[3 * (i % 3) + i / 3]);
+    sets.push_back({kind, transposed});
+  }
+  return sets;
+}
+
 std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
   if (const Group ours = find_ours(header, kind); is_complete(ours)) {
     return {{kind, require_single(header, kind, ours), false}};
@@ -124,8 +121,12 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
   std::vector<ColumnSet> sets;
   for (const auto& [name, group] : groups) {
     if (!is_complete(group)) continue;
-    std::ranges::move(readings_of(kind, require_single(header, kind, group), group),
-                      std::back_inserter(sets));
+    const std::vector<std::size_t> columns = require_single(header, kind, group);
+    if (group.is_open) {
+      std::ranges::move(orders_of(kind, columns), std::back_inserter(sets));
+    } else {
+      sets.push_back({kind, columns, group.in_space});
+    }
   }
   if (sets.empty()) require_no_rest(header, kind, groups);
   return sets;

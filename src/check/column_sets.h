@@ -20,6 +20,10 @@ struct ColumnSet {
 /// could be the same one.
 std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind);
 
+/// The sets that columns of a kind can be whose order their names do not tell: a quaternion has its
+/// scalar first or last, a matrix its entries by rows or by columns.
+std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns);
+
 /// "the file has: time, p, q, r", or the first names of many.
 std::string columns_remedy(const table::Header& header);
 

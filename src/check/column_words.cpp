@@ -58,7 +58,7 @@ bool are_of_rates(const Words& words) {
   const List about{"ang", "angular", "rotation", "rotational"};
   const List of_motion{"vel", "velocity", "speed"};
   const List frames{"inertial", "ei", "eci", "earth"};
-  const List others{"body", "b", "imu", "sensor", "wrt", "space", "world", "global"};
+  const List others{"body", "b", "imu", "sensor", "wrt", "space", "world", "global", "true"};
   for (const std::string& word : words) {
     const bool is_known = is_in(rates, word) || is_in(about, word) || is_in(of_motion, word) ||
                           is_in(frames, word) || is_in(others, word);
@@ -178,7 +178,7 @@ void add_time(const Words& all_words, std::vector<Role>& roles) {
   const Words& words = unit.other_words;
   const bool is_named = has_any(words, {"t", "time"}) &&
                         has_only(words, {"t", "time", "sim", "simulation", "elapsed"});
-  const bool has_unit = unit.seconds && has_only(words, {"timestamp", "stamp", "elapsed"});
+  const bool has_unit = unit.time && has_only(words, {"timestamp", "stamp", "elapsed"});
   if (!is_named && !has_unit) return;
   roles.push_back({fmt::format("{}", fmt::join(all_words, " ")), 0, false, false});
 }

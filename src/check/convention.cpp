@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "base/letters.h"
@@ -23,6 +24,13 @@ constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
 struct ColumnChoice {
   ColumnSet time;
   std::optional<ColumnSet> rates, attitude;
+};
+
+/// The unit that the name of a column states, and what it states that is not read.
+template <typename Unit>
+struct Stated {
+  std::optional<Unit> unit;
+  std::string unread;
 };
 
 /// The only column that has our name, if there is one.
@@ -93,7 +101,45 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   return found;
 }
 
+bool is_without_names(const table::Header& header) {
+  for (std::size_t i = 0; i < header.names.size(); ++i) {
+    if (header.names[i] != fmt::format("#{}", i + 1)) return false;
+  }
+  return true;
+}
+
+/// The columns of a kind from `first` on, in each order in which they may stand.
+std::vector<ColumnSet> sets_from(std::size_t first, Kind kind) {
+  std::vector<std::size_t> columns(names_of(kind).size());
+  std::iota(columns.begin(), columns.end(), first);
+  return orders_of(kind, columns);
+}
+
+/// What a file without names has, as far as the number of its columns tells: a time, and rates, an
+/// attitude or both in either order. Nothing for other numbers of columns.
+std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
+  const std::size_t count = header.names.size();
+  const ColumnSet time = sets_from(0, Kind::time).front();
+  const auto rates_from = [](std::size_t first) { return sets_from(first, Kind::rates).front(); };
+  std::vector<ColumnChoice> all;
+  if (count == 4) all.push_back({time, rates_from(1), {}});
+  for (const Kind kind : {Kind::quaternion, Kind::matrix}) {
+    const std::size_t numbers = names_of(kind).size();
+    if (count == 1 + numbers) {
+      for (const ColumnSet& set : sets_from(1, kind)) all.push_back({time, {}, set});
+    }
+    if (count != 4 + numbers) continue;
+    for (const ColumnSet& set : sets_from(1, kind))
+      all.push_back({time, rates_from(1 + numbers), set});
+    for (const ColumnSet& set : sets_from(4, kind)) all.push_back({time, rates_from(1), set});
+  }
+  return all;
+}
+
 std::vector<ColumnChoice> column_choices(const table::Header& header, const Convention& said) {
+  if (said.columns.empty() && is_without_names(header)) {
+    if (auto choices = choices_by_number(header); !choices.empty()) return choices;
+  }
   std::vector<std::optional<ColumnSet>> rates{said_set(header, said, Kind::rates)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
@@ -134,31 +180,44 @@ void add_columns(const table::Header& header, const ColumnSet& set, Convention& 
   }
 }
 
-/// The unit that the columns of the set state, or else the one that was said.
-std::optional<Angle> unit_of(const table::Header& header, const ColumnSet& set,
-                             std::optional<Angle> said) {
-  std::optional<Angle> stated;
+/// The unit that the columns of the set state, or else the one that was said. `unit_of` takes it
+/// from the words of a name.
+template <typename Unit, typename UnitOf>
+std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& set,
+                                std::optional<Unit> said, const UnitOf& unit_of) {
+  std::optional<Unit> stated;
   for (const std::size_t column : set.columns) {
     const std::string& name = header.names[column];
-    const StatedUnit unit = stated_unit(header, column);
-    if (!unit.unread.empty()) {
+    const StatedUnit words = stated_unit(header, column);
+    const Stated<Unit> here = unit_of(words);
+    if (!here.unread.empty()) {
       throw table::BadTable(
           header.file,
-          fmt::format("the column '{}' is in {}, which is not read", name, unit.unread),
+          fmt::format("the column '{}' is in {}, which is not read", name, here.unread),
           "convert it to radians or degrees, and to seconds");
     }
-    if (!unit.angle) continue;
-    const std::optional<Angle> other = stated ? stated : said;
-    if (other && *other != *unit.angle) {
-      throw table::BadTable(
-          header.file,
-          fmt::format("the column '{}' states {}, but {} {}", name, name_of(*unit.angle),
-                      name_of(*other), stated ? "are stated by another of its kind" : "were said"),
-          "one of the two is wrong");
+    if (!here.unit) continue;
+    const std::optional<Unit> other = stated ? stated : said;
+    if (other && *other != *here.unit) {
+      throw table::BadTable(header.file,
+                            fmt::format("the column '{}' states {}, but {} {}", name,
+                                        name_of(*here.unit).option, name_of(*other).option,
+                                        stated ? "is stated by another of its kind" : "was said"),
+                            "one of the two is wrong");
     }
-    stated = unit.angle;
+    stated = here.unit;
   }
   return stated ? stated : said;
+}
+
+Stated<TimeUnit> time_in(const StatedUnit& words) { return {words.time, {}}; }
+
+Stated<RateUnit> rate_in(const StatedUnit& words) { return {words.rate, words.unread}; }
+
+Stated<Angle> angle_in(const StatedUnit& words) {
+  if (!words.rate) return {{}, words.unread};
+  const auto angle = angle_of(*words.rate);
+  return {angle, angle ? words.unread : name_of(*words.rate).option};
 }
 
 Convention convention_of(const table::Header& header, const ColumnChoice& choice,
@@ -166,15 +225,18 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   Convention convention = said;
   convention.columns.clear();
   add_columns(header, choice.time, convention);
+  convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
   if (choice.rates) {
     add_columns(header, *choice.rates, convention);
-    convention.unit = unit_of(header, *choice.rates, said.unit);
+    convention.rate_unit = unit_of_set(header, *choice.rates, said.rate_unit, rate_in);
     convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
   }
   if (!choice.attitude) return convention;
   add_columns(header, *choice.attitude, convention);
   if (choice.attitude->kind == Kind::euler) {
-    convention.euler_unit = unit_of(header, *choice.attitude, said.unit);
+    std::optional<Angle> said_angle = said.angle_unit;
+    if (!said_angle && said.rate_unit) said_angle = angle_of(*said.rate_unit);
+    convention.angle_unit = unit_of_set(header, *choice.attitude, said_angle, angle_in);
   }
   return convention;
 }
@@ -199,6 +261,19 @@ std::vector<Convention> conventions(const table::Header& header, const Conventio
     add_with_sequences(convention_of(header, choice, said), all);
   }
   return all;
+}
+
+TimeUnit time_unit(const Convention& convention) {
+  return convention.time_unit.value_or(TimeUnit::s);
+}
+
+RateUnit rate_unit(const Convention& convention) {
+  return convention.rate_unit.value_or(RateUnit::rad_s);
+}
+
+Angle angle_unit(const Convention& convention) {
+  if (convention.angle_unit) return *convention.angle_unit;
+  return angle_of(rate_unit(convention)).value_or(Angle::radians);
 }
 
 AttitudeForm attitude_form(const Convention& convention) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -7,13 +8,20 @@
 #include <string_view>
 #include <vector>
 
+#include "check/body_axes.h"
 #include "table/error.h"
 #include "table/reader.h"
 
 namespace twrench::check {
 
-/// The unit of angles; of rates it is this unit per second.
+/// The unit of Euler angles.
 enum class Angle { radians, degrees };
+
+/// The unit of angular rates.
+enum class RateUnit { rad_s, deg_s, rev_s, rpm };
+
+/// The unit of times.
+enum class TimeUnit { s, ms, us, ns, min, h };
 
 /// How a file writes the attitude.
 enum class AttitudeForm { none, matrix, quaternion, euler };
@@ -23,18 +31,28 @@ struct Convention {
   /// Our name ("t", "wx", "x11", "qw", "yaw") -> the column's name in the file, or "#3" for the
   /// third.
   std::map<std::string, std::string> columns;
-  /// Of rates, and of Euler angles where `euler_unit` is absent. Absent where nobody says it:
-  /// radians are then taken.
-  std::optional<Angle> unit;
-  /// Of Euler angles, where the file says it of them alone.
-  std::optional<Angle> euler_unit;
+  /// Absent where nobody says it: seconds are then taken.
+  std::optional<TimeUnit> time_unit;
+  /// Of rates. Absent where nobody says it: rad/s are then taken.
+  std::optional<RateUnit> rate_unit;
+  /// Of Euler angles. Absent where nobody says it: that of the rates is then taken, or radians.
+  std::optional<Angle> angle_unit;
   /// Of Euler angles: the axes in the order of the rotations, each about the axes as they are then
   /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty
   /// where there are none.
   std::string sequence;
   bool inverse = false;         ///< the attitude is body_from_space
   bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
+  /// The axes that rates and attitude have in place of the body's.
+  BodyAxes axes;
+  /// What the attitude is that of: a part whose axes this takes to the file's axes of the body.
+  std::optional<Eigen::Quaterniond> offset;
 };
+
+/// In which they are read.
+TimeUnit time_unit(const Convention& convention);
+RateUnit rate_unit(const Convention& convention);
+Angle angle_unit(const Convention& convention);
 
 /// The columns that are wanted do not fit those that the file has: one is missing, given twice, or
 /// left open. The remedy lists the file's columns.
@@ -59,6 +77,9 @@ std::map<std::string, std::string> parse_columns(std::string_view text,
 
 /// The inverse of parse_columns, t first and the others in the order of their kinds.
 std::string format_columns(const std::map<std::string, std::string>& columns);
+
+/// The sequences of Euler angles: the six that turn about three different axes, then the others.
+const std::vector<std::string>& all_sequences();
 
 /// Returns the sequence in small letters. Throws InvalidArgument about `quantity` unless it is one
 /// of the twelve.

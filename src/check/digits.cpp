@@ -1,7 +1,9 @@
 #include "check/digits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "check/hidden_digits.h"
 
@@ -14,24 +16,46 @@ constexpr int digits_of_double = 17;
 /// How many numbers are looked at for digits that a change of their unit added.
 constexpr std::size_t kept_values = 192;
 
-bool is_float(double value) {
-  return std::abs(value) <= std::numeric_limits<float>::max() &&
-         static_cast<double>(static_cast<float>(value)) == value;
-}
+/// One file in a million is taken for one of a narrow format by chance.
+constexpr double enough_evidence = 20;  // bits
 
-/// Whether a value that a float holds needs more than half of its bits, so that it is one by intent
-/// and not by chance, as 0.5 is.
-bool needs_whole_float(double value) {
-  int exponent = 0;
-  const double scaled = std::ldexp(std::frexp(value, &exponent), 12);
-  return scaled != std::floor(scaled);
+/// One unit of a decimal place: 10^-decimals.
+double unit_of_place(int decimals) {
+  static const std::array<double, 23> powers = [] {
+    std::array<double, 23> list{};
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = std::pow(10.0, -static_cast<double>(i));
+    return list;
+  }();
+  const auto place = static_cast<std::size_t>(decimals);
+  return decimals >= 0 && place < powers.size() ? powers[place] : std::pow(10.0, -decimals);
 }
 
 }  // namespace
 
+void NarrowFormat::add(const table::Number& number) {
+  if (!all_ || number.value == 0) return;
+  int exponent = 0;
+  std::frexp(number.value, &exponent);
+  const int last_bit = std::max(exponent, least_exponent_) - bits_;
+  const double spacing = std::ldexp(1.0, last_bit);
+  const double nearest = spacing * std::nearbyint(number.value / spacing);
+  const double place = unit_of_place(number.decimals);
+  // What is printed differs from the value by half a unit of its last place.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double allowed = place / 2 + rounding * std::abs(number.value);
+  all_ = std::abs(number.value - nearest) <= allowed;
+  if (!all_ || evidence_ > enough_evidence) return;
+  // A number of few bits, such as 0.5, is a value of any format.
+  const double few_bits = std::ldexp(spacing, bits_ / 2);
+  const bool is_round = std::fmod(nearest, few_bits) == 0;
+  if (!is_round) evidence_ += std::max(0.0, std::log2(spacing / (2 * allowed)));
+}
+
+bool NarrowFormat::holds_all() const { return all_ && evidence_ > enough_evidence; }
+
 void Digits::add(const table::Number& number) {
-  all_single_ = all_single_ && is_float(number.value);
-  any_long_ = any_long_ || (all_single_ && needs_whole_float(number.value));
+  float16_.add(number);
+  float32_.add(number);
   decimals_ = std::max(decimals_, number.decimals);
   significant_ = std::max(significant_, number.significant);
   if (number.value != 0 && first_values_.size() < kept_values)
@@ -57,18 +81,15 @@ bool Digits::has_fixed_decimals() const {
   return fewer_decimals <= fewer_digits;
 }
 
-bool Digits::is_single_precision() const {
-  constexpr int digits_of_float = 9;
-  return all_single_ && any_long_ && significant_ >= digits_of_float;
-}
-
 Resolution Digits::resolution(double unit) const {
   constexpr int long_digits = 15;
-  if (significant_ >= long_digits && !is_single_precision()) {
+  if (significant_ >= long_digits && !float32_.holds_all()) {
     if (const auto hidden = find_hidden_digits(first_values_)) {
       Digits before;
       for (const table::Number& number : hidden->numbers) before.add(number);
-      return before.written_resolution(unit * hidden->factor);
+      Resolution resolution = before.written_resolution(unit * hidden->factor);
+      resolution.converted = hidden->factor != 1;
+      return resolution;
     }
   }
   return written_resolution(unit);
@@ -77,14 +98,24 @@ Resolution Digits::resolution(double unit) const {
 Resolution Digits::written_resolution(double unit) const {
   Resolution resolution;
   resolution.unit = unit;
-  if (is_single_precision()) {
-    resolution.relative = std::numeric_limits<float>::epsilon();
-  } else if (significant_ < digits_of_double && !has_fixed_decimals()) {
+  const bool is_narrow = float16_.holds_all() || float32_.holds_all();
+  const bool is_short = significant_ < digits_of_double;
+  if (is_narrow) {
+    const bool is_half = float16_.holds_all();
+    resolution.written = is_half ? Written::float16 : Written::float32;
+    resolution.relative = std::ldexp(1.0, is_half ? -10 : -23);
+  } else if (is_short && !has_fixed_decimals()) {
+    resolution.written = Written::digits;
+    resolution.count = significant_;
     resolution.relative = std::pow(10.0, 1 - significant_);
     resolution.base = 10;
-  } else if (significant_ < digits_of_double && decimals_ > std::numeric_limits<int>::min()) {
-    resolution.absolute = unit * std::pow(10.0, -decimals_);
+  } else if (is_short && decimals_ > std::numeric_limits<int>::min()) {
+    resolution.written = Written::decimals;
+    resolution.count = decimals_;
   }
+  // Printed with fewer decimals than its format needs.
+  const bool has_last_place = resolution.written == Written::decimals || (is_narrow && is_short);
+  if (has_last_place) resolution.absolute = unit * unit_of_place(decimals_);
   return resolution;
 }
 

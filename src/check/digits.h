@@ -10,9 +10,27 @@
 
 namespace twrench::check {
 
+/// Whether numbers are values of a narrow binary format, in whatever decimals they are printed.
+class NarrowFormat {
+ public:
+  /// A format with so many bits, the leading one included, and the least exponent of normal numbers
+  /// as std::frexp returns it.
+  NarrowFormat(int bits, int least_exponent) : bits_(bits), least_exponent_(least_exponent) {}
+
+  void add(const table::Number& number);
+
+  /// Whether all numbers are values of it, which more of them are than by chance.
+  bool holds_all() const;
+
+ private:
+  int bits_, least_exponent_;
+  bool all_ = true;
+  double evidence_ = 0;  ///< bits: how improbable it is that other numbers would all have been
+};
+
 /// Finds from the numbers of a column how they are written: with so many decimals, with so many
-/// significant digits, as values of single precision, or with digits that a change of the unit
-/// added.
+/// significant digits, as values of half or single precision, or with digits that a change of the
+/// unit added.
 class Digits {
  public:
   Digits() = default;
@@ -33,15 +51,13 @@ class Digits {
 
   Resolution written_resolution(double unit) const;
   bool has_fixed_decimals() const;
-  bool is_single_precision() const;
 
   std::map<int, Decade> decades_;
   Decade* last_ = nullptr;  ///< the decade of the number before, which the next mostly shares
   int last_place_ = 0;
   int decimals_ = std::numeric_limits<int>::min();
   int significant_ = 0;
-  bool all_single_ = true;            ///< each number is a float
-  bool any_long_ = false;             ///< and one of them needs the last bits of a float
+  NarrowFormat float16_{11, -13}, float32_{24, -125};
   std::vector<double> first_values_;  ///< some that are not zero
 };
 

@@ -12,6 +12,7 @@
 #include "check/frame.h"
 #include "check/row_reader.h"
 #include "check/thinned_rows.h"
+#include "check/unit_change.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -116,16 +117,19 @@ void turn_to_momentum(Reference& reference, const Recording& recording) {
 /// One unit of a digit of numbers that were rounded to it: independent errors, evenly spread.
 double digit_of(double deviation) { return std::sqrt(12.0) * deviation; }
 
+/// The standard deviation of errors that are independent from row to row; 0 where there are none.
+double deviation_of(const std::vector<Span>& spans, DifferenceSums Span::*kind) {
+  const std::size_t count = spans.size(), quarter = count / 4;
+  return noise(sums(spans, kind, 0, count), sums(spans, kind, 0, quarter),
+               sums(spans, kind, count - quarter, count))
+      .value_or(0);
+}
+
 /// What is printed, or the digits that the program really has: where it has fewer, the others are
 /// noise. It must be far below what an error of a method would be.
-double digit(double printed, double scale, const std::vector<Span>& spans,
-             DifferenceSums Span::*kind) {
-  const std::size_t count = spans.size(), quarter = count / 4;
-  const auto deviation = noise(sums(spans, kind, 0, count), sums(spans, kind, 0, quarter),
-                               sums(spans, kind, count - quarter, count));
+double digit(double printed, double scale, double deviation) {
   constexpr double most = 1e-10;
-  if (!deviation || digit_of(*deviation) > most * scale) return printed;
-  return std::max(printed, digit_of(*deviation));
+  return digit_of(deviation) > most * scale ? printed : std::max(printed, digit_of(deviation));
 }
 
 /// One unit of the last digit of an attitude as an angle, rad: of entries of about 1, or of an
@@ -136,18 +140,17 @@ double printed_angle(const RowReader& reader) {
   return (reader.attitude() == AttitudeForm::quaternion ? 2 : 1) * resolution.at(1);
 }
 
-LastDigits digits_of(const RowReader& reader, Comparison& comparison) {
+LastDigits digits_of(const RowReader& reader, const Comparison& comparison, const Noise& noise) {
   LastDigits digits;
   digits.time = reader.time_resolution();
   if (reader.has_rates()) {
     const double most = comparison.largest_rate();
     digits.printed_rate = reader.rate_resolution().at(most);
-    digits.rate = digit(digits.printed_rate, most, comparison.spans(), &Span::rate_differences);
+    digits.rate = digit(digits.printed_rate, most, noise.rate);
   }
   if (reader.attitude() != AttitudeForm::none) {
     digits.printed_attitude = printed_angle(reader);
-    digits.attitude =
-        digit(digits.printed_attitude, 1, comparison.spans(), &Span::attitude_differences);
+    digits.attitude = digit(digits.printed_attitude, 1, noise.attitude);
   }
   return digits;
 }
@@ -176,6 +179,37 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   judgement.growth = growth.back();
   judgement.rate_limit = judgement.course.back().rate_limit;
   judgement.attitude_limit = judgement.course.back().attitude_limit;
+}
+
+/// Whether the digits and noise explain all errors: that of the rows, and that of the initial state
+/// with what the motion makes of it.
+bool are_noise(const Judgement& judgement) {
+  const Noise& noise = judgement.noise;
+  const motion::FreeBody& body = judgement.reference.body;
+  const double speed = body.omega().norm();
+  const double step = (judgement.last_time - judgement.first_time) /
+                      static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
+  constexpr double smooth = 0.5;  // rad a row: so far the errors of methods are smooth
+  if ((noise.rate == 0 && noise.attitude == 0) || speed * step > smooth) return false;
+  constexpr double most = 0.1;  // more is no measurement of the motion
+  if (noise.rate > most * speed || noise.attitude > most) return false;
+  constexpr double deviations = 6;  // which one number in 5e8 exceeds
+  const double rate = deviations * noise.rate, attitude = deviations * noise.attitude;
+  const double of_first_row = judgement.has_rates ? rate : attitude * speed;
+  const double initial =
+      judgement.fit ? deviations * judgement.fit->omega_deviation.maxCoeff() : of_first_row;
+  std::vector<double> times;
+  for (const Span& span : judgement.course)
+    times.push_back(span.last.t - judgement.reference.start);
+  const std::vector<Growth> growth = error_growth(body, times, initial);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Span& span = judgement.course[i];
+    const double rate_limit = span.rate_limit + rate + initial * growth[i].rates;
+    const double attitude_limit = span.attitude_limit + 2 * attitude + initial * growth[i].attitude;
+    if (judgement.has_rates && span.rate_error > rate_limit) return false;
+    if (judgement.has_attitude && span.attitude_error > attitude_limit) return false;
+  }
+  return true;
 }
 
 void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm form) {
@@ -214,8 +248,10 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
         judgement.attitude->max >
         margin * (comparison.accumulated_rate_error() + judgement.attitude_limit);
   }
+  judgement.within_noise = judgement.within_digits || are_noise(judgement);
   constexpr double suspicious = 1e-3;
-  if (judgement.within_digits || relative_error(judgement) < suspicious) return;
+  if (judgement.within_noise || relative_error(judgement) < suspicious) return;
+  require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia());
   judgement.misfit =
       misfit(judgement.reference.body.inertia(), telling_rows(recording.file, recording.convention),
              judgement.has_rates, judgement.has_attitude);
@@ -236,15 +272,22 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   }
   Comparison comparison(reference, recording.has_rates, recording.has_attitude);
   for_each_block(reader, [&](std::span<const Row> rows) { comparison.add(rows); });
+  if (comparison.rows() == 1 && comparison.first_time() == reference.start) {
+    throw CheckError(file.string(), "has one row, which tells nothing of a motion",
+                     CheckError::Reason::one_row);
+  }
 
   Judgement judgement{.convention = convention,
                       .has_rates = recording.has_rates,
                       .has_attitude = recording.has_attitude,
-                      .rate_unit = reader.rate_unit(),
                       .reference = reference,
                       .fit = fit};
   take_sizes(judgement, comparison, reader.attitude());
-  judgement.digits = digits_of(reader, comparison);
+  judgement.noise = {deviation_of(comparison.spans(), &Span::rate_differences),
+                     deviation_of(comparison.spans(), &Span::attitude_differences)};
+  judgement.digits = digits_of(reader, comparison, judgement.noise);
+  judgement.rate_resolution = reader.rate_resolution();
+  judgement.attitude_resolution = reader.attitude_resolution();
   judgement.course = std::move(comparison.spans());
   draw_conclusions(judgement, comparison, recording);
   return judgement;

@@ -28,11 +28,16 @@ struct LastDigits {
   double printed_attitude = 0;  ///< rad, likewise
 };
 
+/// Standard deviations of errors that are independent from row to row; 0 where there are none.
+struct Noise {
+  double rate = 0;      ///< of the component of the rates that has most, rad/s
+  double attitude = 0;  ///< likewise, rad
+};
+
 /// What is found of a recorded trajectory. Times are as the file counts them, s.
 struct Judgement {
   Convention convention;
   bool has_rates = false, has_attitude = false;
-  Angle rate_unit = Angle::radians;
 
   std::size_t rows = 0;
   double first_time = 0, last_time = 0;
@@ -55,9 +60,12 @@ struct Judgement {
 
   Growth growth = {};  ///< of an initial error until the last row
   LastDigits digits = {};
+  Resolution rate_resolution = {}, attitude_resolution = {};
   double rate_limit = 0;       ///< the resolution limit at the last row, rad/s
   double attitude_limit = 0;   ///< likewise, rad
   bool within_digits = false;  ///< whether no error is larger than the digits explain
+  Noise noise = {};
+  bool within_noise = false;  ///< whether the digits and the noise explain all errors
   std::vector<Span> course = {};
 
   /// Whether the attitude is off by more than all errors of the rates can add up to.

@@ -113,12 +113,16 @@ std::string format_columns(const std::map<std::string, std::string>& columns) {
   return text;
 }
 
-std::string parse_sequence(std::string_view text, const std::string& quantity) {
+const std::vector<std::string>& all_sequences() {
   static const std::vector<std::string> sequences{"zyx", "zxy", "yxz", "yzx", "xyz", "xzy",
                                                   "zxz", "zyz", "yxy", "yzy", "xyx", "xzx"};
+  return sequences;
+}
+
+std::string parse_sequence(std::string_view text, const std::string& quantity) {
   std::string small = in_small_letters(text);
-  if (std::ranges::find(sequences, small) != sequences.end()) return small;
-  throw unknown_name(quantity, text, sequences);
+  if (std::ranges::find(all_sequences(), small) != all_sequences().end()) return small;
+  throw unknown_name(quantity, text, all_sequences());
 }
 
 }  // namespace twrench::check

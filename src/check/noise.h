@@ -7,11 +7,11 @@
 
 namespace twrench::check {
 
-/// Squares of the second and fourth differences of a sequence, component by component, each scaled
+/// Squares of the fourth and sixth differences of a sequence, component by component, each scaled
 /// so that its mean is the variance where neighbours are independent.
 struct DifferenceSums {
-  Eigen::Array3d second = Eigen::Array3d::Zero();
   Eigen::Array3d fourth = Eigen::Array3d::Zero();
+  Eigen::Array3d sixth = Eigen::Array3d::Zero();
   double count = 0;
 
   void add(const DifferenceSums& other);
@@ -22,13 +22,13 @@ struct DifferenceSums {
 /// the smooth part (More and Wild, Estimating computational noise, SIAM J. Sci. Comput. 33, 2011).
 class DifferenceTable {
  public:
-  /// Takes the next element, at time t in s. Returns nothing until there are five that are equally
+  /// Takes the next element, at time t in s. Returns nothing until there are seven that are equally
   /// spaced.
   std::optional<DifferenceSums> add(double t, const Eigen::Vector3d& value);
 
  private:
-  std::array<double, 5> times_{};
-  std::array<Eigen::Vector3d, 5> values_;
+  std::array<double, 7> times_{};
+  std::array<Eigen::Vector3d, 7> values_;
   std::size_t count_ = 0;
 };
 

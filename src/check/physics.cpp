@@ -60,13 +60,16 @@ Miss miss_of_attitude_alone(const Matrix3d& inertia, std::span<const Row> rows, 
 using Measure = Miss (*)(const Matrix3d&, std::span<const Row>, std::size_t, std::size_t);
 
 /// The least ratio of the median miss and the median change over strides of 1, 2, 4 ... rows, which
-/// the measure takes `reach` times. Nothing where less than `least_change` changes at all strides.
+/// the measure takes `reach` times, from at most `most` of the rows for each stride. Nothing where
+/// less than `least_change` changes at all strides.
 std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> rows,
-                                  Measure measure, std::size_t reach, double least_change) {
+                                  Measure measure, std::size_t reach, double least_change,
+                                  std::size_t most) {
   std::optional<double> least;
   for (std::size_t stride = 1; stride * reach < rows.size(); stride *= 2) {
     std::vector<double> misses, changes;
-    for (std::size_t i = 0; i + stride * reach < rows.size(); ++i) {
+    const std::size_t starts = rows.size() - stride * reach;
+    for (std::size_t i = 0; i < starts; i += (starts + most - 1) / most) {
       const Miss here = measure(inertia, rows, i, stride);
       misses.push_back(here.miss);
       changes.push_back(here.change);
@@ -84,6 +87,12 @@ std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> 
 /// Changes below this tell nothing, as a part of |omega| or in rad.
 constexpr double too_small = 1e-6;
 
+double largest_speed(std::span<const Row> rows) {
+  double speed = 0;
+  for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
+  return speed;
+}
+
 bool constant_rates(std::span<const Row> rows, double speed) {
   return std::ranges::all_of(
       rows, [&](const Row& row) { return (row.omega - rows[0].omega).norm() < too_small * speed; });
@@ -100,20 +109,25 @@ bool Misfit::fits() const {
   return worst().value_or(0) < follows;
 }
 
+std::optional<double> misfit_of_rates(const Matrix3d& inertia, std::span<const Row> rows,
+                                      std::size_t most_pairs) {
+  return least_ratio(inertia, rows, miss_of_rates, 1, too_small * largest_speed(rows), most_pairs);
+}
+
+std::optional<double> misfit_of_attitude(const Matrix3d& inertia, std::span<const Row> rows,
+                                         bool has_rates, std::size_t most_pairs) {
+  if (has_rates) return least_ratio(inertia, rows, miss_of_attitude, 1, too_small, most_pairs);
+  return least_ratio(inertia, rows, miss_of_attitude_alone, 2, too_small, most_pairs);
+}
+
 Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude) {
   Misfit result;
   if (has_rates) {
-    double speed = 0;
-    for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
-    result.rates = least_ratio(inertia, rows, miss_of_rates, 1, too_small * speed);
-    result.constant_rates = constant_rates(rows, speed);
+    result.rates = misfit_of_rates(inertia, rows, rows.size());
+    result.constant_rates = constant_rates(rows, largest_speed(rows));
   }
-  if (has_attitude && has_rates) {
-    result.attitude = least_ratio(inertia, rows, miss_of_attitude, 1, too_small);
-  } else if (has_attitude) {
-    result.attitude = least_ratio(inertia, rows, miss_of_attitude_alone, 2, too_small);
-  }
+  if (has_attitude) result.attitude = misfit_of_attitude(inertia, rows, has_rates, rows.size());
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -31,5 +32,13 @@ struct Misfit {
 /// errors of whatever computed them.
 Misfit misfit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude);
+
+/// Misfit::rates alone, from at most so many pairs of rows for each interval.
+std::optional<double> misfit_of_rates(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
+                                      std::size_t most_pairs);
+
+/// Misfit::attitude alone, likewise.
+std::optional<double> misfit_of_attitude(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
+                                         bool has_rates, std::size_t most_pairs);
 
 }  // namespace twrench::check

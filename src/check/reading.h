@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -14,8 +13,6 @@ namespace twrench::check {
 /// A way to read a file, and how well its first rows then follow the motion of the body.
 struct Reading {
   Convention convention;
-  /// Which of the given moments belongs to each axis: {0, 1, 2} in the given order.
-  std::array<int, 3> moment_order{0, 1, 2};
   Misfit misfit;
 };
 
@@ -26,16 +23,5 @@ std::vector<Reading> readings(const std::filesystem::path& file, const Eigen::Ma
 
 /// Returns the only reading that fits, where each other one fits far worse; else nothing.
 std::optional<Reading> only_fitting(std::vector<Reading> readings);
-
-/// Returns what else the file may mean where it does not fit as it is read: the other unit, the
-/// inverse attitude, rates in the other axes, another order of the quaternion's components or of
-/// the rotations of Euler angles, each alone and together.
-std::vector<Convention> variants(const Convention& convention);
-
-/// Returns the only reading of the file that fits, of variants(convention) with the body as it is,
-/// and of `convention` with the moments of a diagonal `inertia` in another order.
-std::optional<Reading> fitting_variant(const std::filesystem::path& file,
-                                       const Eigen::Matrix3d& inertia,
-                                       const Convention& convention);
 
 }  // namespace twrench::check

@@ -4,8 +4,15 @@
 
 namespace twrench::check {
 
+/// How the numbers of a column are written.
+enum class Written { decimals, digits, float16, float32, float64 };
+
 /// How far the written digits of a column determine its numbers: the spacing of what it can hold.
 struct Resolution {
+  Written written = Written::float64;
+  int count = 0;           ///< of the decimals or digits
+  bool converted = false;  ///< before a change of the unit, which added digits that tell nothing
+
   /// One unit of the last decimal place that is written; 0 where significant digits are counted.
   double absolute = 0;
   /// One unit of the last significant digit, relative to the leading one: 10^-(digits - 1), or the

@@ -26,8 +26,6 @@ class RowReader {
 
   bool has_rates() const;
   AttitudeForm attitude() const;
-  /// The unit in which the file has its rates; radians where nobody says it.
-  Angle rate_unit() const;
 
   /// Reads the next row. Returns false at the end. Throws system::FileError where the file cannot
   /// be read, and table::BadTable, about the row and the column, for what is no number, not finite,

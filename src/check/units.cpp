@@ -61,61 +61,82 @@ void add_word(std::vector<std::string>& words, std::string word) {
   }
 }
 
-template <std::size_t count>
-bool is_one_of(const std::array<std::string_view, count>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
+struct RateWord {
+  std::string_view word;
+  RateUnit unit;
+};
+/// Units of angles, and of rates if "per second" follows.
+constexpr std::array<RateWord, 15> angle_words{{{"deg", RateUnit::deg_s},
+                                                {"degs", RateUnit::deg_s},
+                                                {"degree", RateUnit::deg_s},
+                                                {"degrees", RateUnit::deg_s},
+                                                {"dps", RateUnit::deg_s},
+                                                {"degps", RateUnit::deg_s},
+                                                {"rad", RateUnit::rad_s},
+                                                {"rads", RateUnit::rad_s},
+                                                {"radian", RateUnit::rad_s},
+                                                {"radians", RateUnit::rad_s},
+                                                {"radps", RateUnit::rad_s},
+                                                {"rev", RateUnit::rev_s},
+                                                {"revs", RateUnit::rev_s},
+                                                {"rps", RateUnit::rev_s},
+                                                {"rpm", RateUnit::rpm}}};
+constexpr std::array<std::string_view, 4> unread_words{"turns", "mrad", "cycles", "gon"};
+
+struct TimeWord {
+  std::string_view word;
+  TimeUnit unit;
+};
+constexpr std::array<TimeWord, 19> time_words{{{"s", TimeUnit::s},
+                                               {"sec", TimeUnit::s},
+                                               {"secs", TimeUnit::s},
+                                               {"second", TimeUnit::s},
+                                               {"seconds", TimeUnit::s},
+                                               {"ms", TimeUnit::ms},
+                                               {"msec", TimeUnit::ms},
+                                               {"millis", TimeUnit::ms},
+                                               {"milliseconds", TimeUnit::ms},
+                                               {"us", TimeUnit::us},
+                                               {"usec", TimeUnit::us},
+                                               {"microseconds", TimeUnit::us},
+                                               {"ns", TimeUnit::ns},
+                                               {"nsec", TimeUnit::ns},
+                                               {"nanoseconds", TimeUnit::ns},
+                                               {"mins", TimeUnit::min},
+                                               {"minutes", TimeUnit::min},
+                                               {"hrs", TimeUnit::h},
+                                               {"hours", TimeUnit::h}}};
+
+/// The unit of time that the word at `at` names. "min" and "h" also mean other things, so that they
+/// count only beside a word of time: "t_min".
+std::optional<TimeUnit> time_at(std::span<const std::string> words, std::size_t at) {
+  if (at >= words.size()) return std::nullopt;
+  const auto found = std::ranges::find(time_words, words[at], &TimeWord::word);
+  if (found != time_words.end()) return found->unit;
+  constexpr std::array<std::string_view, 3> of_time{"t", "time", "elapsed"};
+  if (at == 0 || std::ranges::find(of_time, words[at - 1]) == of_time.end()) return std::nullopt;
+  if (words[at] == "min") return TimeUnit::min;
+  return words[at] == "h" ? std::optional(TimeUnit::h) : std::nullopt;
 }
 
-constexpr std::array<std::string_view, 6> degree_words{"deg",     "degs", "degree",
-                                                       "degrees", "dps",  "degps"};
-constexpr std::array<std::string_view, 5> radian_words{"rad", "rads", "radian", "radians", "radps"};
-constexpr std::array<std::string_view, 8> unread_words{"rpm",   "rps",  "rev",    "revs",
-                                                       "turns", "mrad", "cycles", "gon"};
-
-constexpr std::array<std::pair<std::string_view, double>, 15> time_words{{{"s", 1},
-                                                                          {"sec", 1},
-                                                                          {"secs", 1},
-                                                                          {"second", 1},
-                                                                          {"seconds", 1},
-                                                                          {"ms", 1e-3},
-                                                                          {"msec", 1e-3},
-                                                                          {"millis", 1e-3},
-                                                                          {"milliseconds", 1e-3},
-                                                                          {"us", 1e-6},
-                                                                          {"usec", 1e-6},
-                                                                          {"microseconds", 1e-6},
-                                                                          {"ns", 1e-9},
-                                                                          {"nsec", 1e-9},
-                                                                          {"nanoseconds", 1e-9}}};
-
-std::optional<double> seconds_in(std::string_view word) {
-  const auto found =
-      std::ranges::find(time_words, word, [](const auto& unit) { return unit.first; });
-  if (found == time_words.end()) return std::nullopt;
-  return found->second;
-}
-
-/// Takes the unit at the front of the words, if there is one: "deg per s", "rad / s", "ms". Returns
-/// how many words it has.
-std::size_t take_unit(std::span<const std::string> words, StatedUnit& unit) {
-  const std::string& first = words.front();
-  const auto is_second = [&](std::size_t i) {
-    return i < words.size() && seconds_in(words[i]) == 1.0;
-  };
-  std::optional<Angle> angle;
-  if (is_one_of(degree_words, first)) angle = Angle::degrees;
-  if (is_one_of(radian_words, first)) angle = Angle::radians;
-  if (is_one_of(unread_words, first)) {
-    unit.unread = first;
+/// Reads the unit that begins at `at`, if there is one: "deg per s", "rad / s", "rev / min", "ms".
+/// Returns how many words it has.
+std::size_t take_unit(std::span<const std::string> words, std::size_t at, StatedUnit& unit) {
+  if (std::ranges::find(unread_words, words[at]) != unread_words.end()) {
+    unit.unread = words[at];
     return 1;
   }
-  if (angle) {
-    unit.angle = angle;
-    if (is_second(1)) return 2;
-    return words.size() > 2 && words[1] == "per" && is_second(2) ? 3 : 1;
+  const auto angle = std::ranges::find(angle_words, words[at], &RateWord::word);
+  if (angle != angle_words.end()) {
+    unit.rate = angle->unit;
+    const std::size_t next = at + 1 < words.size() && words[at + 1] == "per" ? at + 2 : at + 1;
+    const bool is_a_minute = next < words.size() && words[next] == "min";
+    if (is_a_minute && angle->unit == RateUnit::rev_s) unit.rate = RateUnit::rpm;
+    if (is_a_minute && angle->unit != RateUnit::rev_s) unit.unread = words[at] + "/min";
+    return is_a_minute || time_at(words, next) == TimeUnit::s ? next + 1 - at : 1;
   }
-  if (const auto seconds = seconds_in(first)) {
-    unit.seconds = seconds;
+  if (const auto time = time_at(words, at)) {
+    unit.time = time;
     return 1;
   }
   return 0;
@@ -142,7 +163,7 @@ std::vector<std::string> words_of(std::string_view name) {
 StatedUnit stated_unit(const std::vector<std::string>& words) {
   StatedUnit unit;
   for (std::size_t i = 0; i < words.size();) {
-    const std::size_t taken = take_unit(std::span(words).subspan(i), unit);
+    const std::size_t taken = take_unit(words, i, unit);
     if (taken == 0) unit.other_words.push_back(words[i]);
     i += std::max<std::size_t>(taken, 1);
   }
@@ -152,15 +173,61 @@ StatedUnit stated_unit(const std::vector<std::string>& words) {
 StatedUnit stated_unit(const table::Header& header, std::size_t column) {
   StatedUnit unit = stated_unit(words_of(header.names[column]));
   if (column >= header.units.size()) return unit;
-  const StatedUnit below = stated_unit(words_of(header.units[column]));
-  if (below.angle) unit.angle = below.angle;
-  if (below.seconds) unit.seconds = below.seconds;
+  // Nothing but a unit stands there.
+  std::vector<std::string> words = words_of(header.units[column]);
+  words.insert(words.begin(), "time");
+  const StatedUnit below = stated_unit(words);
+  if (below.rate) unit.rate = below.rate;
+  if (below.time) unit.time = below.time;
   if (!below.unread.empty()) unit.unread = below.unread;
   return unit;
 }
 
-const char* name_of(Angle unit) { return unit == Angle::radians ? "radians" : "degrees"; }
+const std::vector<RateUnitName>& rate_units() {
+  static const std::vector<RateUnitName> units{
+      {RateUnit::rad_s, "rad", "rad/s", 1},
+      {RateUnit::deg_s, "deg", "deg/s", std::numbers::pi / 180},
+      {RateUnit::rev_s, "rev", "rev/s", 2 * std::numbers::pi},
+      {RateUnit::rpm, "rpm", "rpm", 2 * std::numbers::pi / 60}};
+  return units;
+}
 
-double radians_in(Angle unit) { return unit == Angle::radians ? 1.0 : std::numbers::pi / 180.0; }
+const RateUnitName& name_of(RateUnit unit) {
+  return *std::ranges::find(rate_units(), unit, &RateUnitName::unit);
+}
+
+const std::vector<AngleName>& angle_units() {
+  static const std::vector<AngleName> units{{Angle::radians, "rad", 1},
+                                            {Angle::degrees, "deg", std::numbers::pi / 180}};
+  return units;
+}
+
+const AngleName& name_of(Angle unit) {
+  return *std::ranges::find(angle_units(), unit, &AngleName::unit);
+}
+
+const std::vector<TimeUnitName>& time_units() {
+  static const std::vector<TimeUnitName> units{
+      {TimeUnit::s, "s", 1},      {TimeUnit::ms, "ms", 1e-3}, {TimeUnit::us, "us", 1e-6},
+      {TimeUnit::ns, "ns", 1e-9}, {TimeUnit::min, "min", 60}, {TimeUnit::h, "h", 3600}};
+  return units;
+}
+
+const TimeUnitName& name_of(TimeUnit unit) {
+  return *std::ranges::find(time_units(), unit, &TimeUnitName::unit);
+}
+
+std::optional<Angle> angle_of(RateUnit unit) {
+  switch (unit) {
+    case RateUnit::rad_s:
+      return Angle::radians;
+    case RateUnit::deg_s:
+      return Angle::degrees;
+    case RateUnit::rev_s:
+    case RateUnit::rpm:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
 
 }  // namespace twrench::check

@@ -16,9 +16,9 @@ std::vector<std::string> words_of(std::string_view name);
 /// What the words of a name say of its unit, and the words without it.
 struct StatedUnit {
   std::vector<std::string> other_words;
-  std::optional<Angle> angle;     ///< of an angle, or of an angle per second
-  std::optional<double> seconds;  ///< how many seconds a unit of time has
-  std::string unread;             ///< a unit of angles that is not read ("rpm"), or empty
+  std::optional<RateUnit> rate;  ///< of an angular rate; of an angle, this unit without the second
+  std::optional<TimeUnit> time;
+  std::string unread;  ///< a unit of angles that is not read ("gon"), or empty
 };
 
 /// Takes the words of units from a name.
@@ -27,10 +27,36 @@ StatedUnit stated_unit(const std::vector<std::string>& words);
 /// The same for a column, of which the row below the names may tell more.
 StatedUnit stated_unit(const table::Header& header, std::size_t column);
 
-/// "radians" or "degrees".
-const char* name_of(Angle unit);
+/// How options and people name a unit of rates, and how large it is.
+struct RateUnitName {
+  RateUnit unit;
+  const char* option;  ///< "deg"
+  const char* symbol;  ///< "deg/s"
+  double in_rad_s;     ///< how many rad/s one of it has
+};
+const std::vector<RateUnitName>& rate_units();
+const RateUnitName& name_of(RateUnit unit);
 
-/// One of this unit in rad.
-double radians_in(Angle unit);
+/// The same of angles.
+struct AngleName {
+  Angle unit;
+  const char* option;  ///< "deg"
+  double in_rad;
+};
+const std::vector<AngleName>& angle_units();
+const AngleName& name_of(Angle unit);
+
+/// The same of times.
+struct TimeUnitName {
+  TimeUnit unit;
+  const char* option;  ///< "ms"
+  double in_s;
+};
+const std::vector<TimeUnitName>& time_units();
+const TimeUnitName& name_of(TimeUnit unit);
+
+/// The unit of angles that a rate has in each second; nothing for revolutions, in which nobody
+/// writes Euler angles.
+std::optional<Angle> angle_of(RateUnit unit);
 
 }  // namespace twrench::check

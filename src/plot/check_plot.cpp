@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/time_unit.h"
+#include "check/units.h"
 #include "plot/panels.h"
 
 namespace twrench::plot {
@@ -25,11 +26,12 @@ struct ErrorPanel {
 
 std::vector<ErrorPanel> panels_of(std::span<const JudgedCurve> curves) {
   constexpr double per_radian = 180 / std::numbers::pi;
-  const bool in_degrees = curves.front().judgement->rate_unit == check::Angle::degrees;
+  const check::RateUnitName& rates =
+      check::name_of(check::rate_unit(curves.front().judgement->convention));
   std::vector<ErrorPanel> panels{{"Rates",
-                                  in_degrees ? "deg/s" : "rad/s",
+                                  rates.symbol,
                                   "rates",
-                                  in_degrees ? per_radian : 1,
+                                  1 / rates.in_rad_s,
                                   &check::Span::rate_error,
                                   &check::Span::rate_limit,
                                   {}},

@@ -50,10 +50,10 @@ std::string refusal(const Names& names, const std::string& said = {}) {
 }
 
 /// The unit of the only reading.
-std::optional<Angle> unit_in(const Names& names, const Names& units = {}) {
+std::optional<RateUnit> unit_in(const Names& names, const Names& units = {}) {
   const auto all = conventions(header_of(names, units), {});
   EXPECT_THAT(all, SizeIs(1));
-  return all.front().unit;
+  return all.front().rate_unit;
 }
 
 TEST(Conventions, FindOurOwnNames) {
@@ -96,6 +96,7 @@ TEST(Conventions, FindTheUsualNamesOfRates) {
       {"rateRoll", "ratePitch", "rateYaw"},
       {"p_body", "q_body", "r_body"},
       {"rates[0]", "rates[1]", "rates[2]"},
+      {"trueAngularRate_X_rad_s", "trueAngularRate_Y_rad_s", "trueAngularRate_Z_rad_s"},
       {"bodyAngularRateWrtEi_deg_s_Roll", "bodyAngularRateWrtEi_deg_s_Pitch",
        "bodyAngularRateWrtEi_deg_s_Yaw"}};
   for (const Names& n : triples) {
@@ -209,13 +210,33 @@ TEST(Conventions, LeaveOpenWhatNamesLeaveOpen) {
               SizeIs(2));
 }
 
+TEST(Conventions, KnowTheColumnsOfAFileWithoutNamesByTheirNumber) {
+  const auto unnamed = [](int count) {
+    Names names;
+    for (int i = 1; i <= count; ++i) names.push_back("#" + std::to_string(i));
+    return names;
+  };
+  EXPECT_THAT(readings_of(unnamed(4)), ElementsAre("t=#1,wx=#2,wy=#3,wz=#4"));
+  EXPECT_THAT(readings_of(unnamed(5)),
+              ElementsAre("t=#1,qw=#2,qx=#3,qy=#4,qz=#5", "t=#1,qw=#5,qx=#2,qy=#3,qz=#4"));
+  EXPECT_THAT(readings_of(unnamed(8)),
+              ElementsAre("t=#1,wx=#6,wy=#7,wz=#8,qw=#2,qx=#3,qy=#4,qz=#5",
+                          "t=#1,wx=#6,wy=#7,wz=#8,qw=#5,qx=#2,qy=#3,qz=#4",
+                          "t=#1,wx=#2,wy=#3,wz=#4,qw=#5,qx=#6,qy=#7,qz=#8",
+                          "t=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7"));
+  EXPECT_THAT(readings_of(unnamed(10)), SizeIs(2));
+  EXPECT_THAT(readings_of(unnamed(13)), SizeIs(4));
+  EXPECT_THAT(readings_of(unnamed(8), "wx=#2,wy=#3,wz=#4,t=#1"), SizeIs(1));
+  EXPECT_THAT(refusal(unnamed(6)), HasSubstr("no columns have names of rates"));
+}
+
 TEST(Conventions, LeaveTheSequenceOfEulerAnglesOpen) {
   const auto header = header_of({"t", "euler_yaw_deg", "euler_pitch_deg", "euler_roll_deg"});
   const auto open = conventions(header, {});
   ASSERT_THAT(open, SizeIs(6));
   EXPECT_EQ(open.front().sequence, "zyx");
-  EXPECT_EQ(open.front().euler_unit, Angle::degrees);
-  EXPECT_EQ(open.front().unit, std::nullopt);
+  EXPECT_EQ(open.front().angle_unit, Angle::degrees);
+  EXPECT_EQ(open.front().rate_unit, std::nullopt);
   Convention said;
   said.sequence = "zxz";
   ASSERT_THAT(conventions(header, said), SizeIs(1));
@@ -272,26 +293,56 @@ TEST(Conventions, AskWhichOfTwoColumnsIsMeant) {
 
 TEST(Conventions, TakeTheUnitFromTheNames) {
   EXPECT_EQ(unit_in({"t", "p", "q", "r"}), std::nullopt);
-  EXPECT_EQ(unit_in({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), Angle::degrees);
-  EXPECT_EQ(unit_in({"t", "p [deg/s]", "q [deg/s]", "r [deg/s]"}), Angle::degrees);
-  EXPECT_EQ(unit_in({"t", "p (\u00b0/s)", "q (\u00b0/s)", "r (\u00b0/s)"}), Angle::degrees);
-  EXPECT_EQ(unit_in({"t", "gyro_x_dps", "gyro_y_dps", "gyro_z_dps"}), Angle::degrees);
-  EXPECT_EQ(unit_in({"t", "wx (rad/s)", "wy (rad/s)", "wz (rad/s)"}), Angle::radians);
-  EXPECT_EQ(unit_in({"t", "wx", "wy", "wz"}, {"s", "deg/s", "deg/s", "deg/s"}), Angle::degrees);
+  EXPECT_EQ(unit_in({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), RateUnit::deg_s);
+  EXPECT_EQ(unit_in({"t", "p [deg/s]", "q [deg/s]", "r [deg/s]"}), RateUnit::deg_s);
+  EXPECT_EQ(unit_in({"t", "p (\u00b0/s)", "q (\u00b0/s)", "r (\u00b0/s)"}), RateUnit::deg_s);
+  EXPECT_EQ(unit_in({"t", "gyro_x_dps", "gyro_y_dps", "gyro_z_dps"}), RateUnit::deg_s);
+  EXPECT_EQ(unit_in({"t", "wx (rad/s)", "wy (rad/s)", "wz (rad/s)"}), RateUnit::rad_s);
+  EXPECT_EQ(unit_in({"t", "wx", "wy", "wz"}, {"s", "deg/s", "deg/s", "deg/s"}), RateUnit::deg_s);
+}
+
+TEST(Conventions, KnowEveryUnit) {
+  const std::pair<const char*, RateUnit> rates[] = {{"wx [rev/s]", RateUnit::rev_s},
+                                                    {"wx_rps", RateUnit::rev_s},
+                                                    {"wx_rpm", RateUnit::rpm},
+                                                    {"wx (rev/min)", RateUnit::rpm},
+                                                    {"trueAngularRate_X_rad_s", RateUnit::rad_s}};
+  for (const auto& [name, unit] : rates) {
+    const std::string x(name), axis = x.starts_with("true") ? "X" : "x";
+    const auto with = [&](const char* other) {
+      return std::string(x).replace(x.find(axis), 1, other);
+    };
+    EXPECT_EQ(unit_in({"t", x, with("y"), with("z")}), unit) << name;
+  }
+  const std::pair<const char*, TimeUnit> times[] = {
+      {"t_ms", TimeUnit::ms},      {"time [us]", TimeUnit::us}, {"timestamp_ns", TimeUnit::ns},
+      {"time_min", TimeUnit::min}, {"t (h)", TimeUnit::h},      {"elapsed_hours", TimeUnit::h},
+      {"t [s]", TimeUnit::s}};
+  for (const auto& [name, unit] : times) {
+    const auto all = conventions(header_of({name, "wx", "wy", "wz"}), {});
+    ASSERT_THAT(all, SizeIs(1)) << name;
+    EXPECT_EQ(all.front().time_unit, unit) << name;
+  }
+  Convention said;
+  said.time_unit = TimeUnit::s;
+  EXPECT_THAT(refusal(header_of({"t_ms", "wx", "wy", "wz"}), said),
+              HasSubstr("the column 't_ms' states ms, but s was said"));
 }
 
 TEST(Conventions, RefuseUnitsThatContradict) {
   Convention said;
-  said.unit = Angle::radians;
+  said.rate_unit = RateUnit::rad_s;
   EXPECT_THAT(refusal(header_of({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), said),
-              HasSubstr("the column 'p_deg_s' states degrees, but radians were said"));
+              HasSubstr("the column 'p_deg_s' states deg, but rad was said"));
   EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "deg/s", "rad/s", "deg/s"}), {}),
-              HasSubstr("'wy' states radians, but degrees are stated by another"));
-  EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "rpm", "rpm", "rpm"}), {}),
+              HasSubstr("'wy' states rad, but deg is stated by another"));
+  EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "gon/s", "gon/s", "gon/s"}), {}),
+              HasSubstr("is in gon, which is not read"));
+  EXPECT_THAT(refusal(header_of({"t", "yaw_rpm", "pitch_rpm", "roll_rpm"}), {}),
               HasSubstr("is in rpm, which is not read"));
-  said.unit = Angle::degrees;
-  EXPECT_EQ(conventions(header_of({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), said).front().unit,
-            Angle::degrees);
+  said.rate_unit = RateUnit::deg_s;
+  EXPECT_EQ(conventions(header_of({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), said).front().rate_unit,
+            RateUnit::deg_s);
 }
 
 TEST(Conventions, KeepTheUnitsOfRatesAndEulerAnglesApart) {
@@ -300,8 +351,8 @@ TEST(Conventions, KeepTheUnitsOfRatesAndEulerAnglesApart) {
   const auto all = conventions(
       header_of({"t", "yaw_rad", "pitch_rad", "roll_rad", "p_deg_s", "q_deg_s", "r_deg_s"}), said);
   ASSERT_THAT(all, SizeIs(1));
-  EXPECT_EQ(all.front().unit, Angle::degrees);
-  EXPECT_EQ(all.front().euler_unit, Angle::radians);
+  EXPECT_EQ(all.front().rate_unit, RateUnit::deg_s);
+  EXPECT_EQ(all.front().angle_unit, Angle::radians);
 }
 
 TEST(Conventions, NoticeRatesInSpaceAxes) {

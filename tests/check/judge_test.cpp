@@ -232,7 +232,7 @@ TEST(Judge, LetsRoundedEulerAnglesPass) {
   system::write_file_atomically(folder / "euler.csv", text);
   Convention convention = own_names(Parts::rates);
   for (const char* name : {"yaw", "pitch", "roll"}) convention.columns[name] = name;
-  convention.unit = Angle::degrees;
+  convention.rate_unit = RateUnit::deg_s;
   convention.sequence = "zyx";
   const Judgement judgement = judge(folder / "euler.csv", convention, tumbling_problem());
   EXPECT_TRUE(judgement.within_digits) << in_degrees(judgement.attitude->max);
@@ -271,10 +271,15 @@ TEST(Judge, KnowsHowFarADigitGrows) {
   EXPECT_GT(judgement.growth.rates, 1e4);
 }
 
-TEST(Judge, OneRowTellsNothingAndIsNoError) {
-  const Judgement judgement = judged(exact_rows(1), Parts::both, tumbling_problem());
+TEST(Judge, OneRowTellsSomethingOnlyOfAStateThatIsGiven) {
+  EXPECT_THROW(judged(exact_rows(1), Parts::both, tumbling_problem()), CheckError);
+  Problem problem = tumbling_problem();
+  problem.omega = omega;
+  EXPECT_THROW(judged(exact_rows(1), Parts::both, problem), CheckError);
+  const std::vector<Row> rows = exact_rows(11);
+  const Judgement judgement = judged({rows.back()}, Parts::rates, problem);
   EXPECT_EQ(judgement.rows, 1U);
-  EXPECT_LT(judgement.rates->max, 1e-15);
+  EXPECT_LT(judgement.rates->max, 1e-14);
   EXPECT_TRUE(judgement.within_digits);
 }
 

@@ -1,5 +1,6 @@
 #include "check/row_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "check/attitude.h"
+#include "check/body_axes.h"
 #include "system/error.h"
 
 namespace twrench::check {
@@ -76,9 +78,50 @@ TEST(RowReader, ConvertsUnits) {
   EXPECT_DOUBLE_EQ(rows[0].t, 0.25);
   EXPECT_TRUE(rows[0].omega.isApprox(degree * Eigen::Vector3d(180, 90, -45), 1e-15));
   Convention said;
-  said.unit = Angle::degrees;
+  said.rate_unit = RateUnit::deg_s;
   EXPECT_TRUE(rows_of("t,p,q,r\n0,180,90,-45\n", said)[0].omega.isApprox(rows[0].omega, 1e-15));
-  EXPECT_EQ(reader_of("t,p,q,r\n0,1,2,3\n").rate_unit(), Angle::radians);
+  EXPECT_EQ(rows_of("t,p,q,r\n0,1,2,3\n")[0].omega, Eigen::Vector3d(1, 2, 3));
+  said.rate_unit = RateUnit::rpm;
+  said.time_unit = TimeUnit::min;
+  const Row minute = rows_of("t,p,q,r\n0.5,60,0,-30\n", said)[0];
+  EXPECT_DOUBLE_EQ(minute.t, 30);
+  EXPECT_TRUE(minute.omega.isApprox(360 * degree * Eigen::Vector3d(1, 0, -0.5), 1e-15));
+}
+
+// What is rotated in a file is rotated back: rates, matrices, and rates in space axes.
+TEST(RowReader, TakesTheFilesAxesToTheBodys) {
+  const Eigen::Vector3d omega(1, 2, 3);
+  const Eigen::Matrix3d X = rotation_by_euler_angles({2, 1, 0}, std::array{0.3, 0.5, -0.7});
+  for (const BodyAxes& axes : all_body_axes()) {
+    const Eigen::Matrix3d P = axes.matrix();
+    const Eigen::Vector3d rates = P * omega;
+    // Where the file is left-handed, its space is too.
+    const Eigen::Matrix3d attitude = P.determinant() * X * P.transpose();
+    for (const bool in_space : {false, true}) {
+      const Eigen::Vector3d w = in_space ? Eigen::Vector3d(attitude * rates) : rates;
+      std::string text = "t,wx,wy,wz,x11,x12,x13,x21,x22,x23,x31,x32,x33\n0";
+      for (int i = 0; i < 3; ++i) text += fmt::format(",{:.17g}", w[i]);
+      for (int i = 0; i < 9; ++i) text += fmt::format(",{:.17g}", attitude(i / 3, i % 3));
+      Convention said;
+      said.axes = axes;
+      said.rates_in_space = in_space;
+      const Row row = rows_of(text + "\n", said)[0];
+      EXPECT_TRUE(row.omega.isApprox(omega, 1e-14)) << format_body_axes(axes) << in_space;
+      EXPECT_TRUE(row.X.isApprox(X, 1e-14)) << format_body_axes(axes);
+    }
+  }
+}
+
+TEST(RowReader, TakesTheAttitudeOfAPartToThatOfTheBody) {
+  Convention said;
+  said.offset = Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()));
+  const Eigen::Quaterniond body(Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()));
+  // A turn of the part's axes into the body's, and of these into those of space.
+  const Eigen::Quaterniond part = body * *said.offset;
+  const Row row = rows_of(fmt::format("t,qw,qx,qy,qz\n0,{:.17g},{:.17g},{:.17g},{:.17g}\n",
+                                      part.w(), part.x(), part.y(), part.z()),
+                          said)[0];
+  EXPECT_TRUE(row.X.isApprox(body.toRotationMatrix(), 1e-14));
 }
 
 TEST(RowReader, ReadsMatrices) {
@@ -244,7 +287,6 @@ RowReader nasa_reader(const std::string& name) {
 TEST(RowReader, ReadsNasasFilesByTheirNames) {
   for (const char* name : {"tumbling_brick_sim_01.csv", "tumbling_brick_sim_05.csv"}) {
     RowReader reader = nasa_reader(name);
-    EXPECT_EQ(reader.rate_unit(), Angle::degrees);
     EXPECT_EQ(reader.attitude(), AttitudeForm::euler);
     const std::vector<Row> rows = rows_of(reader);
     ASSERT_THAT(rows, SizeIs(301));

@@ -39,7 +39,7 @@ class CheckCommand : public testing::Test {
     return run_twrench(folder_, "check " + arguments);
   }
   json judged(const std::string& arguments) const {
-    const Outcome run = check(arguments + " --format json");
+    const Outcome run = check(arguments + " --format json --no-fail");
     EXPECT_EQ(run.code, 0) << run.err;
     return json::parse(run.out);
   }
@@ -139,7 +139,7 @@ TEST_F(CheckCommand, FaultsTheSimulatorThatIsNot) {
 
 TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
   const Outcome run = check(nasa_folder + "01.csv" + brick + "--sequence zyx");
-  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("attitude and rates are inconsistent"), HasSubstr("the Earth's rate"),
                     HasSubstr("the rates cannot be faulted")));
@@ -236,18 +236,20 @@ TEST_F(CheckCommand, ReportsAsJUnit) {
 TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
   simulate("radians.csv", "--method exact --duration 40");
   const Outcome degrees = check("radians.csv " + body + "--units deg");
-  EXPECT_EQ(degrees.code, 0) << degrees.err;
-  EXPECT_THAT(degrees.out, HasSubstr("but it does with --units rad"));
+  EXPECT_EQ(degrees.code, 1) << degrees.err;
+  EXPECT_THAT(degrees.out, HasSubstr("but it does if the rates are in rad/s: use --units rad"));
+  EXPECT_EQ(check("radians.csv " + body + "--units deg --no-fail").code, 0);
   EXPECT_THAT(check("radians.csv " + body + "--inverse").out,
-              HasSubstr("it does without --inverse"));
-  EXPECT_THAT(check("radians.csv --inertia 3,2,4").out, HasSubstr("it does with --inertia 2,3,4"));
+              HasSubstr("if the attitude is space from body: leave --inverse out"));
+  EXPECT_THAT(check("radians.csv --inertia 3,2,4").out,
+              HasSubstr("if the moments have another order: use --inertia 2,3,4 (or --axes "));
   EXPECT_THAT(check("radians.csv " + body + "--rates space").out,
-              HasSubstr("it does with --rates body"));
+              HasSubstr("if the rates are in the body's axes: use --rates body"));
 }
 
 /// Python that prints the rows of `simulate` through stdin, with x the 9 numbers of X, w the rates.
 std::string rewritten(const std::string& header, const std::string& line) {
-  return "python3 -c \"import sys\nprint('" + header +
+  return "python3 -c \"import random, sys\nr = random.Random(1)\nprint('" + header +
          "')\nfor n in list(sys.stdin)[1:]:\n  n = [float(v) for v in n.split(',')]\n"
          "  t, x, w = n[0], n[1:10], n[10:13]\n  print(" +
          line + ", sep=',')\"";
@@ -324,7 +326,14 @@ TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
       {"e.csv --inertia nan,2,3", "--inertia"},
       {"e.csv --inertia 2,3,4 --columns t=time", "time"},
       {"e.csv --inertia 2,3,4 --columns t=t,qw=x11", "named for qw, but none for qx"},
-      {"e.csv --inertia 2,3,4 --units rpm", "--units"},
+      {"e.csv --inertia 2,3,4 --units grad", "--units"},
+      {"e.csv --inertia 2,3,4 --time-unit days", "--time-unit"},
+      {"e.csv --inertia 2,3,4 --angle-units rpm", "--angle-units"},
+      {"e.csv --inertia 2,3,4 --axes x,y", "such as x,-z,y"},
+      {"e.csv --inertia 2,3,4 --axes x,y,-x", "such as x,-z,y"},
+      {"e.csv --inertia 2,3,4 --axes x,y,z,x", "such as x,-z,y"},
+      {"e.csv --inertia 2,3,4 --offset 1,0,0", "four of a quaternion"},
+      {"e.csv --inertia 2,3,4 --offset 2,0,0,0", "has the length 2"},
       {"e.csv --inertia 2,3,4 --sequence xyw", "--sequence"},
       {"e.csv --inertia 2,3,4 --frame last", "--frame"},
       {"e.csv --inertia 2,3,4 --omega 1,2,3 --omega-at last", "--omega-at"},
@@ -352,6 +361,67 @@ TEST_F(CheckCommand, AttitudesAloneNeedARate) {
   EXPECT_THAT(check("x.csv --fit " + body).out, HasSubstr("cannot be faulted"));
 }
 
+TEST_F(CheckCommand, NamesTheConventionThatFits) {
+  simulate("e.csv", "--method rkmk4 --step 0.1 --duration 40");
+  const std::pair<std::string, std::string> cases[] = {
+      {"1e3 * t, *w", "if t is in ms: use --time-unit ms"},
+      {"1e6 * t, *w", "if t is in us: use --time-unit us"},
+      {"t / 60, *w", "if t is in min: use --time-unit min"},
+      {"t, *[v * 180 / 3.141592653589793 for v in w]",
+       "if the rates are in deg/s: use --units deg"},
+      {"t, *[v * 30 / 3.141592653589793 for v in w]", "if the rates are in rpm: use --units rpm"},
+      {"t, *[v / 2 / 3.141592653589793 for v in w]", "if the rates are in rev/s: use --units rev"},
+      {"t, w[0], w[2], w[1]", "if its axes are the body's x,z,y: use --axes x,z,y"},
+      {"t, -w[0], w[1], w[2]", "if its axes are the body's -x,y,z: use --axes -x,y,z"},
+      {"1e3 * t, *[v * 180 / 3.141592653589793 for v in w]",
+       "if t is in ms and the rates are in deg/s: use --time-unit ms --units deg"}};
+  for (const auto& [line, part] : cases) {
+    ASSERT_EQ(run_shell(folder_, rewritten("t,wx,wy,wz", line) + " < e.csv > w.csv").code, 0);
+    const Outcome run = check("w.csv " + body);
+    EXPECT_EQ(run.code, 1) << line << run.err;
+    EXPECT_THAT(run.out, HasSubstr(part)) << line;
+    const std::string options = part.substr(part.find("use ") + 4);
+    const json corrected = judged("w.csv " + body + options);
+    EXPECT_EQ(corrected["finding"], "integration") << line;
+    EXPECT_TRUE(corrected["alternatives"].empty()) << line;
+  }
+}
+
+TEST_F(CheckCommand, KnowsNoiseFromErrors) {
+  simulate("e.csv", "--method exact --duration 40");
+  ASSERT_EQ(run_shell(folder_, rewritten("t,wx,wy,wz", "t, *[v + r.gauss(0, 1e-3) for v in w]") +
+                                   " < e.csv > noisy.csv")
+                .code,
+            0);
+  const Outcome run = check("noisy.csv " + body);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("follows the exact motion within its noise"),
+                             HasSubstr("use --fit")));
+  EXPECT_NEAR(judged("noisy.csv " + body)["noise"]["rates"].get<double>(), 1e-3, 1e-4);
+  const Outcome fitted = check("noisy.csv --fit " + body);
+  EXPECT_EQ(fitted.code, 0) << fitted.out;
+  EXPECT_THAT(fitted.out, Not(HasSubstr("use --fit")));
+  // An error of a method is no noise.
+  simulate("rough.csv", "--method rkmk4 --step 0.5 --duration 40");
+  EXPECT_EQ(judged("rough.csv " + body)["finding"], "integration");
+}
+
+TEST_F(CheckCommand, SaysFromWhichRowOnTheUnitIsAnother) {
+  simulate("e.csv", "--method exact --duration 10");
+  const std::pair<std::string, std::string> cases[] = {
+      {"t, *[v * (57.29577951308232 if t > 4.95 else 1) for v in w]",
+       "mixed.csv:52: from this row on the angular momentum is 57.3 times"},
+      {"t if t < 4.95 else 1e3 * t, *w",
+       "mixed.csv:52: from this row on the time between rows is 1000 times"}};
+  for (const auto& [line, part] : cases) {
+    ASSERT_EQ(run_shell(folder_, rewritten("t,wx,wy,wz", line) + " < e.csv > mixed.csv").code, 0);
+    const Outcome run = check("mixed.csv " + body + "-o report.txt");
+    EXPECT_EQ(run.code, 2) << run.out;
+    EXPECT_THAT(run.err, HasSubstr(part));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "report.txt"));
+  }
+}
+
 TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
   for (const char* inertia : {"2,2,2", "2,2,3", "2,3,4"}) {
     ASSERT_EQ(run_twrench(folder_, fmt::format("simulate --inertia {} --omega 0,0,1 --duration 5 "
@@ -365,7 +435,14 @@ TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
                                HasSubstr("cannot be faulted"), Not(HasSubstr("nan"))));
   }
   ASSERT_EQ(run_shell(folder_, "head -2 n.csv > one.csv").code, 0);
-  EXPECT_THAT(check("one.csv --inertia 2,3,4").out, HasSubstr("one row tells nothing of a motion"));
+  const Outcome one = check("one.csv --inertia 2,3,4");
+  EXPECT_EQ(one.code, 2);
+  EXPECT_THAT(one.err, HasSubstr("has one row, which tells nothing of a motion\n  judge a file of "
+                                 "several rows"));
+  // With the state at another time, it tells something.
+  ASSERT_EQ(run_shell(folder_, "tail -1 n.csv > rows && (head -1 n.csv; cat rows) > last.csv").code,
+            0);
+  EXPECT_THAT(check("last.csv --inertia 2,3,4 --omega 0,0,1").out, HasSubstr("cannot be faulted"));
 }
 
 TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
@@ -377,7 +454,7 @@ TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
 TEST_F(CheckCommand, PlotsErrorsAgainstTime) {
   simulate("rk4.csv", "--method rk4 --step 0.1 --duration 20");
   const Outcome run = check("rk4.csv " + body + "--plot e.svg -o e.txt");
-  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.code, 1) << run.err;
   const std::string svg = text_of(folder_ / "e.svg");
   EXPECT_THAT(svg, AllOf(HasSubstr("Attitude"), HasSubstr("resolution limit of the digits")));
   EXPECT_EQ(run_twrench(folder_, "check rk4.csv " + body + "--plot f.svg", "PATH=/nowhere ").code,

@@ -1,0 +1,319 @@
+#include "check/hypotheses.h"
+
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "check/fit.h"
+#include "check/other_conventions.h"
+#include "check/row_decoder.h"
+#include "check/thinned_rows.h"
+#include "check/units.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Pairs of rows for each interval, where many readings are tried and where one is judged.
+constexpr std::size_t few = 12, many = 128;
+/// A reading that misses more than this part of the changes is none.
+constexpr double follows = 0.2;
+
+/// What the rates are multiplied by, seen by the physics: only products of rates and times matter.
+struct Scale {
+  double factor;
+  std::vector<Units> units;  ///< that have this factor, those as read first
+};
+
+/// The rows in a way of reading the attitude, with rates as they stand, and in no other axes.
+struct Variant {
+  Convention convention;
+  std::vector<Row> rows;
+};
+
+/// How the rows are taken to those that are tested.
+struct Change {
+  double factor = 1;
+  BodyAxes axes = {};
+  bool rates_in_space = false;
+  Matrix3d offset = Matrix3d::Identity();
+};
+
+/// As RowDecoder has it.
+std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
+  const Matrix3d P = change.axes.matrix();
+  const double sign = P.determinant();
+  std::vector<Row> result(rows.begin(), rows.end());
+  for (Row& row : result) {
+    const Vector3d file = change.factor * row.omega;
+    row.X = (sign * row.X * change.offset.transpose() * P).eval();
+    row.omega = change.rates_in_space ? Vector3d(sign * row.X.transpose() * file)
+                                      : Vector3d(P.transpose() * file);
+  }
+  return result;
+}
+
+/// The rows in the reading; nothing where it does not allow them.
+std::optional<std::vector<Row>> rows_in(const TellingNumbers& numbers,
+                                        const Convention& convention) try {
+  const RowDecoder decoder(numbers.header, convention, [] { return std::string(); });
+  std::vector<std::size_t> places;
+  for (const std::size_t column : decoder.columns()) {
+    const auto place = std::ranges::find(numbers.columns, column);
+    places.push_back(static_cast<std::size_t>(place - numbers.columns.begin()));
+  }
+  std::vector<table::Number> in_order(places.size());
+  std::vector<Row> rows(numbers.rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < places.size(); ++k) in_order[k] = numbers.rows[i][places[k]];
+    decoder.decode(in_order, rows[i]);
+  }
+  return rows;
+} catch (const table::BadTable&) {
+  return std::nullopt;
+}
+
+/// Axes that the physics can tell apart, `first` among them: a rotation that takes the inertia to
+/// itself takes a motion to a motion.
+std::vector<BodyAxes> distinct_axes(const Matrix3d& inertia, const BodyAxes& first) {
+  std::vector<BodyAxes> distinct{first};
+  const auto are_alike = [&](const BodyAxes& a, const BodyAxes& b) {
+    const Matrix3d S = b.matrix().transpose() * a.matrix();
+    return S.determinant() > 0 && (S * inertia * S.transpose() - inertia).isZero(0);
+  };
+  for (const BodyAxes& axes : all_body_axes()) {
+    const bool is_new = std::ranges::none_of(
+        distinct, [&](const BodyAxes& other) { return are_alike(axes, other); });
+    if (is_new) distinct.push_back(axes);
+  }
+  return distinct;
+}
+
+std::vector<Scale> scales(const std::vector<Units>& units) {
+  std::vector<Scale> list;
+  const auto in_si = [](const Units& u) { return name_of(u.time).in_s * name_of(u.rate).in_rad_s; };
+  for (const Units& u : units) {
+    const double factor = in_si(u) / in_si(units.front());
+    constexpr double same_factor = 1e-12;
+    const auto same = std::ranges::find_if(list, [&](const Scale& scale) {
+      return std::abs(scale.factor / factor - 1) < same_factor;
+    });
+    if (same != list.end()) {
+      same->units.push_back(u);
+    } else {
+      list.push_back({factor, {u}});
+    }
+  }
+  return list;
+}
+
+/// By how much |L| and the energy vary from row to row, relative to their means: what is conserved
+/// in some unit is in every one.
+double variation(const Matrix3d& inertia, std::span<const Row> rows) {
+  Eigen::Array2d sum = Eigen::Array2d::Zero(), squares = Eigen::Array2d::Zero();
+  for (const Row& row : rows) {
+    const Vector3d L = inertia * row.omega;
+    const Eigen::Array2d conserved(L.norm(), L.dot(row.omega));
+    sum += conserved;
+    squares += conserved.square();
+  }
+  const auto count = static_cast<double>(rows.size());
+  const Eigen::Array2d mean = sum / count;
+  return ((squares / count - mean.square()).max(0).sqrt() / mean).maxCoeff();
+}
+
+/// The fixed rotation from the axes whose attitude the rows have to those of their rates, by least
+/// squares (Wahba's problem) over turns of about a radian. `turned` are the rows with the axes that
+/// the physics of the rates asks for.
+Matrix3d offset_between(const Matrix3d& inertia, std::span<const Row> rows,
+                        std::span<const Row> turned, const BodyAxes& axes) {
+  const Matrix3d P = axes.matrix();
+  std::size_t stride = 1;
+  const auto angle = [&](std::size_t i) {
+    return so3::log(rows[i].X.transpose() * rows[i + stride].X).norm();
+  };
+  while (2 * stride < rows.size() / 2 && angle(0) < 1) stride *= 2;
+  Matrix3d products = Matrix3d::Zero();
+  for (std::size_t i = 0; i + stride < rows.size(); ++i) {
+    const motion::ExactMotion exact({inertia, turned[i].omega});
+    const Matrix3d turn = exact.at(turned[i + stride].t - turned[i].t).X;
+    const Vector3d expected = P.determinant() * (P * so3::log(turn));
+    products += expected * so3::log(rows[i].X.transpose() * rows[i + stride].X).transpose();
+  }
+  const Eigen::JacobiSVD<Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+/// Tries the readings of one file.
+class Search {
+ public:
+  Search(TellingNumbers numbers, const Problem& problem, const Convention& convention)
+      : numbers_(std::move(numbers)),
+        problem_(problem),
+        convention_(convention),
+        has_rates_(check::has_rates(convention)),
+        has_attitude_(attitude_form(convention) != AttitudeForm::none),
+        axes_(distinct_axes(problem.inertia, convention.axes)),
+        scales_(scales(unit_readings(numbers_.header, convention))) {
+    Convention plain = convention;
+    plain.axes = BodyAxes();
+    plain.offset.reset();
+    plain.rates_in_space = false;
+    plain.angle_unit = angle_unit(convention);
+    for (const Convention& reading : attitude_readings(numbers_.header, plain)) {
+      if (auto rows = rows_in(numbers_, reading)) variants_.push_back({reading, std::move(*rows)});
+    }
+  }
+
+  Alternatives run() {
+    if (has_rates_) try_rates_in_body();
+    if (has_rates_ && has_attitude_) try_rates_in_space();
+    if (!has_rates_) try_attitude_alone();
+    if (has_rates_ && has_attitude_ && !any_fits()) try_offsets();
+    return chosen();
+  }
+
+ private:
+  bool any_fits() const {
+    return std::ranges::any_of(found_, [](const Reading& r) { return r.misfit.fits(); });
+  }
+
+  void try_rates_in_body() {
+    if (variants_.empty()) return;
+    for (const Scale& scale : scales_) {
+      for (const BodyAxes& axes : axes_) {
+        const Change change{scale.factor, axes};
+        const auto rows = changed(variants_.front().rows, change);
+        const auto miss = misfit_of_rates(problem_.inertia, rows, few);
+        if (miss.value_or(0) >= follows) continue;
+        for (const Variant& variant : variants_) test(variant, scale, change);
+      }
+    }
+  }
+
+  void try_rates_in_space() {
+    for (const Variant& variant : variants_) {
+      for (const BodyAxes& axes : axes_) {
+        constexpr double conserved = 0.2;  // more than what coarse methods lose
+        const auto unscaled = changed(variant.rows, {1, axes, true});
+        if (variation(problem_.inertia, unscaled) >= conserved) continue;
+        for (const Scale& scale : scales_) test(variant, scale, {scale.factor, axes, true});
+      }
+    }
+  }
+
+  /// Attitudes alone are those of faster or slower motions, too, and tell no unit of the times.
+  void try_attitude_alone() {
+    for (const Variant& variant : variants_) {
+      for (const Scale& scale : scales_) {
+        const bool is_tested = scale.factor == 1 || problem_.omega;
+        for (const BodyAxes& axes : axes_) {
+          if (is_tested) test(variant, {1, scale.units}, {1, axes});
+        }
+      }
+    }
+  }
+
+  void try_offsets() {
+    for (const Scale& scale : scales_) {
+      for (const BodyAxes& axes : axes_) {
+        Change change{scale.factor, axes};
+        const auto rates = changed(variants_.front().rows, change);
+        const auto miss = misfit_of_rates(problem_.inertia, rates, few);
+        if (!miss || *miss >= follows) continue;
+        for (const Variant& variant : variants_) {
+          change.offset = offset_between(problem_.inertia, variant.rows, rates, axes);
+          test(variant, scale, change);
+        }
+      }
+    }
+  }
+
+  /// Keeps the reading if it may fit.
+  void test(const Variant& variant, const Scale& scale, const Change& change) {
+    const auto rows = changed(variant.rows, change);
+    const auto quick = has_attitude_ ? misfit_of_attitude(problem_.inertia, rows, has_rates_, few)
+                                     : misfit_of_rates(problem_.inertia, rows, few);
+    constexpr double clearly_none = 2 * follows;
+    if (quick && *quick >= std::min(clearly_none, nearest_)) return;
+    const Misfit found = misfit(problem_.inertia, rows, has_rates_, has_attitude_);
+    if (!found.worst()) return;
+    nearest_ = std::max(follows, std::min(nearest_, *found.worst()));
+    for (const Units& units : scale.units) {
+      if (!agrees_with_omega(variant, units)) continue;
+      found_.push_back({convention_of(variant, units, change), found});
+    }
+  }
+
+  /// Where the angular velocity is given, that of the rows must be about as large in their units.
+  bool agrees_with_omega(const Variant& variant, const Units& units) const {
+    const std::vector<Row>& rows = variant.rows;
+    if (!problem_.omega || rows.size() < 2) return true;
+    const double given = problem_.omega->norm();
+    const double faster = name_of(units.rate).in_rad_s / name_of(rate_unit(convention_)).in_rad_s;
+    const double slower = name_of(units.time).in_s / name_of(time_unit(convention_)).in_s;
+    const double found = has_rates_
+                             ? faster * rows[0].omega.norm()
+                             : omega_between(problem_.inertia, rows[0], rows[1]).norm() / slower;
+    // Between them the rates can change as much as the moments differ.
+    constexpr double about = 7;
+    return found <= about * given && given <= about * found;
+  }
+
+  Convention convention_of(const Variant& variant, const Units& units, const Change& change) const {
+    Convention reading = variant.convention;
+    if (units.time != time_unit(convention_)) reading.time_unit = units.time;
+    if (units.rate != rate_unit(convention_)) reading.rate_unit = units.rate;
+    reading.axes = change.axes;
+    reading.rates_in_space = change.rates_in_space;
+    if (!change.offset.isIdentity(0)) reading.offset = Eigen::Quaterniond(change.offset);
+    return reading;
+  }
+
+  Alternatives chosen() {
+    const auto worst = [](const Reading& reading) { return *reading.misfit.worst(); };
+    const auto changes = [&](const Reading& reading) {
+      return count_changes(convention_, reading.convention);
+    };
+    if (found_.empty()) return {};
+    const Reading best = *std::ranges::min_element(found_, {}, worst);
+    if (!best.misfit.fits()) return {{}, best};
+    constexpr double far_worse = 20, round_off = 1e-8;
+    const double most = std::min(follows, far_worse * worst(best) + round_off);
+    std::erase_if(found_, [&](const Reading& reading) { return worst(reading) >= most; });
+    const int fewest = changes(*std::ranges::min_element(found_, {}, changes));
+    // As it is read, it fits no worse.
+    if (fewest == 0) return {};
+    std::erase_if(found_, [&](const Reading& reading) { return changes(reading) > fewest; });
+    return {found_, {}};
+  }
+
+  TellingNumbers numbers_;
+  const Problem& problem_;
+  Convention convention_;
+  bool has_rates_, has_attitude_;
+  std::vector<BodyAxes> axes_;
+  std::vector<Scale> scales_;
+  std::vector<Variant> variants_;
+  std::vector<Reading> found_;
+  double nearest_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
+                          const Convention& convention) {
+  return Search(telling_numbers(file, convention), problem, convention).run();
+}
+
+}  // namespace twrench::check

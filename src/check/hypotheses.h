@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "check/problem.h"
+#include "check/reading.h"
+
+namespace twrench::check {
+
+/// What a file may mean where it does not follow the motion as it is read.
+struct Alternatives {
+  /// The readings with the fewest changes that fit, which the data cannot tell apart.
+  std::vector<Reading> fitting;
+  /// Where none fits: the reading that is nearest to it.
+  std::optional<Reading> nearest;
+};
+
+/// Tests how the first rows of a file follow the motion of the body if it is read in other ways
+/// than `convention`: in other units of times, rates and angles, unless its columns state them; as
+/// the inverse attitude; with rates in the other axes; with another order of the quaternion's
+/// components or of the rotations of Euler angles; in other axes of the body, left-handed ones
+/// included; with the attitude of a part that is fixed to the body. Each alone and together. Throws
+/// as RowReader does.
+Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
+                          const Convention& convention);
+
+}  // namespace twrench::check
