@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twrench::cases {
+
+/// A quantity of which a source publishes values.
+enum class Quantity {
+  omega,       ///< Angular velocity in body axes.
+  mrp,         ///< Modified Rodrigues parameters, space from body, of length at most 1.
+  quaternion,  ///< Quaternion, space from body, scalar first.
+  momentum,    ///< Angular momentum in space axes.
+};
+
+/// Returns the name of a quantity in case files: "omega".
+std::string name_of(Quantity quantity);
+
+/// Values that a source publishes for one time.
+struct Published {
+  /// The program that computed them, if a source has several results; otherwise empty.
+  std::string by;
+  /// Time in s.
+  double time;
+  /// Kind of the values.
+  Quantity quantity;
+  /// Their unit; empty for quaternions and Rodrigues parameters.
+  std::string unit;
+  /// One unit in that of the exact state: pi/180 for deg/s, otherwise 1.
+  double unit_size;
+  /// The components as published, with all their digits.
+  std::vector<std::string> digits;
+  /// The same as numbers.
+  std::vector<double> values;
+  /// The largest documented difference of a component from the exact motion, in `unit`; 0 where the
+  /// values are right to their last digit.
+  double deviation;
+};
+
+/// A published problem of the motion of a free rigid body.
+struct Case {
+  std::string name;    ///< "basilisk-spacecraft"
+  std::string title;   ///< Short description of the body.
+  std::string source;  ///< Authors or project, report or file, year where it is known.
+  std::string url;     ///< Link to the source.
+  std::string note;    ///< Remarks on the values, in several lines.
+  /// Principal moments of inertia about the body's x, y and z axes, in `inertia_unit`.
+  Eigen::Vector3d moments;
+  /// As published; empty where the source states none.
+  std::string inertia_unit;
+  /// Angular velocity at t = 0 in body axes, as published, in `omega_unit`.
+  Eigen::Vector3d published_omega;
+  std::string omega_unit;  ///< "rad/s" or "deg/s"
+  /// The same in rad/s.
+  Eigen::Vector3d omega;
+  /// Attitude at t = 0, space from body, of unit length; nothing where none is published.
+  std::optional<Eigen::Quaterniond> attitude;
+  double duration;  ///< Length of the published motion in s.
+  std::vector<Published> published;
+};
+
+/// Returns the names of the built-in cases in alphabetical order.
+std::vector<std::string> case_names();
+
+/// Returns a built-in case. Throws InvalidArgument about `what`, with the nearest name, if there is
+/// none of that name.
+Case load_case(const std::string& name, const std::string& what);
+
+/// Returns the unit of the angular momentum of a case: "kg m^2/s"; "1/s" where its moments have
+/// none.
+std::string momentum_unit(const Case& problem);
+
+/// Returns the unit of the energy of a case: "kg m^2/s^2"; "1/s^2" where its moments have none.
+std::string energy_unit(const Case& problem);
+
+/// Reads a case from TOML. Throws InvalidArgument "SOURCE:LINE: KEY: ..." about any mistake; the
+/// name of the case is that of the file without its ending.
+Case parse_case(std::string_view toml, const std::string& source);
+
+/// Returns one unit of the last digit of a number as it is printed: 1e-3 for "0.125", 1e-8 for
+/// "2.5e-07".
+double last_digit(const std::string& digits);
+
+}  // namespace twrench::cases
