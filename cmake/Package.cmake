@@ -32,7 +32,7 @@ install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDI
 
 if(TWRENCH_RENDER)
   # The program has them built in; these are to read, and to begin one's own with.
-  install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+  install(DIRECTORY assets/scenes assets/cases DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 install(FILES LICENSE THIRD-PARTY.md TYPE DOC)
 

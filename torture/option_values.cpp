@@ -253,6 +253,8 @@ const std::map<std::string, Values>& known() {
                               "sphere", "poinsot",    "trail,omega,labels", "curve,method,drift"};
   static const std::map<std::string, Values> map{
       {"SCENE", scenes()},
+      {"NAME", words({"gazebo-box", "nasa-tumbling-brick", "newton-dzhanibekov"})},
+      {"case", words({"gazebo-box", "kynema-precession"})},
       {"A", pictures()},
       {"B", pictures()},
       {"FRAMES_DIR", folders_of_frames()},
@@ -310,6 +312,7 @@ const std::map<std::string, Values>& known() {
       {"export/output", outputs({".glb", ".aem", ".csv", ".json"})},
       {"inertia/output", outputs({".txt", ".json"})},
       {"study/output", outputs({".txt"})},
+      {"cases/output", outputs({".txt", ".csv", ".json"})},
       {"plot/output", outputs({".svg", ".pdf", ".png"})},
       {"study/plot", outputs({".svg", ".png"})},
       {"diff", outputs({".png"})},
@@ -342,6 +345,7 @@ const std::map<std::string, Values>& known() {
       {"epoch", words({"2026-01-01T00:00:00", "9999-12-31T23:59:59", "0001-01-01T00:00:00"})},
       {"study/format", words({"text", "csv", "json"})},
       {"doctor/format", words({"text", "json"})},
+      {"cases/format", words({"text", "json", "csv"})},
       {"max-error", numbers({"1", "1e-3"}, {"0"})},
       {"max-energy-drift", numbers({"1", "1e-3"}, {"0"})},
       {"max-flip-error", numbers({"1", "1e-3"}, {"0"})},

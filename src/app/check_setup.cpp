@@ -152,14 +152,18 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("A,B,C");
   command.add_option("--scene", scene_name_, "take the body of this scene or mesh instead")
       ->type_name("SCENE");
+  command
+      .add_option("--case", case_name_,
+                  "take the body and the initial rates of this published case instead")
+      ->type_name("NAME");
   command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
       ->default_str("the first row's, at its time");
   command
-      .add_option(
-          "--omega-at", omega_at_,
-          "the time at which --omega holds, s, on the file's clock: a number, or first, that "
-          "of the first row")
+      .add_option("--omega-at", omega_at_,
+                  "the time at which --omega or --case holds, s, on the file's clock: a number, or "
+                  "first, that "
+                  "of the first row")
       ->type_name("T")
       ->capture_default_str();
   command.add_flag("--fit", fit_, "fit the initial state to all rows by least squares");
@@ -219,7 +223,7 @@ Eigen::Matrix3d CheckSetup::inertia() const {
   if (inertia_.empty()) {
     throw InvalidArgument(
         "check", "the body is not given",
-        "give its principal moments with --inertia A,B,C, in any unit, or --scene");
+        "give its principal moments with --inertia A,B,C, in any unit, or --scene or --case");
   }
   const Eigen::Vector3d moments = scene::limits::check_moments(
       "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
@@ -228,9 +232,26 @@ Eigen::Matrix3d CheckSetup::inertia() const {
   return moments.asDiagonal();
 }
 
+std::optional<cases::Case> CheckSetup::published_case() const {
+  if (case_name_.empty()) return std::nullopt;
+  for (const auto& [value, option] :
+       {std::pair(&inertia_, "--inertia"), std::pair(&scene_name_, "--scene"),
+        std::pair(&omega_, "--omega")}) {
+    if (value->empty()) continue;
+    throw InvalidArgument(
+        "--case", fmt::format("it gives the body and the initial rates, and {} does too", option),
+        "leave out one of them");
+  }
+  return cases::load_case(case_name_, "--case");
+}
+
 check::Problem CheckSetup::problem() const {
-  check::Problem problem{.inertia = inertia()};
-  if (!omega_.empty()) {
+  const std::optional<cases::Case> published = published_case();
+  check::Problem problem{.inertia = published ? published->moments.asDiagonal().toDenseMatrix()
+                                              : inertia()};
+  if (published) {
+    problem.omega = published->omega;
+  } else if (!omega_.empty()) {
     problem.omega = scene::limits::check_omega("--omega", parse_vector(omega_, "--omega"));
   }
   problem.omega_time.reset();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/command_line.h"
+#include "cases/case.h"
 #include "check/convention.h"
 #include "check/problem.h"
 #include "scene/scene.h"
@@ -31,10 +32,13 @@ class CheckSetup {
  private:
   check::Convention said() const;
   Eigen::Matrix3d inertia() const;
+  /// Returns the case of --case, if that is given. Throws InvalidArgument if another option gives
+  /// the body or the initial rates too.
+  std::optional<cases::Case> published_case() const;
   /// Loads the scene, and only once, because a pipe can be read only once.
   const scene::Scene& scene() const;
 
-  std::string inertia_, scene_name_, omega_, omega_at_ = "0", frame_ = "first";
+  std::string inertia_, scene_name_, case_name_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
   std::string columns_, time_unit_, units_, angle_units_, sequence_, rates_ = "body", axes_,
                                                                      offset_;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/arguments.h"
+#include "cases/case.h"
 #include "scene/languages.h"
 #include "scene/materials.h"
 #include "scene/names.h"
@@ -44,6 +45,8 @@ std::map<std::string, Candidates> named_values() {
       {"--egl-device", words({"software"})},
       {"SCENE",
        {Kind::scene, scene::builtin_scene_names(), {"toml", "stl", "obj", "ply", "gltf", "glb"}}},
+      {"--case", words(cases::case_names())},
+      {"NAME", words(cases::case_names())},
       {"--font", {Kind::file, {}}},
       {"--output", {Kind::file, {}}},
       {"--plot", {Kind::file, {}}},

@@ -46,6 +46,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_doctor(app, code);
   add_methods(app);
   add_scenes(app);
+  add_cases(app);
   add_help(app);
   refuse_empty_values(app);
 }

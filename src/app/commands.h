@@ -24,6 +24,7 @@ void add_compare(CLI::App& app, ExitCode& code);
 void add_check(CLI::App& app, ExitCode& code);
 void add_doctor(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
+void add_cases(CLI::App& app);
 void add_scenes(CLI::App& app);
 
 /// Adds all commands and what they have in common.

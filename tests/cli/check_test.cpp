@@ -137,6 +137,41 @@ TEST_F(CheckCommand, FaultsTheSimulatorThatIsNot) {
   EXPECT_GT(found["conditioning"]["time_digit"].get<double>(), 1e-7);
 }
 
+TEST_F(CheckCommand, TakesTheBodyAndTheRatesOfAPublishedCase) {
+  const std::string file = nasa_folder + "01.csv" + brick_rates;
+  const json by_case = judged(file + "--case nasa-tumbling-brick");
+  EXPECT_EQ(by_case, judged(file + brick + from_10_20_30));
+  EXPECT_THAT(by_case["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  ASSERT_EQ(run_twrench(folder_, "cases gazebo-box --format csv -o box.csv").code, 0);
+  EXPECT_THAT(judged("box.csv --case gazebo-box")["verdict"].get<std::string>(),
+              StartsWith("cannot be faulted"));
+}
+
+// The rates are those of the case and not of the first row, which may be another state.
+TEST_F(CheckCommand, FaultsAFileThatDoesNotStartAsThePublishedCase) {
+  simulate("a.csv", "--duration 5 --method exact");
+  EXPECT_THAT(judged("a.csv --case basilisk-spacecraft")["verdict"].get<std::string>(),
+              Not(StartsWith("cannot be faulted")));
+}
+
+TEST_F(CheckCommand, RefusesACaseBesideAnotherBodyOrAnUnknownOne) {
+  simulate("a.csv", "--duration 1");
+  for (const std::string& option :
+       {std::string("--inertia 2,3,4"), std::string("--scene dzhanibekov"),
+        std::string("--omega 1,2,3")}) {
+    const Outcome run = check("a.csv --case gazebo-box -o report.txt " + option);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.err, "twrench: error: --case: it gives the body and the initial rates, and " +
+                           option.substr(0, option.find(' ')) +
+                           " does too\n  leave out one of them\n");
+  }
+  const Outcome unknown = check("a.csv --case gazebo-bx -o report.txt");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, AllOf(StartsWith("twrench: error: --case: unknown name 'gazebo-bx'\n"),
+                                 HasSubstr("did you mean 'gazebo-box'?")));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "report.txt"));
+}
+
 TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
   const Outcome run = check(nasa_folder + "01.csv" + brick + "--sequence zyx");
   EXPECT_EQ(run.code, 1) << run.err;

@@ -60,13 +60,54 @@ TEST(Lists, ScenesSayHowOftenTheyFlip) {
   EXPECT_THAT(scenes, ContainsRegex("explorer-1 [^\n]*; does not flip\n"));
 }
 
+TEST(Lists, CasesAsATable) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "cases");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, ContainsRegex("^name +inertia +omega +duration +source\n"));
+  EXPECT_THAT(run.out, ContainsRegex("\nnasa-tumbling-brick +0.00189422, 0.006211019, 0.007194665 "
+                                     "slug ft\\^2 +10, 20, 30 deg/s +30 s +NASA "));
+  EXPECT_THAT(run.out, ContainsRegex("\nkynema-precession +1, 1, 0.5 +0.5, 0.5, 1 rad/s +5 s +K"));
+  const std::string csv = run_twrench(folder, "cases --format csv").out;
+  EXPECT_THAT(csv, StartsWith("name,I1,I2,I3,inertia_unit,wx,wy,wz,duration,title,source\n"));
+  EXPECT_THAT(csv, HasSubstr("\ngazebo-box,0.80833333333333335,0.68333333333333335,"
+                             "0.14166666666666666,\"kg m^2\",0.10000000000000001,5,"));
+  const json list = json::parse(run_twrench(folder, "cases --format json").out)["cases"];
+  ASSERT_GE(list.size(), 6U);
+  EXPECT_EQ(list[0]["name"], "basilisk-spacecraft");
+  EXPECT_EQ(list[0]["inertia"], json({500.0, 200.0, 300.0}));
+}
+
+TEST(Lists, OneCaseWithItsExactValues) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "cases kynema-precession -o case.txt");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  const std::string text = text_of(folder / "case.txt");
+  EXPECT_THAT(text, StartsWith("case      kynema-precession: Precession of a symmetric body\n"));
+  EXPECT_THAT(text, HasSubstr("\ninertia   1, 1, 0.5\nomega     0.5, 0.5, 1 rad/s\n"));
+  EXPECT_THAT(text, HasSubstr("quaternion, at t = 5 s, published: off by up to 0.00155\n"));
+  EXPECT_THAT(text,
+              ContainsRegex("\n  y +-0.30157681970585326 +-0.30312423905729[0-9]+ +0.0015\n"));
+  EXPECT_THAT(text, HasSubstr("exact values at t = 5 s\n  omega, body axes, rad/s\n"));
+  const std::string nasa = run_twrench(folder, "cases nasa-tumbling-brick").out;
+  EXPECT_THAT(nasa, HasSubstr("\nomega     10, 20, 30 deg/s\n          0.17453292519943295, "));
+  EXPECT_THAT(nasa, HasSubstr("omega, deg/s, at t = 30 s, published by simulator 05: off by"));
+  EXPECT_THAT(run_twrench(folder, "cases basilisk-spacecraft").out,
+              HasSubstr("mrp, at t = 10 s, published: right to its last digit\n"));
+  const json document =
+      json::parse(run_twrench(folder, "cases basilisk-spacecraft --format json").out);
+  EXPECT_NEAR(document["published"][0]["exact"][0], 0.3730342848905, 5e-14);
+  EXPECT_EQ(document["exact"].back()["t"], 10.0);
+}
+
 TEST(Lists, VersionAndHelp) {
   const ScratchFolder folder;
   const std::string version = run_twrench(folder, "--version").out;
   EXPECT_TRUE(std::regex_search(version, std::regex("^twrench [0-9]+\\.[0-9]+\\.[0-9]+\n")))
       << version;  // scripts read the first line
   for (const char* command : {"", "render", "simulate", "export", "plot", "inertia", "study",
-                              "encode", "compare", "doctor", "methods", "scenes"}) {
+                              "encode", "compare", "doctor", "methods", "scenes", "cases"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;

@@ -65,6 +65,8 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench inertia --format \"\""), "text json\n");
   EXPECT_EQ(offered("twrench doctor --format \"\""), "text json\n");
   EXPECT_EQ(offered("twrench render --backend \"\""), "auto osmesa egl\n");
+  EXPECT_EQ(offered("twrench cases gaz"), "gazebo-box\n");
+  EXPECT_EQ(offered("twrench check run.csv --case gaz"), "gazebo-box\n");
   EXPECT_EQ(offered("twrench compare n"), "notes.txt\n");
   EXPECT_EQ(offered("twrench render --step 0"), "\n");
   EXPECT_EQ(offered("twrench unknown x"), "\n");

@@ -75,6 +75,9 @@ TEST(Packaging, TheProgramComesWithItsManualCompletionsScenesAndLicences) {
   for (const std::string& scene : files_below(project_folder() / "assets/scenes")) {
     EXPECT_THAT(files, Contains("share/doc/twrench/examples/scenes/" + scene));
   }
+  for (const std::string& file : files_below(project_folder() / "assets/cases")) {
+    EXPECT_THAT(files, Contains("share/doc/twrench/examples/cases/" + file));
+  }
   for (const std::string& file : files) EXPECT_THAT(file, ContainsRegex("^(bin/twrench$|share/)"));
 }
 
