@@ -8,6 +8,7 @@ PYBIND11_MODULE(_native, module) {
   module.attr("version") = TWRENCH_VERSION;
   twrench::python::register_errors();
   twrench::python::add_bodies(module);
+  twrench::python::add_cases(module);
   twrench::python::add_dynamics(module);
   twrench::python::add_study(module);
   twrench::python::add_scenes(module);

@@ -27,6 +27,7 @@ from .motion import (
     methods,
     simulate,
 )
+from .published import case, cases
 from .scene import Film, Scene, scenes
 from .solids import Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .study import MethodStudy, Study, StudyRun, study
@@ -61,6 +62,8 @@ __all__ = [
     "Tube",
     "UsageError",
     "__version__",
+    "case",
+    "cases",
     "exact",
     "exact_many",
     "first_flip_times",
