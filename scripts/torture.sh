@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# torture.sh [MINUTES] [SEED]: randomised tests for the given number of minutes (3), in five parts:
+# torture.sh [MINUTES] [SEED]: randomised tests for the given number of minutes (3), in six parts:
 #   scenes    random scenes, drawn under AddressSanitizer and UndefinedBehaviorSanitizer
 #   motions   random motions, also under sanitizers, comparing exact with the Taylor series
 #   commands  random command lines in a folder full of traps
 #   scales    bodies of any size and speed with every command
+#   verdicts  recordings in random units, frames and axes, which check must recognise
 #   faults    small runs in which one system call or allocation fails, or all after the first
 # The same SEED (2020) draws the same cases; a faster machine runs more of them. It prints the last
 # line of each part, and each fault with its case: build/PRESET/bin/torture_PART 0 SEED CASE repeats
@@ -17,7 +18,7 @@ if [[ ! $minutes =~ ^[0-9]+$ || ! $seed =~ ^[0-9]+$ ]]; then
   echo "usage: $0 [MINUTES] [SEED]" >&2
   exit 2
 fi
-seconds=$((minutes * 60 / 5))
+seconds=$((minutes * 60 / 6))
 scripts/setup.sh test
 
 # build PRESET TARGET...: configures again only if it was last configured without these programs.
@@ -52,11 +53,12 @@ fi
 export LSAN_OPTIONS="suppressions='$PWD/tests/lsan.supp':print_suppressions=0:intercept_tls_get_addr=0"
 
 build asan torture_scenes torture_motions
-build release torture_commands torture_scales torture_faults
+build release torture_commands torture_scales torture_verdicts torture_faults
 mkdir -p build/torture
 run_part asan scenes "${launcher[@]}"
 run_part asan motions "${launcher[@]}"
 run_part release commands
 run_part release scales
+run_part release verdicts
 run_part release faults
 exit "$failed"

@@ -74,26 +74,11 @@ void check_bounds(const CheckOptions& options) {
   }
 }
 
-/// How else the file may be read: asked where it does not follow the motion. Where it follows it
-/// roughly, because of errors or because the moments are nearly the same, another reading must fit
-/// far better.
-check::Alternatives alternatives_of(const CheckedFile& file, const check::Problem& problem) {
-  const check::Judgement& judgement = file.judgement;
-  const auto miss = judgement.misfit.worst();
-  constexpr double good = 1e-4, far_better = 1e-2;
-  if (!miss || *miss < good) return {};
-  check::Alternatives found = check::alternatives(file.name, problem, judgement.convention);
-  if (is_foreign(judgement)) return found;
-  const bool is_better =
-      !found.fitting.empty() && *found.fitting.front().misfit.worst() < far_better * *miss;
-  return is_better ? found : check::Alternatives{};
-}
-
 CheckedFile check_file(const CheckOptions& options, const check::Problem& problem,
                        const std::string& name) {
   const check::Convention convention = options.setup.convention(name, problem);
   CheckedFile file{name, check::judge(name, convention, problem), {}, {}, 0};
-  file.alternatives = alternatives_of(file, problem);
+  file.alternatives = check::better_readings(name, problem, file.judgement);
   file.bounds = bounds_of(options, name, file.judgement);
   if (file.judgement.rows > 1) {
     file.step = (file.judgement.last_time - file.judgement.first_time) /

@@ -27,8 +27,9 @@ std::string moments_text(const Eigen::Matrix3d& inertia, const check::BodyAxes& 
 
 /// Whether other axes are nothing but another order of the moments.
 bool is_moment_order(const Judgement& judgement, const check::Convention& after) {
+  constexpr double rounding = 1e-12;
   return judgement.convention.axes == check::BodyAxes() && after.axes != check::BodyAxes() &&
-         after.axes.matrix().determinant() > 0 && judgement.reference.body.inertia().isDiagonal(0);
+         after.axes.matrix().determinant() > 0 && judgement.reference.body.inertia().isDiagonal(rounding);
 }
 
 /// "t is in ms", "the rates are in deg/s" ...

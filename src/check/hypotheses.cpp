@@ -82,17 +82,21 @@ std::optional<std::vector<Row>> rows_in(const TellingNumbers& numbers,
   return std::nullopt;
 }
 
-/// Axes that the physics can tell apart, `first` among them: a rotation that takes the inertia to
-/// itself takes a motion to a motion.
+/// Whether the physics cannot tell the axes apart: a rotation that takes the inertia to itself takes
+/// a motion to a motion.
+bool are_alike(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b) {
+  const Matrix3d S = b.matrix().transpose() * a.matrix();
+  constexpr double least = 1e-12;
+  return S.determinant() > 0 &&
+         (S * inertia * S.transpose() - inertia).norm() <= least * inertia.norm();
+}
+
+/// Axes that the physics can tell apart, `first` among them.
 std::vector<BodyAxes> distinct_axes(const Matrix3d& inertia, const BodyAxes& first) {
   std::vector<BodyAxes> distinct{first};
-  const auto are_alike = [&](const BodyAxes& a, const BodyAxes& b) {
-    const Matrix3d S = b.matrix().transpose() * a.matrix();
-    return S.determinant() > 0 && (S * inertia * S.transpose() - inertia).isZero(0);
-  };
   for (const BodyAxes& axes : all_body_axes()) {
     const bool is_new = std::ranges::none_of(
-        distinct, [&](const BodyAxes& other) { return are_alike(axes, other); });
+        distinct, [&](const BodyAxes& other) { return are_alike(inertia, axes, other); });
     if (is_new) distinct.push_back(axes);
   }
   return distinct;
@@ -154,6 +158,27 @@ Matrix3d offset_between(const Matrix3d& inertia, std::span<const Row> rows,
   return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
+/// A reading that was tried, and the rows in it.
+struct Tried {
+  Reading reading;
+  std::vector<Row> rows;
+};
+
+/// Whether two readings give the same motion, seen from space frames that differ by a rotation.
+bool are_same_motion(const Tried& a, const Tried& b) {
+  constexpr double same = 1e-5;
+  const auto from_first = [](const Tried& tried, const Row& row) {
+    return tried.rows.front().X.transpose() * row.X;
+  };
+  const double speed = a.rows.front().omega.norm();
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    const double rates = (a.rows[i].omega - b.rows[i].omega).norm();
+    if (rates > same * speed) return false;
+    if (!from_first(a, a.rows[i]).isApprox(from_first(b, b.rows[i]), same)) return false;
+  }
+  return true;
+}
+
 /// Tries the readings of one file.
 class Search {
  public:
@@ -179,13 +204,14 @@ class Search {
     if (has_rates_) try_rates_in_body();
     if (has_rates_ && has_attitude_) try_rates_in_space();
     if (!has_rates_) try_attitude_alone();
-    if (has_rates_ && has_attitude_ && !any_fits()) try_offsets();
+    if (has_rates_ && has_attitude_ && !any_fits_well()) try_offsets();
     return chosen();
   }
 
  private:
-  bool any_fits() const {
-    return std::ranges::any_of(found_, [](const Reading& r) { return r.misfit.fits(); });
+  bool any_fits_well() const {
+    constexpr double well = 1e-3;
+    return std::ranges::any_of(found_, [](const Tried& t) { return *t.reading.misfit.worst() < well; });
   }
 
   void try_rates_in_body() {
@@ -251,7 +277,7 @@ class Search {
     nearest_ = std::max(follows, std::min(nearest_, *found.worst()));
     for (const Units& units : scale.units) {
       if (!agrees_with_omega(variant, units)) continue;
-      found_.push_back({convention_of(variant, units, change), found});
+      found_.push_back({{convention_of(variant, units, change), found}, rows});
     }
   }
 
@@ -270,6 +296,39 @@ class Search {
     return found <= about * given && given <= about * found;
   }
 
+  /// How many units of the times as read the unit has.
+  double seconds(TimeUnit unit) const {
+    return name_of(unit).in_s / name_of(time_unit(convention_)).in_s;
+  }
+
+  /// Where the angular velocity is given, it tells axes apart that the motion does not.
+  void turn_to_omega(Tried& tried) const {
+    if (!problem_.omega || tried.rows.size() < 2) return;
+    const double unit = seconds(time_unit(tried.reading.convention));
+    const Row& first = tried.rows.front();
+    const double t = first.t * unit - problem_.omega_time.value_or(first.t * unit);
+    const Vector3d given = motion::ExactMotion({problem_.inertia, *problem_.omega}).at(t).omega;
+    // Only the products of rates and times are right in the rows that were tested.
+    const Vector3d found =
+        (has_rates_ ? first.omega : omega_between(problem_.inertia, first, tried.rows[1])) / unit;
+    const BodyAxes axes = tried.reading.convention.axes;
+    Matrix3d turn = Matrix3d::Identity();
+    double least = (found - given).norm();
+    for (const BodyAxes& other : all_body_axes()) {
+      if (!are_alike(problem_.inertia, axes, other)) continue;
+      const Matrix3d S = other.matrix().transpose() * axes.matrix();
+      constexpr double clearly = 0.99;
+      if ((S * found - given).norm() >= clearly * least) continue;
+      least = (S * found - given).norm();
+      turn = S;
+      tried.reading.convention.axes = other;
+    }
+    for (Row& row : tried.rows) {
+      row.omega = (turn * row.omega).eval();
+      row.X = (row.X * turn.transpose()).eval();
+    }
+  }
+
   Convention convention_of(const Variant& variant, const Units& units, const Change& change) const {
     Convention reading = variant.convention;
     if (units.time != time_unit(convention_)) reading.time_unit = units.time;
@@ -281,21 +340,37 @@ class Search {
   }
 
   Alternatives chosen() {
-    const auto worst = [](const Reading& reading) { return *reading.misfit.worst(); };
-    const auto changes = [&](const Reading& reading) {
-      return count_changes(convention_, reading.convention);
+    const auto worst = [](const Tried& tried) { return *tried.reading.misfit.worst(); };
+    const auto changes = [&](const Tried& tried) {
+      return count_changes(convention_, tried.reading.convention);
     };
     if (found_.empty()) return {};
-    const Reading best = *std::ranges::min_element(found_, {}, worst);
-    if (!best.misfit.fits()) return {{}, best};
+    const Tried best = *std::ranges::min_element(found_, {}, worst);
+    if (!best.reading.misfit.fits()) return {{}, best.reading};
     constexpr double far_worse = 20, round_off = 1e-8;
     const double most = std::min(follows, far_worse * worst(best) + round_off);
-    std::erase_if(found_, [&](const Reading& reading) { return worst(reading) >= most; });
+    std::erase_if(found_, [&](const Tried& tried) { return worst(tried) >= most; });
+    for (Tried& tried : found_) turn_to_omega(tried);
     const int fewest = changes(*std::ranges::min_element(found_, {}, changes));
     // As it is read, it fits no worse.
     if (fewest == 0) return {};
-    std::erase_if(found_, [&](const Reading& reading) { return changes(reading) > fewest; });
-    return {found_, {}};
+    std::erase_if(found_, [&](const Tried& tried) { return changes(tried) > fewest; });
+    return {distinct(), {}};
+  }
+
+  /// One of those that give the same motion, though their times may have other units.
+  std::vector<Reading> distinct() const {
+    std::vector<Tried> kept;
+    for (const Tried& tried : found_) {
+      const auto is_same = [&](const Tried& other) {
+        return time_unit(tried.reading.convention) == time_unit(other.reading.convention) &&
+               are_same_motion(tried, other);
+      };
+      if (std::ranges::none_of(kept, is_same)) kept.push_back(tried);
+    }
+    std::vector<Reading> readings;
+    for (const Tried& tried : kept) readings.push_back(tried.reading);
+    return readings;
   }
 
   TellingNumbers numbers_;
@@ -305,7 +380,7 @@ class Search {
   std::vector<BodyAxes> axes_;
   std::vector<Scale> scales_;
   std::vector<Variant> variants_;
-  std::vector<Reading> found_;
+  std::vector<Tried> found_;
   double nearest_ = std::numeric_limits<double>::infinity();
 };
 
@@ -314,6 +389,22 @@ class Search {
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention) {
   return Search(telling_numbers(file, convention), problem, convention).run();
+}
+
+Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
+                             const Judgement& judgement) {
+  const auto miss = judgement.misfit.worst();
+  constexpr double good = 1e-4, far_better = 1e-2, another = 0.1;
+  if (!miss) return {};
+  const double speed = judgement.reference.body.omega().norm();
+  const bool is_of_another_start =
+      problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
+  if (*miss < good && !is_of_another_start) return {};
+  Alternatives found = alternatives(file, problem, judgement.convention);
+  if (!judgement.misfit.fits() || is_of_another_start) return found;
+  const bool is_better = !found.fitting.empty() &&
+                         *found.fitting.front().misfit.worst() < far_better * *miss;
+  return is_better ? found : Alternatives{};
 }
 
 }  // namespace twrench::check

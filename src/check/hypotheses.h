@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "check/judge.h"
 #include "check/problem.h"
 #include "check/reading.h"
 
@@ -25,5 +26,11 @@ struct Alternatives {
 /// as RowReader does.
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention);
+
+/// The same for a file that was judged, where it does not follow the motion. Where it follows it
+/// roughly, because of errors or because the moments are nearly the same, other readings must fit
+/// far better.
+Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
+                             const Judgement& judgement);
 
 }  // namespace twrench::check

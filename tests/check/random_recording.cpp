@@ -1,0 +1,318 @@
+#include "check/random_recording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <twrench/motion/exact.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "check/attitude.h"
+#include "check/hypotheses.h"
+#include "check/judge.h"
+#include "check/units.h"
+#include "scene_dice.h"
+#include "system/file.h"
+#include "table/error.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// A third kind of number: the shortest decimals of a float, as NumPy prints them.
+enum class Numbers { doubles, nine_digits, floats };
+
+std::string written(double value, Numbers numbers) {
+  switch (numbers) {
+    case Numbers::doubles:
+      return fmt::format("{:.17g}", value);
+    case Numbers::nine_digits:
+      return fmt::format("{:.9g}", value);
+    case Numbers::floats:
+      return fmt::format("{}", static_cast<float>(value));
+  }
+  return {};
+}
+
+Vector3d moments_of(RecordedBody body, SceneDice& dice) {
+  switch (body) {
+    case RecordedBody::t_wrench:
+      return {982.27130302240869, 722.67103008077208, 1578.6503084288711};
+    case RecordedBody::nearly_symmetric:
+      return {2, 2.002, 3};
+    case RecordedBody::toutatis:
+      return {1.8389417888224342e26, 5.8684714781718553e25, 1.928153997104942e26};
+    case RecordedBody::any:
+      break;
+  }
+  // Of a box, so that it is a real body.
+  const double a = dice.spread(0.2, 5), b = dice.spread(0.2, 5), c = dice.spread(0.2, 5);
+  const double size = dice.spread(1e-10, 1e10);
+  return size * Vector3d(b * b + c * c, a * a + c * c, a * a + b * b);
+}
+
+/// None of whose components is so small that the motion is almost steady.
+Vector3d random_omega(SceneDice& dice, double speed) {
+  Vector3d omega;
+  for (double& component : omega) component = (dice.chance(0.5) ? 1 : -1) * dice.uniform(0.25, 1);
+  return speed * omega;
+}
+
+Quaterniond random_rotation(SceneDice& dice) {
+  return Quaterniond(
+      Eigen::AngleAxisd(dice.uniform(0.3, 3), dice.vector(-1, 1).normalized()));
+}
+
+/// What is common to all recordings of a body.
+struct Motion {
+  Vector3d moments, omega;
+  std::size_t rows;
+  double step;
+};
+
+Motion random_motion(RecordedBody body, SceneDice& dice) {
+  const Vector3d moments = moments_of(body, dice);
+  const double speed = body == RecordedBody::toutatis ? dice.spread(1e-6, 1e-4)
+                       : body == RecordedBody::any    ? dice.spread(1e-6, 1e6)
+                                                      : dice.spread(0.3, 30);
+  const Vector3d omega = random_omega(dice, speed);
+  // From a dozen to hundreds of rad.
+  const auto rows = static_cast<std::size_t>(dice.whole(300, 900));
+  return {moments, omega, rows, dice.spread(0.04, 0.4) / omega.norm()};
+}
+
+std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates) {
+  std::map<std::string, std::string> columns{{"t", "t"}};
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) columns[name] = name;
+  };
+  if (has_rates) add({"wx", "wy", "wz"});
+  switch (form) {
+    case AttitudeForm::none:
+      break;
+    case AttitudeForm::matrix:
+      add({"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"});
+      break;
+    case AttitudeForm::quaternion:
+      add({"qw", "qx", "qy", "qz"});
+      break;
+    case AttitudeForm::euler:
+      add({"yaw", "pitch", "roll"});
+      break;
+  }
+  return columns;
+}
+
+/// The angles of X about the axes of a sequence, in the places that the columns have.
+Vector3d euler_angles(const Matrix3d& X, const std::string& sequence) {
+  const Axes axes = axes_of(sequence);
+  const Vector3d angles = X.eulerAngles(axes[0], axes[1], axes[2]);
+  Vector3d placed;
+  const auto places = angle_places(axes);
+  for (std::size_t i = 0; i < 3; ++i) placed[static_cast<Eigen::Index>(places[i])] = angles[static_cast<Eigen::Index>(i)];
+  return placed;
+}
+
+/// The numbers of an attitude, in the order of the columns above.
+std::vector<double> attitude_numbers(const Matrix3d& X, const Convention& right) {
+  switch (attitude_form(right)) {
+    case AttitudeForm::none:
+      return {};
+    case AttitudeForm::matrix: {
+      std::vector<double> entries;
+      for (int i = 0; i < 9; ++i) entries.push_back(X(i / 3, i % 3));
+      return entries;
+    }
+    case AttitudeForm::quaternion: {
+      const Quaterniond q(X);
+      return {q.w(), q.x(), q.y(), q.z()};
+    }
+    case AttitudeForm::euler: {
+      const Vector3d angles = euler_angles(X, right.sequence) / name_of(angle_unit(right)).in_rad;
+      return {angles[0], angles[1], angles[2]};
+    }
+  }
+  return {};
+}
+
+/// The names in the file, in its order: those that `right` gives to our names in theirs.
+std::vector<std::string> header_of(const Convention& right, bool has_rates) {
+  std::vector<std::string> header{right.columns.at("t")};
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) header.push_back(right.columns.at(name));
+  };
+  if (has_rates) add({"wx", "wy", "wz"});
+  switch (attitude_form(right)) {
+    case AttitudeForm::none:
+      break;
+    case AttitudeForm::matrix:
+      add({"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"});
+      break;
+    case AttitudeForm::quaternion:
+      add({"qw", "qx", "qy", "qz"});
+      break;
+    case AttitudeForm::euler:
+      add({"yaw", "pitch", "roll"});
+      break;
+  }
+  return header;
+}
+
+/// Writes the motion in a convention: the inverse of what RowDecoder does, derived anew.
+std::string text_of(const Motion& motion, const Convention& right, Numbers numbers, double noise,
+                    SceneDice& dice) {
+  const motion::ExactMotion exact({motion.moments.asDiagonal(), motion.omega});
+  const bool rates = has_rates(right);
+  std::string text = fmt::format("{}\n", fmt::join(header_of(right, rates), ","));
+  const Matrix3d P = right.axes.matrix();
+  for (std::size_t i = 0; i < motion.rows; ++i) {
+    const double t = static_cast<double>(i) * motion.step;
+    const motion::Sample sample = exact.at(t);
+    Vector3d w = P * sample.omega;
+    Matrix3d X = P.determinant() * sample.X * P.transpose();
+    if (right.rates_in_space) w = (X * w).eval();
+    if (right.offset) X = (X * right.offset->toRotationMatrix()).eval();
+    if (right.inverse) X.transposeInPlace();
+    text += fmt::format("{:.17g}", t / name_of(time_unit(right)).in_s);
+    const double size = noise * motion.omega.norm();
+    for (int k = 0; k < 3 && rates; ++k) {
+      // The sum of twelve is nearly normal.
+      double error = -6;
+      for (int n = 0; n < 12 && noise > 0; ++n) error += dice.uniform(0, 1);
+      const double rate = w[k] + (noise > 0 ? size * error : 0);
+      text += ',';
+      text += written(rate / name_of(rate_unit(right)).in_rad_s, numbers);
+    }
+    for (const double number : attitude_numbers(X, right)) {
+      text += ',';
+      text += written(number, numbers);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+RandomRecording recording_of(const Motion& motion, const Convention& told, const Convention& right,
+                             Numbers numbers, double noise, SceneDice& dice) {
+  return {text_of(motion, right, numbers, noise, dice),
+          told,
+          right,
+          {.inertia = motion.moments.asDiagonal()},
+          {}};
+}
+
+/// The columns of the quaternion (w, x, y, z) moved on by one place.
+void move_scalar(Convention& convention) {
+  auto& columns = convention.columns;
+  const std::string w = columns["qw"];
+  columns["qw"] = columns["qx"];
+  columns["qx"] = columns["qy"];
+  columns["qy"] = columns["qz"];
+  columns["qz"] = w;
+}
+
+std::string description_of(const Convention& c) {
+  return fmt::format("{} {} {} {} inverse {} space {} axes {} offset {} columns {}",
+                     name_of(time_unit(c)).option, name_of(rate_unit(c)).option,
+                     name_of(angle_unit(c)).option, c.sequence, c.inverse, c.rates_in_space,
+                     format_body_axes(c.axes), c.offset.has_value(), format_columns(c.columns));
+}
+
+}  // namespace
+
+const std::vector<std::string>& single_mistakes() {
+  static const std::vector<std::string> all{"none",    "ms",      "us",    "min",     "deg",
+                                            "rpm",     "rev",     "x,z,y", "-x,y,z",  "left-handed",
+                                            "y,z,x",   "nine digits", "float32", "noise"};
+  return all;
+}
+
+RandomRecording recording_with(std::string_view mistake, RecordedBody body, std::uint32_t seed,
+                               std::uint32_t number) {
+  SceneDice dice(seed, number);
+  const Motion motion = random_motion(body, dice);
+  Convention told;
+  told.columns = columns_of(AttitudeForm::none, true);
+  Convention right = told;
+  for (const TimeUnitName& name : time_units()) {
+    if (mistake == name.option) right.time_unit = name.unit;
+  }
+  for (const RateUnitName& name : rate_units()) {
+    if (mistake == name.option) right.rate_unit = name.unit;
+  }
+  if (mistake.find(',') != std::string_view::npos) right.axes = parse_body_axes(mistake, "axes");
+  if (mistake == "left-handed") right.axes = parse_body_axes("x,y,-z", "axes");
+  const Numbers numbers = mistake == "nine digits" ? Numbers::nine_digits
+                          : mistake == "float32"   ? Numbers::floats
+                                                   : Numbers::doubles;
+  const double noise = mistake == "noise" ? 1e-3 : 0;
+  RandomRecording recording = recording_of(motion, told, right, numbers, noise, dice);
+  recording.description = fmt::format("{} of body {}", mistake, static_cast<int>(body));
+  return recording;
+}
+
+RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
+  SceneDice dice(seed, number);
+  const Motion motion = random_motion(RecordedBody::any, dice);
+  const auto form = dice.pick(std::vector{AttitudeForm::none, AttitudeForm::matrix,
+                                          AttitudeForm::quaternion, AttitudeForm::euler});
+  const bool rates = form == AttitudeForm::none || dice.chance(0.85);
+  Convention told;
+  told.columns = columns_of(form, rates);
+  if (form == AttitudeForm::euler) told.sequence = "zyx";
+  Convention right = told;
+  if (dice.chance(0.5)) right.time_unit = dice.pick(time_units()).unit;
+  if (rates && dice.chance(0.5)) right.rate_unit = dice.pick(rate_units()).unit;
+  if (dice.chance(0.5)) right.axes = dice.pick(all_body_axes());
+  right.angle_unit = angle_unit(told);
+  if (form == AttitudeForm::euler) {
+    if (dice.chance(0.5)) right.sequence = dice.pick(all_sequences());
+    if (dice.chance(0.5)) right.angle_unit = dice.pick(angle_units()).unit;
+  }
+  if (form == AttitudeForm::quaternion && dice.chance(0.5)) move_scalar(right);
+  if (form != AttitudeForm::none) right.inverse = dice.chance(0.5);
+  if (form != AttitudeForm::none && rates) {
+    right.rates_in_space = dice.chance(0.3);
+    if (!right.rates_in_space && dice.chance(0.2)) right.offset = random_rotation(dice);
+  }
+  const Numbers numbers =
+      dice.pick(std::vector{Numbers::doubles, Numbers::nine_digits, Numbers::floats});
+  RandomRecording recording = recording_of(motion, told, right, numbers, 0, dice);
+  // Attitudes alone do not tell it.
+  if (!rates || dice.chance(0.3)) recording.problem.omega = motion.omega;
+  recording.description = description_of(right);
+  return recording;
+}
+
+std::string fault_of_verdict(const RandomRecording& recording,
+                             const std::filesystem::path& folder) try {
+  const std::filesystem::path file = folder / "recording.csv";
+  system::write_file_atomically(file, recording.text);
+  const Judgement as_read = judge(file, recording.told, recording.problem);
+  if (as_read.within_noise) return {};
+  const Alternatives found = better_readings(file, recording.problem, as_read);
+  if (found.fitting.empty()) {
+    return fmt::format("nothing is proposed; the nearest misses {}",
+                       found.nearest ? *found.nearest->misfit.worst() : -1);
+  }
+  if (found.fitting.size() > 2) {
+    std::string list;
+    for (const Reading& reading : found.fitting) {
+      list += fmt::format("\n  misses {}: {}", *reading.misfit.worst(), description_of(reading.convention));
+    }
+    return fmt::format("{} readings are proposed{}", found.fitting.size(), list);
+  }
+  for (const Reading& reading : found.fitting) {
+    const Judgement again = judge(file, reading.convention, recording.problem);
+    if (again.within_noise || relative_error(again) < 1e-6) return {};
+  }
+  return "what is proposed is wrong: " + description_of(found.fitting.front().convention);
+} catch (const Error& error) {
+  return error.what();
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include "check/random_recording.h"
+#include "scratch_folder.h"
+
+namespace twrench::check {
+namespace {
+
+constexpr std::uint32_t seed = 2020;
+
+// torture_verdicts tries twenty starts of each, and thousands of combinations.
+TEST(Verdict, IsRightOfEverySingleMistake) {
+  const ScratchFolder folder;
+  std::uint32_t number = 0;
+  for (const std::string& mistake : single_mistakes()) {
+    for (const RecordedBody body :
+         {RecordedBody::t_wrench, RecordedBody::nearly_symmetric, RecordedBody::toutatis}) {
+      const RandomRecording recording = recording_with(mistake, body, seed, number++);
+      EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << recording.description;
+    }
+  }
+}
+
+TEST(Verdict, IsRightOfRandomConventions) {
+  const ScratchFolder folder;
+  for (std::uint32_t number = 0; number < 30; ++number) {
+    const RandomRecording recording = random_recording(seed, number);
+    EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << number << recording.description;
+  }
+}
+
+}  // namespace
+}  // namespace twrench::check

@@ -1,0 +1,70 @@
+// torture_verdicts SECONDS SEED [CASE]: recordings of exact motions in random units, frames, axes,
+// orders and precisions, told to be something else; or a single one of them. Case k depends only on
+// SEED and k: the first are single mistakes with twenty starts of each body, then follow random
+// combinations. Faults are verdicts that propose a wrong reading, none, or more than two.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "check/random_recording.h"
+#include "program.h"
+#include "torture.h"
+
+namespace twrench::torture {
+namespace {
+
+constexpr std::uint32_t starts = 20;
+constexpr std::array bodies{check::RecordedBody::t_wrench, check::RecordedBody::nearly_symmetric,
+                            check::RecordedBody::toutatis};
+
+std::uint32_t single_count() {
+  return static_cast<std::uint32_t>(check::single_mistakes().size() * bodies.size()) * starts;
+}
+
+check::RandomRecording recording_of(std::uint32_t seed, std::uint32_t number) {
+  if (number >= single_count()) return check::random_recording(seed, number);
+  const std::uint32_t kind = number / starts;
+  return check::recording_with(check::single_mistakes()[kind / bodies.size()],
+                               bodies[kind % bodies.size()], seed, number);
+}
+
+/// Returns whether the case is a fault, and reports it.
+bool try_case(std::uint32_t seed, std::uint32_t number) {
+  const check::RandomRecording recording = recording_of(seed, number);
+  const std::filesystem::path folder = make_scratch_folder(fmt::format("verdicts-{}", number));
+  const std::string fault = check::fault_of_verdict(recording, folder);
+  remove_folder(folder);
+  if (fault.empty()) return false;
+  tell(fmt::format("fault: seed {} case {}: {}: {}\n", seed, number, recording.description, fault));
+  return true;
+}
+
+int run_all(const Request& request) {
+  if (!request.only.empty()) {
+    const auto number = static_cast<std::uint32_t>(std::strtoul(request.only.c_str(), nullptr, 10));
+    return try_case(request.seed, number) ? 1 : 0;
+  }
+  std::atomic<int> faulty = 0;
+  const std::size_t ran =
+      run_cases(request.seconds, std::numeric_limits<std::uint32_t>::max(),
+                [&](std::uint32_t number) { faulty += try_case(request.seed, number) ? 1 : 0; });
+  tell(fmt::format("verdicts: {} ran, {} of them single mistakes, {} faults\n", ran,
+                   std::min<std::size_t>(ran, single_count()), faulty.load()));
+  return faulty > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace twrench::torture
+
+int main(int argc, char** argv) try {
+  return twrench::torture::run_all(twrench::torture::parse_request(argc, argv));
+} catch (const std::exception& error) {
+  twrench::torture::tell(fmt::format("torture_verdicts: {}\n", error.what()));
+  return 2;
+}
