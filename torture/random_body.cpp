@@ -151,7 +151,11 @@ scene::Body random_body(SceneDice& dice) {
   scene::Body body;
   if (dice.chance(0.15)) {
     const double x = dice.spread(0.01, 1), y = dice.spread(0.01, 1), z = dice.spread(0.01, 1);
-    body.moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
+    const Vector3d moments = dice.spread(1e-3, 1e6) * Vector3d(y + z, z + x, x + y);
+    const Eigen::Matrix3d axes =
+        dice.chance(0.5) ? Eigen::Matrix3d::Identity() : so3::exp(dice.vector(-3, 3));
+    const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
+    body.inertia = (inertia + inertia.transpose()) / 2;  // exactly symmetric
     body.drawn_as = dice.pick(std::array{scene::Equimomental::box, scene::Equimomental::ellipsoid,
                                          scene::Equimomental::cross});
     return body;

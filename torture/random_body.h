@@ -6,8 +6,8 @@
 
 namespace twrench::torture {
 
-/// A body of parts, or one of moments. Throws InvalidArgument where it would have a mesh that is no
-/// solid.
+/// A body of parts, or one of inertia alone. Throws InvalidArgument where it would have a mesh that
+/// is no solid.
 scene::Body random_body(SceneDice& dice);
 
 inline scene::Color random_color(SceneDice& dice) {

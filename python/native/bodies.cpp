@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 #include <twrench/base/require.h>
 #include <twrench/math/so3.h>
+#include <twrench/motion/free_body.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -107,13 +108,18 @@ Body body_from_parts(const std::vector<Part>& parts) {
   return {description, properties};
 }
 
-Body body_from_moments(const Vector3d& moments, const std::string& shape) {
-  for (const double moment : moments) require_positive("moments", moment);
+/// Throws InvalidArgument about "inertia" unless it is symmetric and positive definite.
+Body body_from_inertia(const Matrix3d& inertia, const std::string& shape) {
   scene::Body description;
-  description.moments = moments;
+  description.inertia = motion::FreeBody(inertia, Vector3d::Zero()).inertia();
   description.drawn_as = scene::equimomental_of(shape, "shape");
   const body::MassProperties properties = scene::mass_properties(description);
   return {description, properties};
+}
+
+Body body_from_moments(const Vector3d& moments, const std::string& shape) {
+  for (const double moment : moments) require_positive("moments", moment);
+  return body_from_inertia(moments.asDiagonal(), shape);
 }
 
 }  // namespace

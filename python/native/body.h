@@ -8,7 +8,6 @@ namespace twrench::python {
 
 /// twrench.Body: how it was given, and the mass properties that follow.
 struct Body {
-  /// Empty if it was given by an inertia matrix, which no scene can show.
   scene::Body description;
   body::MassProperties properties;
 };

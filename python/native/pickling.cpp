@@ -110,7 +110,7 @@ py::tuple Writer::body(const scene::Body& body) {
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
     parts.append(part(body.parts[i], scene::description(body, i)));
   }
-  return py::make_tuple(parts, body.moments, static_cast<int>(body.drawn_as));
+  return py::make_tuple(parts, body.inertia, static_cast<int>(body.drawn_as));
 }
 
 py::tuple Writer::scene(const Scene& from) {
@@ -206,7 +206,7 @@ scene::Body Reader::body(const py::tuple& state) {
     body.descriptions.push_back(
         {part[6].cast<std::string>(), look_with(part[7]), source_with(part[8])});
   }
-  body.moments = state[1].cast<std::optional<Vector3d>>();
+  body.inertia = state[1].cast<std::optional<Matrix3d>>();
   body.drawn_as = static_cast<scene::Equimomental>(state[2].cast<int>());
   return body;
 }
@@ -262,16 +262,11 @@ auto read_whole(const std::string& what, const Read& read) {
 
 }  // namespace
 
-py::tuple state_of(const Body& body) {
-  return py::make_tuple(Writer().body(body.description), body.properties.inertia);
-}
+py::tuple state_of(const Body& body) { return Writer().body(body.description); }
 
 Body body_with(const py::tuple& state) {
   return read_whole("body", [&] {
-    const scene::Body description = Reader().body(state[0]);
-    if (description.parts.empty() && !description.moments) {
-      return body_from_inertia(state[1].cast<Matrix3d>());
-    }
+    const scene::Body description = Reader().body(state);
     return Body{description, scene::mass_properties(description)};
   });
 }

@@ -92,15 +92,10 @@ void add_scenes(py::module_& module) {
       .def("get", &get_value)
       .def("set", &set_value)
       .def("json", [](const Scene& scene) { return scene::scene_json(scene).dump(-1, ' ', true); })
-      .def_property(
-          "body", &body_of,
-          [](Scene& scene, const Body& body) {
-            if (body.description.parts.empty() && !body.description.moments) {
-              throw SceneError({"body", "is given by an inertia matrix, which no scene can show",
-                                "give the body by parts or moments"});
-            }
-            on_scene([&] { scene::set_body(scene, body.description); });
-          })
+      .def_property("body", &body_of,
+                    [](Scene& scene, const Body& body) {
+                      on_scene([&] { scene::set_body(scene, body.description); });
+                    })
       .def("notes", [](const Scene& scene) { return mesh_notes(scene); })
       .def("input_files", &scene::input_files)
       .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })

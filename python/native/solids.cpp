@@ -1,9 +1,5 @@
 #include "solids.h"
 
-#include <twrench/motion/free_body.h>
-
-#include <limits>
-
 #include "scene/dimensions.h"
 
 namespace twrench::python {
@@ -54,13 +50,6 @@ std::vector<double> dimensions_of(const body::Shape& shape) {
   std::visit([&](const auto& known) { scene::for_dimensions(known, GetDimensions{dimensions}); },
              shape);
   return dimensions;
-}
-
-Body body_from_inertia(const Eigen::Matrix3d& inertia) {
-  const motion::FreeBody checked(inertia, Vector3d::Zero());
-  const auto& [moments, axes] = checked.principal();
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {{}, {unknown, Vector3d::Zero(), inertia, moments, axes}};
 }
 
 }  // namespace twrench::python

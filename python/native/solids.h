@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "body.h"
-
 namespace twrench::python {
 
 /// Returns the shape with that name, but for a mesh, whose dimensions are in the order of
@@ -16,8 +14,5 @@ body::Shape solid_called(const std::string& name, const std::vector<double>& dim
 
 /// Returns the dimensions of a shape in that order.
 std::vector<double> dimensions_of(const body::Shape& shape);
-
-/// Returns a body of which the inertia matrix is known alone.
-Body body_from_inertia(const Eigen::Matrix3d& inertia);
 
 }  // namespace twrench::python

@@ -49,6 +49,16 @@ def vectors(name: str, value: ArrayLike) -> Array:
     return array(name, value, (None, 3), "an array of shape (n, 3)")
 
 
+def inertia(name: str, value: ArrayLike) -> Array:
+    """An inertia matrix, also from its six different entries."""
+    form = "an array of shape (3, 3), or Ixx, Iyy, Izz, Ixy, Ixz, Iyz"
+    shape = (len(value),) if isinstance(value, (list, tuple)) else np.shape(value)
+    if shape != (6,):
+        return array(name, value, (3, 3), form)
+    xx, yy, zz, xy, xz, yz = array(name, value, (6,), form)
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
 def times(name: str, value: ArrayLike) -> Array:
     return array(name, value, (None,), "a one-dimensional array of times in s")
 

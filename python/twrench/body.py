@@ -23,9 +23,11 @@ class Body:
 
     :param parts: homogeneous solids that overlap nowhere.
     :param moments: principal moments of inertia about the body's x, y and z axes in g cm^2, (3,).
-    :param shape: what a body given by ``moments`` is drawn as: box, ellipsoid or cross.
     :param inertia: inertia matrix about the centre of mass in g cm^2, (3, 3), symmetric and positive
-        definite. Such a body can be integrated, but not shown in a scene.
+        definite; or its six entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz, (6,), as ``fullinertia`` of
+        MuJoCo. ``Ixy`` is minus the integral of x y dm.
+    :param shape: what a body given by ``moments`` or ``inertia`` is drawn as, along its principal
+        axes: box, ellipsoid or cross.
     :raises UsageError: for a length, a density, a moment or a mesh that no body has.
     :raises FileError: where the file of a mesh cannot be read.
 
@@ -34,6 +36,10 @@ class Body:
     >>> body = Body(moments=[1, 2, 3])
     >>> body.principal_moments
     array([1., 2., 3.])
+    >>> Body(inertia=[2, 2, 3, 1, 0, 0]).inertia
+    array([[2., 1., 0.],
+           [1., 2., 0.],
+           [0., 0., 3.]])
     """
 
     def __init__(
@@ -46,20 +52,18 @@ class Body:
     ) -> None:
         if sum(way is not None for way in (parts, moments, inertia)) != 1:
             raise UsageError("Body: give exactly one of parts, moments and inertia")
-        if shape is not None and moments is None:
-            raise UsageError("shape: is for a body given by moments")
+        if shape is not None and parts is not None:
+            raise UsageError("shape: is for a body given by moments or inertia")
+        form = _arguments.text("shape", "box" if shape is None else shape)
         if parts is not None:
             self._native = _native.Body.from_parts(native_parts(parts))
             for note in self._native.notes:
                 warnings.warn(note, stacklevel=2)
         elif moments is not None:
-            self._native = _native.Body.from_moments(
-                _arguments.vector("moments", moments),
-                _arguments.text("shape", "box" if shape is None else shape),
-            )
+            self._native = _native.Body.from_moments(_arguments.vector("moments", moments), form)
         elif inertia is not None:
-            matrix = _arguments.array("inertia", inertia, (3, 3), "an array of shape (3, 3)")
-            self._native = _native.Body.from_inertia(matrix)
+            matrix = _arguments.inertia("inertia", inertia)
+            self._native = _native.Body.from_inertia(matrix, form)
 
     @classmethod
     def from_scene(cls, scene: StrPath | Scene) -> Body:

@@ -65,6 +65,19 @@ Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
   throw InvalidArgument(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
+Eigen::Matrix3d parse_inertia(const std::string& text, const std::string& what) {
+  std::vector<double> v = split_numbers(text, ',', what);
+  if (v.size() == 3) v.resize(6);
+  if (v.size() != 6) {
+    throw InvalidArgument(what,
+                          fmt::format("'{}' is not three or six numbers separated by commas", text),
+                          "give A,B,C or Ixx,Iyy,Izz,Ixy,Ixz,Iyz");
+  }
+  Eigen::Matrix3d inertia;
+  inertia << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+  return scene::limits::check_inertia(what, inertia);
+}
+
 std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::string& what) {
   std::vector<Eigen::Vector3d> vectors;
   for (const std::string& word : split(text, ';')) vectors.push_back(parse_vector(word, what));

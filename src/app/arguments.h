@@ -25,6 +25,10 @@ int parse_whole(const std::string& text, const std::string& what,
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);
 /// Parses "X,Y,Z".
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
+/// Parses "A,B,C", principal moments about the body's axes, or "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", the
+/// entries of an inertia matrix in the order of MuJoCo's `fullinertia`, in g cm^2. Returns the
+/// matrix within the limits of scene files.
+Eigen::Matrix3d parse_inertia(const std::string& text, const std::string& what);
 /// Parses "X,Y,Z;X,Y,Z;...".
 std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::string& what);
 /// Parses "WxH" without checking the values.

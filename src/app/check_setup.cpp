@@ -146,10 +146,8 @@ scene::Scene mesh_scene(const std::string& file) try {
 }  // namespace
 
 void CheckSetup::add_options(CLI::App& command) {
-  command
-      .add_option("--inertia", inertia_,
-                  "principal moments of inertia about the body's axes, in any unit")
-      ->type_name("A,B,C");
+  command.add_option("--inertia", inertia_, fmt::format("{}, in any unit", inertia_help))
+      ->type_name(inertia_placeholder);
   command.add_option("--scene", scene_name_, "take the body of this scene or mesh instead")
       ->type_name("SCENE");
   command
@@ -223,13 +221,12 @@ Eigen::Matrix3d CheckSetup::inertia() const {
   if (inertia_.empty()) {
     throw InvalidArgument(
         "check", "the body is not given",
-        "give its principal moments with --inertia A,B,C, in any unit, or --scene or --case");
+        "give its principal moments with --inertia A,B,C, in any unit, its inertia matrix with "
+        "--inertia Ixx,Iyy,Izz,Ixy,Ixz,Iyz, or --scene or --case");
   }
-  const Eigen::Vector3d moments = scene::limits::check_moments(
-      "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
-                                        parse_vector(inertia_, "--inertia")));
-  warn_of_unreal_moments("--inertia", moments);
-  return moments.asDiagonal();
+  Eigen::Matrix3d inertia = parse_inertia(inertia_, "--inertia");
+  warn_of_unreal_moments("--inertia", inertia);
+  return inertia;
 }
 
 std::optional<cases::Case> CheckSetup::published_case() const {

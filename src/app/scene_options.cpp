@@ -70,10 +70,12 @@ bool determines_motion(const scene::Field& field) {
 
 }  // namespace
 
-void warn_of_unreal_moments(const std::string& of, const Eigen::Vector3d& moments, bool as_json) {
+void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia, bool as_json) {
   constexpr double round_off = 1e-12;
-  if (2.0 * moments.maxCoeff() <= moments.sum() * (1.0 + round_off)) return;
-  warn(fmt::format("{}: moments {}, {} and {}: no real body has them; one exceeds the sum of the "
+  const Eigen::Vector3d moments = body::principal_axes(inertia).moments;
+  if (2.0 * moments[2] <= moments.sum() * (1.0 + round_off)) return;
+  warn(fmt::format("{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them; one exceeds "
+                   "the sum of the "
                    "other two",
                    of, moments[0], moments[1], moments[2]),
        as_json);
@@ -118,13 +120,11 @@ void SceneOptions::add_flag(const std::string& name, const std::string& help,
 }
 
 void SceneOptions::add_inertia_option() {
-  add("--inertia", "A,B,C",
-      "replace the body, its title and its times by principal moments of inertia, g cm^2",
+  add("--inertia", inertia_placeholder,
+      fmt::format("replace the body, its title and its times by {}, g cm^2", inertia_help),
       [](scene::Scene& scene, const std::string& text) {
         scene::Body body;
-        body.moments = scene::limits::check_moments(
-            "--inertia", scene::limits::check(scene::limits::moment, "--inertia",
-                                              parse_vector(text, "--inertia")));
+        body.inertia = parse_inertia(text, "--inertia");
         body.drawn_as = scene.body.drawn_as;
         scene::replace_body(scene, std::move(body));
       });
@@ -139,11 +139,11 @@ void SceneOptions::add_motion_options() {
 
 void SceneOptions::add_shape_option() {
   add("--shape", "NAME",
-      fmt::format("what a body is drawn as that is given by its moments: {}",
+      fmt::format("what a body is drawn as that is given by its inertia: {}",
                   fmt::join(scene::equimomental_names(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
         const scene::Equimomental form = scene::equimomental_of(text, "--shape");
-        if (!scene.body.moments) {
+        if (!scene.body.inertia) {
           throw InvalidArgument("--shape", "the body has parts, which say what it looks like",
                                 "give its moments by --inertia, or leave --shape out");
         }
@@ -258,14 +258,14 @@ std::vector<scene::Scene> SceneOptions::scenes() const {
   std::vector<scene::Scene> scenes;
   for (const Loaded& loaded : load()) scenes.push_back(loaded.overridden);
   const bool as_json = Progress::is_json(command_);
-  // Several scenes with the moments of --inertia are one body.
+  // Several scenes with the body of --inertia are one body.
   const CLI::Option* inertia = command_.get_option_no_throw("--inertia");
-  const bool are_given = inertia != nullptr && inertia->count() > 0;
-  if (are_given) warn_of_unreal_moments("--inertia", *scenes.front().body.moments, as_json);
+  const bool is_given = inertia != nullptr && inertia->count() > 0;
+  if (is_given) warn_of_unreal_moments("--inertia", *scenes.front().body.inertia, as_json);
   for (const scene::Scene& scene : scenes) {
     for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
-    if (scene.body.moments && !are_given) {
-      warn_of_unreal_moments(scene.name, *scene.body.moments, as_json);
+    if (scene.body.inertia && !is_given) {
+      warn_of_unreal_moments(scene.name, *scene.body.inertia, as_json);
     }
   }
   return scenes;

@@ -17,9 +17,15 @@ namespace twrench::app {
 inline constexpr const char* about_defaults =
     "Options override the scene; the defaults apply to what neither sets.\n";
 
-/// Warns on standard error about moments that no real body has. A moment is at most the sum of the
-/// other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
-void warn_of_unreal_moments(const std::string& of, const Eigen::Vector3d& moments,
+/// The placeholder of --inertia in the help, and the description of its value.
+inline constexpr const char* inertia_placeholder = "A,B,C[,D,E,F]";
+inline constexpr const char* inertia_help =
+    "principal moments of inertia about the body's axes, or the matrix entries "
+    "Ixx,Iyy,Izz,Ixy,Ixz,Iyz as in MuJoCo's fullinertia (Ixy is minus the integral of x y dm)";
+
+/// Warns on standard error about an inertia matrix in g cm^2 that no real body has. A principal
+/// moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
+void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia,
                             bool as_json = false);
 
 /// Returns the help of a field, which names the command that lists its values if there is one.
@@ -96,7 +102,7 @@ class SceneOptions {
 
   /// Adds the option for the language of the text.
   void add_language_option();
-  /// Adds the option for what is drawn of a body that is given by its moments.
+  /// Adds --shape, the solid that is drawn for a body given by its inertia.
   void add_shape_option();
   /// A scene as its file has it, and with the overrides.
   struct Loaded {

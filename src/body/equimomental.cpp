@@ -14,6 +14,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
+/// The principal axes in any order: the coordinate axes themselves where they are principal.
+PrincipalAxes own_axes(const Matrix3d& inertia) {
+  if (inertia.isDiagonal(0.0)) return {inertia.diagonal(), Matrix3d::Identity()};
+  return principal_axes(inertia);
+}
+
 /// The second moments, the integrals of x^2, y^2 and z^2 over the mass, by I_x = S_y + S_z and its
 /// permutations.
 Vector3d second_moments(const Vector3d& moments) {
@@ -71,24 +77,25 @@ Cross::Cross(const Vector3d& second) {
 
 }  // namespace
 
-Part equimomental_box(const Vector3d& moments) {
+Part equimomental_box(const Matrix3d& inertia) {
+  const auto& [moments, axes] = own_axes(inertia);
   // Of an edge a the mean square is a^2/12.
-  return {Box{lengths(second_moments(moments), 1.0, 12.0)}, 1.0, Vector3d::Zero(),
-          Matrix3d::Identity()};
+  return {Box{lengths(second_moments(moments), 1.0, 12.0)}, 1.0, Vector3d::Zero(), axes};
 }
 
-Part equimomental_ellipsoid(const Vector3d& moments) {
+Part equimomental_ellipsoid(const Matrix3d& inertia) {
+  const auto& [moments, axes] = own_axes(inertia);
   // Of a semi-axis a the mean square is a^2/5.
   return {Ellipsoid{lengths(second_moments(moments), 4.0 / 3.0 * pi, 5.0)}, 1.0, Vector3d::Zero(),
-          Matrix3d::Identity()};
+          axes};
 }
 
-std::array<Part, 7> equimomental_cross(const Vector3d& moments) {
-  const Vector3d second = second_moments(moments);
-  const Matrix3d axes = principal_axes(moments.asDiagonal()).axes;
-  const Vector3d sorted = axes.cwiseAbs().transpose() * second;
-  const Cross cross(sorted);
-  const double unit = std::pow(sorted.x() / cross.moment, 1.0 / 5.0);
+std::array<Part, 7> equimomental_cross(const Matrix3d& inertia) {
+  const PrincipalAxes principal = principal_axes(inertia);
+  const Matrix3d& axes = principal.axes;
+  const Vector3d second = second_moments(principal.moments);
+  const Cross cross(second);
+  const double unit = std::pow(second.x() / cross.moment, 1.0 / 5.0);
   const auto placed = [&](const Shape& shape, const Vector3d& position) {
     return Part{shape, 1.0, unit * axes * position, axes};
   };
@@ -104,6 +111,22 @@ std::array<Part, 7> equimomental_cross(const Vector3d& moments) {
           disc(cross.heavy_square, -x),
           disc(cross.light_square, y),
           disc(cross.light_square, -y)};
+}
+
+std::array<PointMass, 6> equimomental_points(const Part& part) {
+  const double mass = part.density * volume(part.shape);
+  const PrincipalAxes own = own_axes(central_inertia(part.shape, mass));
+  const Matrix3d body_from_own = part.body_from_part * own.axes;
+  const Vector3d centre = part.position + part.body_from_part * centroid(part.shape);
+  std::array<PointMass, 6> points{};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    // The mean square of coordinate i, to which the pair contributes a third of its own.
+    const double mean_square = (own.moments.sum() - 2 * own.moments[i]) / (2 * mass);
+    const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * body_from_own.col(i);
+    points[static_cast<std::size_t>(2 * i)] = {mass / 6, centre + arm};
+    points[static_cast<std::size_t>(2 * i + 1)] = {mass / 6, centre - arm};
+  }
+  return points;
 }
 
 }  // namespace twrench::body

@@ -106,12 +106,6 @@ Vector3d centroid(const Part& part) {
   return part.position + part.body_from_part * centroid(part.shape);
 }
 
-/// The principal axes of a part in its own frame, which are its coordinate axes if they can be.
-PrincipalAxes own_axes(const Matrix3d& inertia) {
-  if (inertia.isDiagonal(0.0)) return {inertia.diagonal(), Matrix3d::Identity()};
-  return principal_axes(inertia);
-}
-
 }  // namespace
 
 MassProperties mass_properties(std::span<const Part> parts) {
@@ -157,22 +151,6 @@ PrincipalAxes principal_axes(const Matrix3d& inertia) {
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
   return {solver.eigenvalues(), with_definite_signs(solver.eigenvectors())};
-}
-
-std::array<PointMass, 6> equimomental_points(const Part& part) {
-  const double mass = part.density * volume(part.shape);
-  const PrincipalAxes own = own_axes(central_inertia(part.shape, mass));
-  const Matrix3d body_from_own = part.body_from_part * own.axes;
-  const Vector3d centre = centroid(part);
-  std::array<PointMass, 6> points{};
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    // The mean square of coordinate i, to which the pair contributes a third of its own.
-    const double mean_square = (own.moments.sum() - 2 * own.moments[i]) / (2 * mass);
-    const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * body_from_own.col(i);
-    points[static_cast<std::size_t>(2 * i)] = {mass / 6, centre + arm};
-    points[static_cast<std::size_t>(2 * i + 1)] = {mass / 6, centre - arm};
-  }
-  return points;
 }
 
 }  // namespace twrench::body

@@ -200,8 +200,17 @@ the rotation of the part as axis times angle, rad.
 Instead of parts:
 .TP
 \fBmoments\fR = [\fIx\fR, \fIy\fR, \fIz\fR]
-Principal moments of inertia about the body's axes, g cm^2. The body is drawn as the homogeneous box
-that has them.
+Principal moments of inertia about the body's axes, g cm^2.
+.TP
+\fBinertia\fR = [[\fIxx\fR, \fIxy\fR, \fIxz\fR], [\fIxy\fR, \fIyy\fR, \fIyz\fR], [\fIxz\fR, \fIyz\fR, \fIzz\fR]]
+Instead of
+.BR moments :
+the inertia matrix, g cm^2. Its products of inertia are the entries of the matrix: \fIxy\fR is minus
+the integral of x y dm.
+.TP
+\fBshape\fR = "\fIname\fR"
+What the body is drawn as, along its principal axes: a homogeneous \fBbox\fR or \fBellipsoid\fR that has
+this inertia, or a \fBcross\fR of discs. Default: box.
 )";
 
 }  // namespace

@@ -2,10 +2,38 @@
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
+#include <twrench/body/mass_properties.h>
 
 #include <cmath>
 
 namespace twrench::scene::limits {
+namespace {
+
+/// Throws unless two entries that should be equal are, to round-off.
+void require_symmetric(const std::string& what, const Eigen::Matrix3d& inertia) {
+  constexpr double round_off = 1e-12;
+  Eigen::Index row = 0, column = 0;
+  const double apart = (inertia - inertia.transpose()).cwiseAbs().maxCoeff(&row, &column);
+  if (apart <= round_off * inertia.cwiseAbs().maxCoeff()) return;
+  throw InvalidArgument(
+      what,
+      fmt::format("must be symmetric, but I{0}{1} is {2} and I{1}{0} is {3}", "xyz"[column],
+                  "xyz"[row], inertia(column, row), inertia(row, column)),
+      "give both the same value");
+}
+
+/// Throws unless the principal moments of a matrix with products of inertia are positive.
+void require_positive_definite(const std::string& what, const Eigen::Vector3d& moments) {
+  if (moments.minCoeff() > 0) return;
+  throw InvalidArgument(
+      what,
+      fmt::format("its principal moments are {:.6g}, {:.6g} and {:.6g}, but each must be positive",
+                  moments[0], moments[1], moments[2]),
+      "check the signs of the products of inertia: Ixy is the entry of the matrix, minus the "
+      "integral of x y dm");
+}
+
+}  // namespace
 
 bool Limit::allows(double value) const { return value >= low && value <= high; }
 
@@ -41,6 +69,20 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
       what, fmt::format("the moments of inertia are {:.6g}, {:.6g} and {:.6g}, but the largest "
                         "must be at most {:.6g} times the smallest",
                         moments[0], moments[1], moments[2], max_moment_ratio));
+}
+
+Eigen::Matrix3d check_inertia(const std::string& what, const Eigen::Matrix3d& inertia) {
+  // No entry of a positive definite matrix exceeds the largest on its diagonal.
+  constexpr Limit product{-moment.high, moment.high};
+  check(moment, what, Eigen::Vector3d(inertia.diagonal()));
+  for (const double entry : inertia.reshaped()) check(product, what, entry);
+  require_symmetric(what, inertia);
+  // Adding zero makes each zero positive.
+  const Eigen::Matrix3d symmetric = (inertia + inertia.transpose()).array() / 2 + 0.0;
+  const Eigen::Vector3d moments = body::principal_axes(symmetric).moments;
+  require_positive_definite(what, moments);
+  check_moments(what, check(moment, what, moments));
+  return symmetric;
 }
 
 double density_of_mass(const std::string& what, double grams, double volume) {

@@ -78,6 +78,9 @@ Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omeg
 /// Checks the principal moments of one body in g cm^2, whose ratio is limited too. Throws
 /// InvalidArgument.
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
+/// Checks an inertia matrix in g cm^2: it is symmetric to 1e-12 of its largest entry, and its
+/// principal moments are those of one body. Returns it exactly symmetric. Throws InvalidArgument.
+Eigen::Matrix3d check_inertia(const std::string& what, const Eigen::Matrix3d& inertia);
 /// Returns the density in g/cm^3 of a body whose mass is `grams` and whose volume is in cm^3.
 /// Throws InvalidArgument if the mass or the density exceeds its limits.
 double density_of_mass(const std::string& what, double grams, double volume);

@@ -15,16 +15,16 @@
 namespace twrench::scene {
 namespace {
 
-std::vector<body::Part> equimomental_parts(const Eigen::Vector3d& moments, Equimomental form) {
+std::vector<body::Part> equimomental_parts(const Eigen::Matrix3d& inertia, Equimomental form) {
   switch (form) {
     case Equimomental::box:
-      return {body::equimomental_box(moments)};
+      return {body::equimomental_box(inertia)};
     case Equimomental::ellipsoid:
-      return {body::equimomental_ellipsoid(moments)};
+      return {body::equimomental_ellipsoid(inertia)};
     case Equimomental::cross:
       break;
   }
-  const auto cross = body::equimomental_cross(moments);
+  const auto cross = body::equimomental_cross(inertia);
   return {cross.begin(), cross.end()};
 }
 
@@ -80,14 +80,14 @@ void set_background(Look& look, const std::string& text, const std::string& what
 }
 
 body::MassProperties mass_properties(const Body& body) {
-  if (!body.moments) return body::mass_properties(body.parts);
-  const body::PrincipalAxes principal = body::principal_axes(body.moments->asDiagonal());
-  return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(),
-          body.moments->asDiagonal(), principal.moments, principal.axes};
+  if (!body.inertia) return body::mass_properties(body.parts);
+  const body::PrincipalAxes principal = body::principal_axes(*body.inertia);
+  return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(), *body.inertia,
+          principal.moments, principal.axes};
 }
 
 std::vector<body::Part> visible_parts(const Body& body) {
-  if (body.moments) return equimomental_parts(*body.moments, body.drawn_as);
+  if (body.inertia) return equimomental_parts(*body.inertia, body.drawn_as);
   const Eigen::Vector3d centre = body::mass_properties(body.parts).centre_of_mass;
   std::vector<body::Part> parts = body.parts;
   for (body::Part& part : parts) part.position -= centre;
@@ -95,7 +95,7 @@ std::vector<body::Part> visible_parts(const Body& body) {
 }
 
 PartDescription description(const Body& body, std::size_t part) {
-  if (body.moments && body.drawn_as == Equimomental::cross) {
+  if (body.inertia && body.drawn_as == Equimomental::cross) {
     static constexpr std::array names{"cross",       "cross",       "cross",      "heavy discs",
                                       "heavy discs", "light discs", "light discs"};
     return {names.at(part), {}, {}};

@@ -61,22 +61,24 @@ struct PartDescription {
   std::vector<std::string> notes = {};
 };
 
-/// What a body is drawn as that is given by its moments alone: something that has these moments.
+/// The solid that is drawn for a body given by its inertia alone. It has that inertia, so it lies
+/// along the principal axes.
 enum class Equimomental {
   box,        ///< A homogeneous box.
   ellipsoid,  ///< A homogeneous ellipsoid.
   cross,      ///< A cross with two heavy and two light discs.
 };
 
-/// The body, given by its parts or by its principal moments alone.
+/// The body, given by its parts or by its inertia alone.
 struct Body {
-  /// The parts; empty if `moments` is set.
+  /// The parts; empty if `inertia` is set.
   std::vector<body::Part> parts;
-  /// Principal moments of inertia about the body's x, y and z axes, in g cm^2.
-  std::optional<Eigen::Vector3d> moments;
+  /// Inertia matrix about the centre of mass in body axes, in g cm^2; symmetric. A diagonal one is
+  /// given and written as three principal moments.
+  std::optional<Eigen::Matrix3d> inertia;
   /// The descriptions of the parts, in their order, as far as they are given; see description().
   std::vector<PartDescription> descriptions = {};
-  /// What it is drawn as if `moments` is set.
+  /// The solid that is drawn if `inertia` is set.
   Equimomental drawn_as = Equimomental::box;
 };
 
@@ -292,7 +294,7 @@ struct Shot {
 /// shots: shots begin at whole frames.
 std::vector<int> first_frames(const Scene& film);
 
-/// Returns the mass properties of the scene's body. If it is given by its moments alone, the mass
+/// Returns the mass properties of the scene's body. If it is given by its inertia alone, the mass
 /// is NaN and the centre of mass 0.
 body::MassProperties mass_properties(const Body& body);
 

@@ -81,11 +81,18 @@ ordered_json& table_in(ordered_json& json, const std::string& name) {
   return name.empty() ? json : *json.emplace(name, ordered_json::object()).first;
 }
 
+/// The moments if the body's axes are principal, otherwise the rows of the matrix.
+ordered_json inertia_json(const Eigen::Matrix3d& inertia) {
+  if (inertia.isDiagonal(0.0)) return {{"moments", numbers(inertia.diagonal())}};
+  return {{"inertia", {numbers(inertia.row(0)), numbers(inertia.row(1)), numbers(inertia.row(2))}}};
+}
+
 ordered_json body_json(const Body& body) {
   ordered_json json = ordered_json::object();
   if (!body.parts.empty()) json["part"] = parts_json(body);
-  if (body.moments) {
-    json["body"] = {{"moments", numbers(*body.moments)}, {"shape", name_of(body.drawn_as)}};
+  if (body.inertia) {
+    json["body"] = inertia_json(*body.inertia);
+    json["body"]["shape"] = name_of(body.drawn_as);
   }
   return json;
 }

@@ -9,6 +9,24 @@
 #include "scene/part_tables.h"
 
 namespace twrench::scene {
+namespace {
+
+/// Reads the inertia matrix from the only one of the two keys that [body] has.
+Eigen::Matrix3d read_inertia(TomlTable& table) {
+  if (const auto matrix = table.matrix("inertia")) {
+    if (!table.has("moments")) return limits::check_inertia(table.place("inertia"), *matrix);
+    throw InvalidArgument(table.place("inertia"), "moments give the inertia already",
+                          "leave out one of them");
+  }
+  if (!table.has("moments")) {
+    throw InvalidArgument(table.place(""), "has neither moments nor inertia", "give one of them");
+  }
+  const Eigen::Vector3d moments = table.required_vector("moments", limits::moment);
+  return limits::check_inertia(table.place("moments"), moments.asDiagonal());
+}
+
+}  // namespace
+
 Body read_body(TomlTable& file, MeshFiles& meshes) {
   Body body;
   file.tables("part", [&](TomlTable& part) {
@@ -19,17 +37,17 @@ Body read_body(TomlTable& file, MeshFiles& meshes) {
     read_part(part, meshes, body);
   });
   file.table("body", [&](TomlTable& table) {
-    body.moments = limits::check_moments(table.place("moments"),
-                                         table.required_vector("moments", limits::moment));
+    body.inertia = read_inertia(table);
     if (table.has("shape")) {
       body.drawn_as = equimomental_of(table.required_text("shape"), table.place("shape"));
     }
   });
-  if (body.parts.empty() != body.moments.has_value()) {
-    throw InvalidArgument(file.place("part"),
-                          "the body must be given by either [[part]] tables or [body] moments");
+  if (body.parts.empty() != body.inertia.has_value()) {
+    throw InvalidArgument(
+        file.place("part"),
+        "the body must be given either by [[part]] tables or by the moments or inertia of [body]");
   }
-  if (!body.moments)
+  if (!body.inertia)
     limits::check_moments(file.place("part"), body::mass_properties(body.parts).moments);
   return body;
 }

@@ -92,9 +92,8 @@ void set_body(Scene& scene, Body body) {
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
     require_allowed(body.parts[i], fmt::format("part[{}]", i));
   }
-  if (body.moments) {
-    limits::check(limits::moment, "moments", *body.moments);
-    limits::check_moments("moments", *body.moments);
+  if (body.inertia) {
+    body.inertia = limits::check_inertia("inertia", *body.inertia);
   } else {
     limits::check_moments("body", mass_properties(body).moments);
   }

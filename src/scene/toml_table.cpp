@@ -4,6 +4,8 @@
 #include <twrench/base/error.h>
 #include <twrench/base/nearest.h>
 
+#include <algorithm>
+
 namespace twrench::scene {
 namespace {
 
@@ -96,6 +98,24 @@ std::optional<std::vector<std::array<double, 2>>> TomlTable::number_or_pairs(
     pairs.push_back(numbers(entry, 2, place(key)).get<std::array<double, 2>>());
   }
   return pairs;
+}
+
+std::optional<Eigen::Matrix3d> TomlTable::matrix(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* rows = node->as_array();
+  const auto is_row = [](const toml::node& row) {
+    return row.is_array() && row.as_array()->size() == 3;
+  };
+  if (rows == nullptr || rows->size() != 3 || !std::ranges::all_of(*rows, is_row)) {
+    throw InvalidArgument(place(key), "must be an array of three rows of three numbers",
+                          "give [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]]");
+  }
+  Eigen::Matrix3d matrix;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    matrix.row(i) = to_vector(numbers((*rows)[static_cast<std::size_t>(i)], 3, place(key)));
+  }
+  return matrix;
 }
 
 ordered_json TomlTable::required(const std::string& key, Field::Kind kind) {

@@ -34,6 +34,9 @@ class TomlTable {
   /// if the key is absent.
   std::optional<std::vector<std::array<double, 2>>> number_or_pairs(const std::string& key);
 
+  /// Returns the matrix of three rows, or nothing if the key is absent.
+  std::optional<Eigen::Matrix3d> matrix(const std::string& key);
+
   /// Returns a vector whose components are within `limit`; `otherwise` if the key is absent.
   Eigen::Vector3d vector(const std::string& key, const limits::Limit& limit,
                          const Eigen::Vector3d& otherwise);

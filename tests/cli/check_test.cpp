@@ -357,6 +357,8 @@ TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
       {"e.csv", "give its principal moments with --inertia"},
       {"e.csv --inertia 1,2", "--inertia"},
       {"e.csv --inertia 0,2,3", "--inertia"},
+      {"e.csv --inertia 2,3,4,0,0", "--inertia: '2,3,4,0,0' is not three or six numbers"},
+      {"e.csv --inertia 2,2,4,3,0,0", "its principal moments are -1, 4 and 5"},
       {"e.csv --inertia 1,-2,3", "--inertia"},
       {"e.csv --inertia nan,2,3", "--inertia"},
       {"e.csv --inertia 2,3,4 --columns t=time", "time"},

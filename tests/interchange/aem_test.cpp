@@ -19,7 +19,7 @@ using testing::StartsWith;
 scene::Scene tumbling() {
   scene::Scene scene;
   scene.name = "tumbling";
-  scene.body.moments = Eigen::Vector3d(2, 3, 4);
+  scene.body.inertia = Eigen::Vector3d(2, 3, 4).asDiagonal();
   scene.motion.omega = {0.05, 1, 0.3};
   return scene;
 }

@@ -51,6 +51,8 @@ def test_moments_and_inertia():
     inertia = np.array([[4.0, 1, 0], [1, 5, 0.5], [0, 0.5, 6]])
     body = Body(inertia=inertia)
     np.testing.assert_array_equal(body.inertia, inertia)
+    np.testing.assert_array_equal(Body(inertia=[4, 5, 6, 1, 0, 0.5]).inertia, inertia)
+    np.testing.assert_array_equal(Body(inertia=np.array([4, 5, 6, 1, 0, 0.5])).inertia, inertia)
     np.testing.assert_allclose(body.principal_moments, np.linalg.eigvalsh(inertia))
     axes = body.principal_axes
     np.testing.assert_allclose(axes.T @ inertia @ axes, np.diag(body.principal_moments), atol=1e-12)
@@ -90,6 +92,11 @@ def test_the_body_of_a_scene_by_name_by_file_and_by_scene(tmp_path):
         (lambda: Body(moments=[[1, 2], [3]]), "moments: must be three numbers"),
         (lambda: Body(moments=[True, True, True]), "moments: must be three numbers"),
         (lambda: Body(inertia=np.eye(2)), r"inertia: must be an array of shape \(3, 3\)"),
+        (lambda: Body(inertia=[1, 2, 3]), "inertia: must be an array of shape .*, or Ixx, Iyy"),
+        (lambda: Body(inertia=[1, 2, 3, 0, 0, "x"]), "inertia: must be an array of shape"),
+        (lambda: Body(inertia=[1, 2, 3, 0, 0, math.nan]), "inertia: must be finite"),
+        (lambda: Body(inertia=[2, 2, 4, 3, 0, 0]), "inertia: must be positive definite"),
+        (lambda: Body(inertia=np.eye(3), shape="ball"), "shape: unknown name 'ball'"),
         (lambda: Body(inertia=np.diag([1, 2, -3])), "inertia"),
         (lambda: Body(inertia=[[1, 2, 3], [4, 5, 6], [7, 8, 9]]), "inertia"),
         (lambda: Body(inertia=np.eye(3) * 1j), "inertia: must be an array"),

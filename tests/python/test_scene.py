@@ -84,12 +84,33 @@ def test_a_body_can_be_put_into_a_scene(small):
         (None, "body: must be a twrench.Body"),
         (twrench.Body([twrench.Sphere(radius=1e7, density=1)]), "radii"),
         (twrench.Body(moments=[1, 2, 3e15]), "moments"),
-        (twrench.Body(inertia=np.diag([1, 2, 3])), "body"),
+        (twrench.Body(inertia=[1, 2, 3e15, 0, 0, 0.1]), "inertia"),
     ]:
         before = small.body.inertia
         with pytest.raises(SceneError, match=message):
             small.body = body
         np.testing.assert_array_equal(small.body.inertia, before)
+
+
+def test_a_body_with_products_of_inertia_can_be_shown(small):
+    inertia = [[3, 0.25, -0.1], [0.25, 4, 0.3], [-0.1, 0.3, 5]]
+    small.body = twrench.Body(inertia=inertia, shape="cross")
+    assert small.to_dict()["body"] == {"inertia": inertia, "shape": "cross"}
+    again = Scene.from_toml(f"[body]\ninertia = {inertia}\nshape = 'cross'")
+    assert again.to_dict()["body"] == small.to_dict()["body"]
+    np.testing.assert_array_equal(again.body.inertia, inertia)
+    assert again.body.principal_moments.tolist() == small.body.principal_moments.tolist()
+    first = small.frame(3)
+    small.body = twrench.Body(moments=small.body.principal_moments, shape="cross")
+    assert (small.frame(3) != first).any()
+
+
+def test_a_diagonal_inertia_is_the_same_as_moments(small):
+    small.body = twrench.Body(moments=[3, 5, 4])
+    first = small.frame(3)
+    small.body = twrench.Body(inertia=np.diag([3, 5, 4]))
+    assert small.to_dict()["body"] == {"moments": [3, 5, 4], "shape": "box"}
+    assert (small.frame(3) == first).all()
 
 
 def test_another_body_has_a_neutral_title_and_times_of_its_own():

@@ -54,7 +54,7 @@ std::vector<Golden> golden_scenes() {
   painted.look.metallic = 0;
   painted.look.roughness = 0.6;
   scene::Scene moments = t_wrench(320, 180);
-  moments.body = {{}, Vector3d(3, 5, 7)};
+  moments.body = {{}, Vector3d(3, 5, 7).asDiagonal()};
   scene::Scene blurred = t_wrench(320, 180);
   blurred.look.motion_blur = 6;
   const Matrix3d Id = Matrix3d::Identity();

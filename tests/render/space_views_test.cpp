@@ -83,7 +83,7 @@ TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
 TEST(BodyOverlay, BoundsALongOmega) {
   scene::Scene scene =
       with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
-  scene.body = {{}, Vector3d(0.01, 1, 1.005)};
+  scene.body = {{}, Vector3d(0.01, 1, 1.005).asDiagonal()};
   scene.motion.omega = {20, 1, 0};
   scene.motion.duration = 1;
   const timeline::Timeline timeline(scene, {0, 5});
@@ -277,7 +277,7 @@ TEST_F(SpaceViews, DrawEveryBody) {
     scene::Scene scene =
         with({scene::Feature::axes, scene::Feature::momentum, scene::Feature::omega,
               scene::Feature::trail, scene::Feature::plane, scene::Feature::labels});
-    scene.body = {{}, odd.moments};
+    scene.body = {{}, odd.moments.asDiagonal()};
     scene.motion.omega = odd.omega;
     scene.motion.duration = 2;
     scene.overlay.trail_length = 1e-9;  // a single point

@@ -19,7 +19,7 @@ std::string of_scene(const std::string& name, double duration = 96) {
 
 std::string of_moments(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
   Experiment experiment{scene::load_scene("dzhanibekov"), {}};
-  experiment.scene.body = {{}, moments};
+  experiment.scene.body = {{}, moments.asDiagonal()};
   experiment.scene.motion.omega = omega;
   experiment.scene.motion.duration = 10;
   return interpretation(solve(experiment));

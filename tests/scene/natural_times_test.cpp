@@ -1,10 +1,13 @@
 #include "scene/natural_times.h"
 
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
 #include <cmath>
 #include <string>
+
+#include "scene/scene_values.h"
 
 namespace twrench::scene {
 namespace {
@@ -132,7 +135,7 @@ TEST(SampleRate, IsTheFrameRateOfASceneIfThatSuitsTheMotion) {
 TEST(ReplaceBody, TakesWhatWasSaidOfTheOtherBodyWithIt) {
   Scene scene = load_scene("toutatis");
   Body body;
-  body.moments = Vector3d(3, 5, 7);
+  body.inertia = Vector3d(3, 5, 7).asDiagonal();
   replace_body(scene, body);
   set_natural_times(scene);
   EXPECT_EQ(scene.title, "A free rigid body");
@@ -142,13 +145,35 @@ TEST(ReplaceBody, TakesWhatWasSaidOfTheOtherBodyWithIt) {
   EXPECT_EQ(scene.film.speed, natural_times(scene).speed);
 }
 
+// Times and title follow from the motion, whichever axes the inertia is given about.
+TEST(ReplaceBody, GivesTheSameBodyInOtherAxesTheSameTimes) {
+  const Eigen::Matrix3d moments = Vector3d(3, 5, 7).asDiagonal();
+  const Eigen::Matrix3d R = so3::exp(Vector3d(0.4, -1, 0.7));
+  const Eigen::Matrix3d turned = R * moments * R.transpose();
+  const auto scene_of = [](const Eigen::Matrix3d& inertia, const Vector3d& omega) {
+    Scene scene = load_scene("toutatis");
+    scene.motion.omega = omega;
+    set_body(scene, {{}, inertia});
+    return scene;
+  };
+  const Scene straight = scene_of(moments, {0.05, 1, 0.02});
+  const Scene other = scene_of((turned + turned.transpose()) / 2, R * Vector3d(0.05, 1, 0.02));
+  EXPECT_EQ(other.title, "A free rigid body");
+  EXPECT_EQ(other.motion.duration, straight.motion.duration);
+  EXPECT_EQ(other.motion.control.step, straight.motion.control.step);
+  EXPECT_EQ(other.film.speed, straight.film.speed);
+  EXPECT_EQ(sample_rate(other), sample_rate(straight));
+  EXPECT_NE(scene_of(moments, R * Vector3d(0.05, 1, 0.02)).motion.duration,
+            straight.motion.duration);
+}
+
 TEST(ReplaceBody, LeavesWhatTheUserGave) {
   Scene scene = load_scene("toutatis");
   scene.title = "Mine";
   scene.motion.duration = 5;
   scene.origins.title = scene.origins.duration = Origin::user;
   Body body;
-  body.moments = Vector3d(3, 5, 7);
+  body.inertia = Vector3d(3, 5, 7).asDiagonal();
   replace_body(scene, body);
   set_natural_times(scene);
   EXPECT_EQ(scene.title, "Mine");

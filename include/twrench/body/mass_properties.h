@@ -42,21 +42,22 @@ struct PrincipalAxes {
 /// to round-off, symmetric.
 PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia);
 
-// What is drawn where a body is given by its moments alone: bodies of density 1 g/cm^3 whose
-// principal moments in g cm^2 about x, y, z are `moments`. Those that no real body has (the
-// triangle inequality fails) give one that is nearly flat. Each throws OutOfRange about a moment
-// that is not positive.
+// Bodies of density 1 g/cm^3 that have this inertia matrix in g cm^2. They lie along its principal
+// axes, and are drawn for a body given by its inertia alone. A matrix that no real body has,
+// because the triangle inequality of its moments fails, gives a body that is nearly flat. Each
+// throws OutOfRange about a moment that is not positive, and InvalidArgument as principal_axes()
+// does.
 
 /// A box.
-Part equimomental_box(const Eigen::Vector3d& moments);
+Part equimomental_box(const Eigen::Matrix3d& inertia);
 
 /// An ellipsoid.
-Part equimomental_ellipsoid(const Eigen::Vector3d& moments);
+Part equimomental_ellipsoid(const Eigen::Matrix3d& inertia);
 
 /// Terence Tao's discs (mathoverflow.net/a/82020): a flat cross with two heavy discs on the axis of
 /// the least moment, and two lighter ones on that of the intermediate moment. The two arms and the
 /// hub come first, then the heavy discs, then the light ones.
-std::array<Part, 7> equimomental_cross(const Eigen::Vector3d& moments);
+std::array<Part, 7> equimomental_cross(const Eigen::Matrix3d& inertia);
 
 /// A mass at a point.
 struct PointMass {

@@ -31,7 +31,7 @@ TEST(CurveCaption, SpeaksOfALegOnlyWhereThereIsOneAlongX) {
 }
 
 TEST(CurveCaption, SpeaksOfNoLegForOtherBodies) {
-  EXPECT_FALSE(speaks_of_a_leg({{}, Eigen::Vector3d(1, 2, 3)}));
+  EXPECT_FALSE(speaks_of_a_leg({{}, Eigen::Vector3d(1, 2, 3).asDiagonal()}));
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {0, 0, 0})}, {}}));
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {4, 0, 0}), sphere(1, {-4, 0, 0})}, {}}));
   // Two legs, of which neither can be meant.
@@ -82,7 +82,7 @@ TEST(Remarks, SayWhereTheMatrixIsNoRotation) {
 
 std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
   scene::Scene scene = t_wrench();
-  scene.body = {{}, moments};
+  scene.body = {{}, moments.asDiagonal()};
   scene.motion.omega = omega;
   const OverlayScene film(scene);
   const timeline::Solution& solution = film.timeline.solutions()[0];
