@@ -151,10 +151,11 @@ void Typesetter::add_moment(TextBlock& block, std::size_t solution) {
   const motion::FreeBody& body = solutions_[solution].body;
   if (body.omega().isZero(0.0)) return;
   const Eigen::Vector3d along = body.omega().normalized();
+  const PrincipalFrame frame(body, style_.colors);
   Eigen::Index axis = 0;
-  along.cwiseAbs().maxCoeff(&axis);
+  (frame.axes.transpose() * along).cwiseAbs().maxCoeff(&axis);
   block.add_bar(along.dot(body.inertia() * along) / body.principal().moments[2],
-                style_.colors.axis[static_cast<std::size_t>(axis)]);
+                frame.colors[static_cast<std::size_t>(axis)]);
 }
 
 /// Small pictures have no room for it.

@@ -10,7 +10,7 @@
 
 #include "render/hud/hud_text.h"
 #include "render/hud/panel.h"
-#include "scene/prediction.h"
+#include "render/views/principal_frame.h"
 
 namespace twrench::render {
 namespace {
@@ -54,15 +54,12 @@ struct Bar {
 };
 
 std::array<Bar, 3> bars_of(const motion::FreeBody& body, const OverlayColors& colors) {
-  const body::PrincipalAxes& principal = body.principal();
-  const int turning = motion::Tilt(body).axis();
+  const PrincipalFrame frame(body, colors);
+  const auto turning = static_cast<std::size_t>(motion::Tilt(body).axis());
   std::array<Bar, 3> bars;
-  for (int i = 0; i < 3; ++i) {
-    Eigen::Index nearest = 0;
-    principal.axes.col(i).cwiseAbs().maxCoeff(&nearest);
-    bars[static_cast<std::size_t>(i)] = {principal.moments[i], scene::axis_name(principal.axes, i),
-                                         colors.axis[static_cast<std::size_t>(nearest)],
-                                         i == turning && !body.omega().isZero(0.0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    bars[i] = {body.principal().moments[static_cast<Eigen::Index>(i)], frame.names[i],
+               frame.colors[i], i == turning && !body.omega().isZero(0.0)};
   }
   return bars;
 }

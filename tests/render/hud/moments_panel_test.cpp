@@ -1,16 +1,22 @@
 #include "render/hud/moments_panel.h"
 
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+
+#include <array>
+#include <optional>
 
 #include "render/overlay_scene.h"
 
 namespace twrench::render {
 namespace {
 
-std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*& colors) {
+std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*& colors,
+                              const std::optional<Eigen::Matrix3d>& inertia = {}) {
   scene::Scene scene = film_of(1280, 720);
   scene.overlay.show.insert(scene::Feature::moments);
   scene.motion.omega = omega;
+  if (inertia) scene.body = {{}, inertia};
   const OverlayScene all(scene);
   colors = &style_of(scene.look.theme).overlay;
   MomentsPanel panel(all.scene, all.timeline.solutions(), all.layout, all.typeface, all.colors);
@@ -41,6 +47,22 @@ TEST(MomentsPanel, HasBarsInProportionAndMarksTheAxisOfTheRotation) {
   EXPECT_NEAR(static_cast<double>(x) / z, 982.27 / 1578.65, 0.02);
   EXPECT_EQ(height_of(about_x[0], colors->axis[2]), 0) << "faint";
   EXPECT_EQ(height_of(about_z[0], colors->axis[0]), 0) << "faint";
+}
+
+// I1 and I2 of this body both lie nearest to x.
+TEST(MomentsPanel, GivesEachPrincipalAxisAColourOfItsOwn) {
+  const Eigen::Matrix3d R = so3::exp(Eigen::Vector3d(-0.72, -0.32, -0.74));
+  const Eigen::Matrix3d product = R * Eigen::Vector3d(2, 3, 4).asDiagonal() * R.transpose();
+  const Eigen::Matrix3d inertia = (product + product.transpose()) / 2;
+  const OverlayColors* colors = nullptr;
+  std::array<double, 3> heights{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto about = moments_of(R.col(axis), colors, inertia);
+    heights.at(static_cast<std::size_t>(axis)) =
+        height_of(about[0], colors->axis[static_cast<std::size_t>(axis)]);
+  }
+  EXPECT_NEAR(heights[0] / heights[2], 2.0 / 4, 0.02);
+  EXPECT_NEAR(heights[1] / heights[2], 3.0 / 4, 0.02);
 }
 
 TEST(MomentsPanel, MarksNoAxisOfABodyAtRest) {
