@@ -181,6 +181,7 @@ const tests = {
       [[], '#speed=2'],
       [['stable-y', '--omega', '0.25,1.5,0.125'], ''],
       [['--inertia', '2,3,4'], '#omega=0.5,1.25,0.375'],
+      [['--inertia', '2,3,4,0.25,-0.125,0.5'], '#omega=0.5,1.25,0.375'],
       [[], '#moments=2,3,4&omega=-0.5,1.25,0.375&theme=paper&frame=rotating&show=floor&view=0.5,0.25,2'],
     ]) {
       const { page, quiet } = await open(writePage('copied.html', ...words), { ...still, hash });

@@ -77,6 +77,17 @@ function storyCommands(source) {
 }
 
 /**
+ * The numbers of --inertia for the [body] of a scene: its moments, or Ixx, Iyy, Izz, Ixy, Ixz and
+ * Iyz. None for a body of parts.
+ * @param {{moments?: number[], inertia?: number[][]} | undefined} body
+ */
+function inertiaOf(body) {
+  if (!body?.inertia) return body?.moments ?? [];
+  const [[xx, xy, xz], [, yy, yz], [, , zz]] = body.inertia;
+  return [xx, yy, zz, xy, xz, yz];
+}
+
+/**
  * The command that makes this very motion as a film.
  * @param {State} state @param {PageData} data @param {string} theme
  */
@@ -85,8 +96,8 @@ export function commandLine(state, data, theme) {
     given = data.source_scene ?? data.scene;
   if (given.shot) return storyCommands(source);
   const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
-  const moments = state.moments ?? data.scene.body?.moments ?? [];
-  if (differ(moments, given.body?.moments ?? [])) parts.push(...optionOf('inertia', moments));
+  const inertia = state.moments ?? inertiaOf(data.scene.body);
+  if (differ(inertia, inertiaOf(given.body))) parts.push(...optionOf('inertia', inertia));
   for (const [, key, value] of changes(state, data, theme))
     parts.push(...optionOf(key.replaceAll('_', '-'), value));
   const show = shownFeatures(state, data),
