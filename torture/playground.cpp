@@ -126,6 +126,7 @@ void put_scenes(const fs::path& folder) {
       {"scene_as_mesh.toml", mesh("sound.toml", "unit = \"cm\"\n")},
       {"short_mesh.toml", mesh("short.stl", "unit = \"cm\"\n")},
       {"moments.toml", "[body]\nmoments = [3, 4, 5]\n"},
+      {"inertia.toml", "[body]\ninertia = [[3, 0.2, -0.1], [0.2, 4, 0.3], [-0.1, 0.3, 5]]\n"},
       {"with a space.toml", sound_scene},
       {"caf\xc3\xa9.toml", sound_scene},
       {"empty.toml", ""},

@@ -11,7 +11,8 @@ namespace twrench {
 struct RandomScene {
   /// The scene file.
   std::string toml;
-  /// The same as options, if the body is given by its moments: "--inertia A,B,C".
+  /// The same as options, if the body is given by its inertia: "--inertia A,B,C", or with six
+  /// numbers if its axes are not principal axes.
   std::string inertia;
   /// "--omega=X,Y,Z".
   std::string omega;
