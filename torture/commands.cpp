@@ -79,9 +79,13 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
     if (line.has(option)) add_file(line.value(option));
   }
   if (line.command == "render") {
-    const std::string name = default_name(line);
-    if (!line.has("output")) add_file("out/" + name + ".mp4");
-    asked.frame_folders.insert(place_of(line.value("frames-dir", "out/" + name), folder));
+    const std::string as_scene = "out/" + default_name(line);
+    const fs::path video = line.value("output", as_scene + ".mp4");
+    add_file(video.string());
+    // Standard output and devices have no ending.
+    const std::string frames =
+        video.has_extension() ? (video.parent_path() / video.stem()).string() : as_scene;
+    asked.frame_folders.insert(place_of(line.value("frames-dir", frames), folder));
   }
   if (replaces_expected(line)) {
     add_file(line.arguments.front());

@@ -25,11 +25,14 @@ std::string moments_text(const Eigen::Matrix3d& inertia, const check::BodyAxes& 
                      moments[axes.axis[2]]);
 }
 
-/// Whether other axes are nothing but another order of the moments.
+/// Whether other axes are nothing but another order of the moments. If omega is given, the order of
+/// its components would be another, too.
 bool is_moment_order(const Judgement& judgement, const check::Convention& after) {
   constexpr double rounding = 1e-12;
-  return judgement.convention.axes == check::BodyAxes() && after.axes != check::BodyAxes() &&
-         after.axes.matrix().determinant() > 0 && judgement.reference.body.inertia().isDiagonal(rounding);
+  const check::BodyAxes plain;
+  return judgement.convention.axes == plain && after.axes.axis != plain.axis &&
+         after.axes.matrix().determinant() > 0 && !judgement.is_start_given &&
+         judgement.reference.body.inertia().isDiagonal(rounding);
 }
 
 /// "t is in ms", "the rates are in deg/s" ...

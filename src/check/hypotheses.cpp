@@ -313,7 +313,8 @@ class Search {
         (has_rates_ ? first.omega : omega_between(problem_.inertia, first, tried.rows[1])) / unit;
     const BodyAxes axes = tried.reading.convention.axes;
     Matrix3d turn = Matrix3d::Identity();
-    double least = (found - given).norm();
+    constexpr double about = 0.05;
+    double least = std::min((found - given).norm(), about * given.norm());
     for (const BodyAxes& other : all_body_axes()) {
       if (!are_alike(problem_.inertia, axes, other)) continue;
       const Matrix3d S = other.matrix().transpose() * axes.matrix();

@@ -281,6 +281,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
                       .has_rates = recording.has_rates,
                       .has_attitude = recording.has_attitude,
                       .reference = reference,
+                      .is_start_given = problem.omega && !problem.fit,
                       .fit = fit};
   take_sizes(judgement, comparison, reader.attitude());
   judgement.noise = {deviation_of(comparison.spans(), &Span::rate_differences),

@@ -43,6 +43,7 @@ struct Judgement {
   double first_time = 0, last_time = 0;
 
   Reference reference;  ///< what it is held against
+  bool is_start_given = false;  ///< rather than taken from the rows
   std::optional<Fit> fit = {};
 
   std::optional<ErrorSize> rates = {}, attitude = {};  ///< rad/s and rad
