@@ -140,6 +140,14 @@ Json nearest_json(const CheckedFile& file) {
   return nearest ? alternative_json(file, *nearest) : Json(nullptr);
 }
 
+/// In axes of the body; only its ratios are determined.
+Json inertia_json(const CheckedFile& file) {
+  if (!file.alternatives.inertia) return nullptr;
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(vector_json(file.alternatives.inertia->row(i)));
+  return rows;
+}
+
 Json noise_json(const Judgement& judgement, double factor) {
   return {{"rates", judgement.has_rates ? Json(judgement.noise.rate * factor) : Json(nullptr)},
           {"attitude",
@@ -199,6 +207,7 @@ Json file_json(const CheckedFile& file) {
           {"follows_the_motion", !is_foreign(judgement)},
           {"alternatives", alternatives_json(file)},
           {"nearest", nearest_json(file)},
+          {"other_inertia", inertia_json(file)},
           {"bounds", bounds_json(file)},
           {"finding", name_of(found.finding)},
           {"passes", passes(file)},

@@ -62,6 +62,7 @@ enum class Finding {
   noisy,         ///< within that and noise
   unit_or_axes,  ///< read in another convention than it was written in
   other_start,   ///< from another initial state
+  other_body,    ///< of a body with other moments
   other_law,     ///< no motion of this body
   inconsistent,  ///< the attitude is not that of the rates
   inexact,       ///< the motion with errors of its computation

@@ -128,6 +128,19 @@ std::string foreign_text(const CheckedFile& file) {
   return text;
 }
 
+/// The moments of the body that the file has instead.
+std::string body_text(const Judgement& judgement, const Eigen::Matrix3d& inertia) {
+  const motion::FreeBody found(inertia, Eigen::Vector3d::Zero());
+  const auto text = [](const motion::FreeBody& body) {
+    const Eigen::Vector3d& moments = body.principal().moments;
+    return fmt::format("1 : {:.6g} : {:.6g}", moments[1] / moments[0], moments[2] / moments[0]);
+  };
+  return fmt::format(
+      "follows the motion of another body: the principal moments fit in the ratio {}, but those "
+      "given are in the ratio {}",
+      text(found), text(judgement.reference.body));
+}
+
 /// "x, y and z": the unit vector of a rate to three places.
 std::string direction_text(const Eigen::Vector3d& rate) {
   const Eigen::Vector3d n = rate.normalized();
@@ -338,6 +351,9 @@ bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(judgement);
+  if (file.alternatives.inertia) {
+    return {Finding::other_body, body_text(judgement, *file.alternatives.inertia)};
+  }
   if (is_foreign(judgement) || !file.alternatives.fitting.empty()) {
     const bool is_misread = !file.alternatives.fitting.empty();
     const bool rates_fit =
@@ -375,6 +391,8 @@ const char* name_of(Finding finding) {
       return "convention";
     case Finding::other_start:
       return "start";
+    case Finding::other_body:
+      return "body";
     case Finding::other_law:
       return "law";
     case Finding::inconsistent:

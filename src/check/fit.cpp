@@ -30,23 +30,29 @@ struct Weights {
   }
 };
 
+/// Whether the moments are fitted too.
+enum class Body { as_given, fitted };
+
 /// The residuals of rows as a function of what is fitted, for Eigen's
-/// Levenberg-Marquardt. Parameters: the change of omega in units of |omega|, and the rotation
-/// vector by which the frame turns.
+/// Levenberg-Marquardt. Parameters: the change of omega in units of |omega|; if there is an
+/// attitude, the rotation vector by which the frame turns; if the body is fitted, the logarithms by
+/// which two of its principal moments grow relative to the first.
 class Residuals : public Eigen::DenseFunctor<double> {
  public:
-  Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights)
-      : DenseFunctor(weights.attitude > 0 ? 6 : 3,
+  Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
+            Body body = Body::as_given)
+      : DenseFunctor(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0),
                      static_cast<int>(rows.size() * weights.numbers_per_row())),
         from_(from),
         rows_(rows),
         weights_(weights),
+        body_(body),
         speed_(from.body.omega().norm()) {}
 
   Reference reference(const VectorXd& p) const {
     const Vector3d omega = from_.body.omega() + speed_ * p.head<3>();
-    Reference reference{{from_.body.inertia(), omega}, from_.start, from_.frame};
-    if (weights_.attitude > 0) reference.frame = so3::exp(p.tail<3>()) * from_.frame;
+    Reference reference{{inertia(p), omega}, from_.start, from_.frame};
+    if (weights_.attitude > 0) reference.frame = so3::exp(p.segment<3>(3)) * from_.frame;
     return reference;
   }
 
@@ -81,16 +87,26 @@ class Residuals : public Eigen::DenseFunctor<double> {
   }
 
  private:
+  Matrix3d inertia(const VectorXd& p) const {
+    if (body_ == Body::as_given) return from_.body.inertia();
+    const body::PrincipalAxes& principal = from_.body.principal();
+    const Vector3d growth(1, std::exp(p[p.size() - 2]), std::exp(p[p.size() - 1]));
+    const Vector3d moments = principal.moments.cwiseProduct(growth);
+    return principal.axes * moments.asDiagonal() * principal.axes.transpose();
+  }
+
   Reference from_;
   std::span<const Row> rows_;
   Weights weights_;
+  Body body_;
   double speed_;
   mutable ExactRows exact_;
 };
 
 /// The reference that fits those rows best, beginning with `from`.
-Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights) {
-  Residuals residuals(from, rows, weights);
+Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
+                   Body body = Body::as_given) {
+  Residuals residuals(from, rows, weights, body);
   Eigen::LevenbergMarquardt<Residuals> solver(residuals);
   constexpr double round_off = 1e-15;
   solver.setFtol(round_off);
@@ -179,6 +195,16 @@ Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omeg
       root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
   weights = reweighted(weights, left, speed);
   return result(improved(reference, rows, weights), rows, weights);
+}
+
+Matrix3d fitted_inertia(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude) {
+  const Vector3d omega = rows.front().omega;
+  const Weights weights{1 / omega.norm(), has_attitude ? 1.0 : 0};
+  Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
+  for (std::size_t count = 8; count < rows.size(); count *= 2) {
+    reference = improved(reference, rows.first(count), weights, Body::fitted);
+  }
+  return improved(reference, rows, weights, Body::fitted).body.inertia();
 }
 
 Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {

@@ -23,8 +23,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Pairs of rows for each interval, where many readings are tried and where one is judged.
-constexpr std::size_t few = 12, many = 128;
+/// Pairs of rows for each interval where many readings are tried.
+constexpr std::size_t few = 8;
 /// A reading that misses more than this part of the changes is none.
 constexpr double follows = 0.2;
 
@@ -222,6 +222,7 @@ class Search {
         const auto rows = changed(variants_.front().rows, change);
         const auto miss = misfit_of_rates(problem_.inertia, rows, few);
         if (miss.value_or(0) >= follows) continue;
+        if (miss) following_.emplace_back(&scale, axes);
         for (const Variant& variant : variants_) test(variant, scale, change);
       }
     }
@@ -251,16 +252,12 @@ class Search {
   }
 
   void try_offsets() {
-    for (const Scale& scale : scales_) {
-      for (const BodyAxes& axes : axes_) {
-        Change change{scale.factor, axes};
-        const auto rates = changed(variants_.front().rows, change);
-        const auto miss = misfit_of_rates(problem_.inertia, rates, few);
-        if (!miss || *miss >= follows) continue;
-        for (const Variant& variant : variants_) {
-          change.offset = offset_between(problem_.inertia, variant.rows, rates, axes);
-          test(variant, scale, change);
-        }
+    for (const auto& [scale, axes] : following_) {
+      Change change{scale->factor, axes};
+      const auto rates = changed(variants_.front().rows, change);
+      for (const Variant& variant : variants_) {
+        change.offset = offset_between(problem_.inertia, variant.rows, rates, axes);
+        test(variant, *scale, change);
       }
     }
   }
@@ -347,7 +344,7 @@ class Search {
     };
     if (found_.empty()) return {};
     const Tried best = *std::ranges::min_element(found_, {}, worst);
-    if (!best.reading.misfit.fits()) return {{}, best.reading};
+    if (!best.reading.misfit.fits()) return {{}, best.reading, {}};
     constexpr double far_worse = 20, round_off = 1e-8;
     const double most = std::min(follows, far_worse * worst(best) + round_off);
     std::erase_if(found_, [&](const Tried& tried) { return worst(tried) >= most; });
@@ -356,7 +353,7 @@ class Search {
     // As it is read, it fits no worse.
     if (fewest == 0) return {};
     std::erase_if(found_, [&](const Tried& tried) { return changes(tried) > fewest; });
-    return {distinct(), {}};
+    return {distinct(), {}, {}};
   }
 
   /// One of those that give the same motion, though their times may have other units.
@@ -381,6 +378,7 @@ class Search {
   std::vector<BodyAxes> axes_;
   std::vector<Scale> scales_;
   std::vector<Variant> variants_;
+  std::vector<std::pair<const Scale*, BodyAxes>> following_;  ///< in which rates follow the motion
   std::vector<Tried> found_;
   double nearest_ = std::numeric_limits<double>::infinity();
 };
@@ -392,6 +390,24 @@ Alternatives alternatives(const std::filesystem::path& file, const Problem& prob
   return Search(telling_numbers(file, convention), problem, convention).run();
 }
 
+namespace {
+
+/// The inertia of another body whose motion the rows follow far better than that of the given one.
+std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const Matrix3d& inertia,
+                                      const Judgement& judgement) {
+  if (!judgement.has_rates) return std::nullopt;
+  const std::vector<Row> rows = telling_rows(file, judgement.convention);
+  if (rows.size() < 16 || rows.front().omega.norm() == 0) return std::nullopt;
+  const Matrix3d fitted = fitted_inertia(inertia, rows, judgement.has_attitude);
+  if (!fitted.allFinite()) return std::nullopt;
+  const auto miss = misfit(fitted, rows, true, judgement.has_attitude).worst();
+  constexpr double far_better = 1e-2, follows_well = 1e-3;
+  const bool is_better = miss && *miss < follows_well && *miss < far_better * *judgement.misfit.worst();
+  return is_better ? std::optional(fitted) : std::nullopt;
+}
+
+}  // namespace
+
 Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
                              const Judgement& judgement) {
   const auto miss = judgement.misfit.worst();
@@ -402,10 +418,11 @@ Alternatives better_readings(const std::filesystem::path& file, const Problem& p
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
   if (*miss < good && !is_of_another_start) return {};
   Alternatives found = alternatives(file, problem, judgement.convention);
-  if (!judgement.misfit.fits() || is_of_another_start) return found;
   const bool is_better = !found.fitting.empty() &&
                          *found.fitting.front().misfit.worst() < far_better * *miss;
-  return is_better ? found : Alternatives{};
+  if (judgement.misfit.fits() && !is_of_another_start && !is_better) found = {};
+  if (found.fitting.empty()) found.inertia = other_inertia(file, problem.inertia, judgement);
+  return found;
 }
 
 }  // namespace twrench::check

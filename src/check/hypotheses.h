@@ -16,6 +16,9 @@ struct Alternatives {
   std::vector<Reading> fitting;
   /// Where none fits: the reading that is nearest to it.
   std::optional<Reading> nearest;
+  /// Where none fits, but the motion is that of a body with the same principal axes and other
+  /// moments: its inertia, of which only the ratios are determined.
+  std::optional<Eigen::Matrix3d> inertia;
 };
 
 /// Tests how the first rows of a file follow the motion of the body if it is read in other ways
