@@ -32,9 +32,9 @@ inline constexpr std::size_t most_fitted_rows = 65536;
 Fit fit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, const Eigen::Vector3d& omega,
         bool has_rates, bool has_attitude);
 
-/// Returns the inertia with the principal axes of `inertia` that fits rows with rates best, which do
-/// not begin at rest. Only its ratios are determined; its least moment is the given one. Where no
-/// body has such a motion it is any.
+/// Returns the inertia with the principal axes of `inertia` that fits rows with rates best, which
+/// do not begin at rest. Only its ratios are determined; its least moment is the given one. Where
+/// no body has such a motion it is any.
 Eigen::Matrix3d fitted_inertia(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
                                bool has_attitude);
 

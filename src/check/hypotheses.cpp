@@ -13,8 +13,7 @@
 
 #include "check/fit.h"
 #include "check/other_conventions.h"
-#include "check/row_decoder.h"
-#include "check/thinned_rows.h"
+#include "check/telling_rows.h"
 #include "check/units.h"
 
 namespace twrench::check {
@@ -62,28 +61,8 @@ std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
   return result;
 }
 
-/// The rows in the reading; nothing where it does not allow them.
-std::optional<std::vector<Row>> rows_in(const TellingNumbers& numbers,
-                                        const Convention& convention) try {
-  const RowDecoder decoder(numbers.header, convention, [] { return std::string(); });
-  std::vector<std::size_t> places;
-  for (const std::size_t column : decoder.columns()) {
-    const auto place = std::ranges::find(numbers.columns, column);
-    places.push_back(static_cast<std::size_t>(place - numbers.columns.begin()));
-  }
-  std::vector<table::Number> in_order(places.size());
-  std::vector<Row> rows(numbers.rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < places.size(); ++k) in_order[k] = numbers.rows[i][places[k]];
-    decoder.decode(in_order, rows[i]);
-  }
-  return rows;
-} catch (const table::BadTable&) {
-  return std::nullopt;
-}
-
-/// Whether the physics cannot tell the axes apart: a rotation that takes the inertia to itself takes
-/// a motion to a motion.
+/// Whether the physics cannot tell the axes apart: a rotation that takes the inertia to itself
+/// takes a motion to a motion.
 bool are_alike(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b) {
   const Matrix3d S = b.matrix().transpose() * a.matrix();
   constexpr double least = 1e-12;
@@ -196,7 +175,11 @@ class Search {
     plain.rates_in_space = false;
     plain.angle_unit = angle_unit(convention);
     for (const Convention& reading : attitude_readings(numbers_.header, plain)) {
-      if (auto rows = rows_in(numbers_, reading)) variants_.push_back({reading, std::move(*rows)});
+      try {
+        variants_.push_back({reading, decoded(numbers_, reading)});
+      } catch (const table::BadTable&) {
+        continue;  // it does not allow these numbers
+      }
     }
   }
 
@@ -211,7 +194,8 @@ class Search {
  private:
   bool any_fits_well() const {
     constexpr double well = 1e-3;
-    return std::ranges::any_of(found_, [](const Tried& t) { return *t.reading.misfit.worst() < well; });
+    return std::ranges::any_of(found_,
+                               [](const Tried& t) { return *t.reading.misfit.worst() < well; });
   }
 
   void try_rates_in_body() {
@@ -402,7 +386,8 @@ std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const M
   if (!fitted.allFinite()) return std::nullopt;
   const auto miss = misfit(fitted, rows, true, judgement.has_attitude).worst();
   constexpr double far_better = 1e-2, follows_well = 1e-3;
-  const bool is_better = miss && *miss < follows_well && *miss < far_better * *judgement.misfit.worst();
+  const bool is_better =
+      miss && *miss < follows_well && *miss < far_better * *judgement.misfit.worst();
   return is_better ? std::optional(fitted) : std::nullopt;
 }
 
@@ -418,8 +403,8 @@ Alternatives better_readings(const std::filesystem::path& file, const Problem& p
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
   if (*miss < good && !is_of_another_start) return {};
   Alternatives found = alternatives(file, problem, judgement.convention);
-  const bool is_better = !found.fitting.empty() &&
-                         *found.fitting.front().misfit.worst() < far_better * *miss;
+  const bool is_better =
+      !found.fitting.empty() && *found.fitting.front().misfit.worst() < far_better * *miss;
   if (judgement.misfit.fits() && !is_of_another_start && !is_better) found = {};
   if (found.fitting.empty()) found.inertia = other_inertia(file, problem.inertia, judgement);
   return found;

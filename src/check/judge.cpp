@@ -11,6 +11,7 @@
 #include "check/error.h"
 #include "check/frame.h"
 #include "check/row_reader.h"
+#include "check/telling_rows.h"
 #include "check/thinned_rows.h"
 #include "check/unit_change.h"
 #include "table/error.h"

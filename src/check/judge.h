@@ -42,7 +42,7 @@ struct Judgement {
   std::size_t rows = 0;
   double first_time = 0, last_time = 0;
 
-  Reference reference;  ///< what it is held against
+  Reference reference;          ///< what it is held against
   bool is_start_given = false;  ///< rather than taken from the rows
   std::optional<Fit> fit = {};
 

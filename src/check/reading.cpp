@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "check/thinned_rows.h"
+#include "check/telling_rows.h"
 
 namespace twrench::check {
 

@@ -204,7 +204,8 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
   }
   const ScratchFolder folder;
   system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
-  const Judgement judgement = judge(folder / "rows.csv", own_names(Parts::rates), tumbling_problem());
+  const Judgement judgement =
+      judge(folder / "rows.csv", own_names(Parts::rates), tumbling_problem());
   const Alternatives found = better_readings(folder / "rows.csv", tumbling_problem(), judgement);
   EXPECT_FALSE(found.inertia);
   EXPECT_THAT(found.fitting, IsEmpty());

@@ -63,8 +63,7 @@ Vector3d random_omega(SceneDice& dice, double speed) {
 }
 
 Quaterniond random_rotation(SceneDice& dice) {
-  return Quaterniond(
-      Eigen::AngleAxisd(dice.uniform(0.3, 3), dice.vector(-1, 1).normalized()));
+  return Quaterniond(Eigen::AngleAxisd(dice.uniform(0.3, 3), dice.vector(-1, 1).normalized()));
 }
 
 /// What is common to all recordings of a body.
@@ -113,7 +112,8 @@ Vector3d euler_angles(const Matrix3d& X, const std::string& sequence) {
   const Vector3d angles = X.eulerAngles(axes[0], axes[1], axes[2]);
   Vector3d placed;
   const auto places = angle_places(axes);
-  for (std::size_t i = 0; i < 3; ++i) placed[static_cast<Eigen::Index>(places[i])] = angles[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < 3; ++i)
+    placed[static_cast<Eigen::Index>(places[i])] = angles[static_cast<Eigen::Index>(i)];
   return placed;
 }
 
@@ -225,9 +225,9 @@ std::string description_of(const Convention& c) {
 }  // namespace
 
 const std::vector<std::string>& single_mistakes() {
-  static const std::vector<std::string> all{"none",    "ms",      "us",    "min",     "deg",
-                                            "rpm",     "rev",     "x,z,y", "-x,y,z",  "left-handed",
-                                            "y,z,x",   "nine digits", "float32", "noise"};
+  static const std::vector<std::string> all{
+      "none",  "ms",     "us",          "min",   "deg",         "rpm",     "rev",
+      "x,z,y", "-x,y,z", "left-handed", "y,z,x", "nine digits", "float32", "noise"};
   return all;
 }
 
@@ -302,7 +302,8 @@ std::string fault_of_verdict(const RandomRecording& recording,
   if (found.fitting.size() > 2) {
     std::string list;
     for (const Reading& reading : found.fitting) {
-      list += fmt::format("\n  misses {}: {}", *reading.misfit.worst(), description_of(reading.convention));
+      list += fmt::format("\n  misses {}: {}", *reading.misfit.worst(),
+                          description_of(reading.convention));
     }
     return fmt::format("{} readings are proposed{}", found.fitting.size(), list);
   }

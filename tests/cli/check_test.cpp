@@ -349,9 +349,10 @@ TEST_F(CheckCommand, SeesThatAFileBeginsOtherwise) {
         << told;
   }
   EXPECT_THAT(check("exact.csv --omega 0.4,1.5,0.3 " + body).out, HasSubstr("cannot be faulted"));
-  EXPECT_THAT(check("exact.csv --inertia 2,3.3,4").out,
-              HasSubstr("follows the motion of another body: the principal moments fit in the ratio "
-                        "1 : 1.5 : 2, but those given are in the ratio 1 : 1.65 : 2"));
+  EXPECT_THAT(
+      check("exact.csv --inertia 2,3.3,4").out,
+      HasSubstr("follows the motion of another body: the principal moments fit in the ratio "
+                "1 : 1.5 : 2, but those given are in the ratio 1 : 1.65 : 2"));
 }
 
 TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
