@@ -89,6 +89,8 @@ bench    | its access control            | xauth
 foreign  | MuJoCo                        | libmujoco-dev
 foreign  | Bullet                        | libbullet-dev
 foreign  | the Open Dynamics Engine      | libode-dev
+foreign  | DART                          | libdart-dev
+foreign  | Simbody                       | libsimbody-dev
 foreign  | ADMesh, to read STL           | admesh
 coverage | gcovr                         | gcovr
 coverage | valgrind                      | valgrind

@@ -1,5 +1,5 @@
-// A free body in Bullet, with the gyroscopic torque that is named: none, explicit, implicit-world,
-// implicit-body, which is the default.
+// A free body in Bullet. The variant is the gyroscopic torque: none, explicit, implicit-world or
+// implicit-body, which is Bullet's default.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstring>
@@ -11,13 +11,14 @@ int gyroscopic_flags(const char* name) {
   if (std::strcmp(name, "explicit") == 0) return BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT;
   if (std::strcmp(name, "implicit-world") == 0) return BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD;
   if (std::strcmp(name, "implicit-body") == 0) return BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
-  std::fprintf(stderr, "Bullet has no gyroscopic torque %s\n", name);
-  std::exit(3);
+  reject_variant(name);
 }
 
 int main(int argc, char** argv) {
-  const double h = step_size(argc, argv);
-  const int flags = gyroscopic_flags(argc > 2 ? argv[2] : "implicit-body");
+  const Problem problem = read_problem(argc, argv);
+  const auto vector = [](const double v[3]) {
+    return btVector3(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]));
+  };
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
@@ -25,23 +26,19 @@ int main(int argc, char** argv) {
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   world.setGravity(btVector3(0, 0, 0));
   btSphereShape shape(1);
-  btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(
-      1, nullptr, &shape,
-      btVector3(btScalar(moments[0]), btScalar(moments[1]), btScalar(moments[2]))));
-  body.setFlags(flags);
+  btRigidBody body(1, nullptr, &shape, vector(problem.moments));
+  body.setFlags(gyroscopic_flags(problem.variant));
   body.setActivationState(DISABLE_DEACTIVATION);
-  body.setAngularVelocity(btVector3(btScalar(start[0]), btScalar(start[1]), btScalar(start[2])));
+  body.setAngularVelocity(vector(problem.omega));
   world.addRigidBody(&body);
   const auto write = [&](double t) {
     const btQuaternion turned = body.getOrientation();
     const btVector3& w = body.getAngularVelocity();  // in space axes
     const double q[4] = {turned.w(), turned.x(), turned.y(), turned.z()};
     const double in_space[3] = {w.x(), w.y(), w.z()};
-    double in_body[3];
-    to_body(q, in_space, in_body);
-    write_row(t, q, in_body);
+    write_row_from_space(t, q, in_space);
   };
   simulate(
-      h, [&] { world.stepSimulation(btScalar(h), 0); }, write);
+      problem, [&] { world.stepSimulation(btScalar(problem.step), 0); }, write);
   world.removeRigidBody(&body);
 }

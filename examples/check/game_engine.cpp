@@ -23,15 +23,17 @@ Vector space_from_body(const double q[4], const Vector& v) {
 }
 
 int main(int argc, char** argv) {
-  const double h = step_size(argc, argv);
-  Vector w = {start[0], start[1], start[2]};  // in space axes
+  const Problem problem = read_problem(argc, argv);
+  const double* const I = problem.moments;
+  const double h = problem.step;
+  Vector w = {problem.omega[0], problem.omega[1], problem.omega[2]};  // in space axes
   double q[4] = {1, 0, 0, 0};
   const auto step = [&] {
     const Vector local = body_from_space(q, w);
-    const Vector momentum = {moments[0] * local[0], moments[1] * local[1], moments[2] * local[2]};
+    const Vector momentum = {I[0] * local[0], I[1] * local[1], I[2] * local[2]};
     const Vector torque = cross(momentum, local);  // -omega x (I omega)
-    const Vector change = space_from_body(
-        q, {torque[0] / moments[0], torque[1] / moments[1], torque[2] / moments[2]});
+    const Vector change =
+        space_from_body(q, {torque[0] / I[0], torque[1] / I[1], torque[2] / I[2]});
     for (std::size_t i = 0; i < 3; ++i) w[i] += h * change[i];
     // q' = (0, omega) q / 2 with omega in space axes
     const double rate[4] = {
@@ -44,5 +46,5 @@ int main(int argc, char** argv) {
     }
     for (double& component : q) component /= std::sqrt(square);
   };
-  simulate(h, step, [&](double t) { write_row(t, q, body_from_space(q, w).data()); });
+  simulate(problem, step, [&](double t) { write_row_from_space(t, q, w.data()); });
 }

@@ -9,30 +9,30 @@
 using Vector = std::array<double, 3>;
 
 /// Euler's equations: I omega' = (I omega) x omega.
-Vector derivative(const Vector& w) {
-  return {(moments[1] - moments[2]) / moments[0] * w[1] * w[2],
-          (moments[2] - moments[0]) / moments[1] * w[2] * w[0],
-          (moments[0] - moments[1]) / moments[2] * w[0] * w[1]};
+Vector derivative(const double I[3], const Vector& w) {
+  return {(I[1] - I[2]) / I[0] * w[1] * w[2], (I[2] - I[0]) / I[1] * w[2] * w[0],
+          (I[0] - I[1]) / I[2] * w[0] * w[1]};
 }
 
 Vector sum(const Vector& a, double factor, const Vector& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
-Vector rk4(const Vector& w, double h) {
-  const Vector k1 = derivative(w);
-  const Vector k2 = derivative(sum(w, h / 2, k1));
-  const Vector k3 = derivative(sum(w, h / 2, k2));
-  const Vector k4 = derivative(sum(w, h, k3));
+Vector rk4(const double I[3], const Vector& w, double h) {
+  const Vector k1 = derivative(I, w);
+  const Vector k2 = derivative(I, sum(w, h / 2, k1));
+  const Vector k3 = derivative(I, sum(w, h / 2, k2));
+  const Vector k4 = derivative(I, sum(w, h, k3));
   return sum(sum(sum(sum(w, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
 }
 
 int main(int argc, char** argv) {
-  const double h = step_size(argc, argv);
-  Vector w = {start[0], start[1], start[2]};
+  const Problem problem = read_problem(argc, argv);
+  const double h = problem.step;
+  Vector w = {problem.omega[0], problem.omega[1], problem.omega[2]};
   double q[4] = {1, 0, 0, 0};
   const auto step = [&] {
-    w = rk4(w, h);
+    w = rk4(problem.moments, w, h);
     // q' = q (0, omega) / 2
     const double change[4] = {
         -q[1] * w[0] - q[2] * w[1] - q[3] * w[2], q[0] * w[0] + q[2] * w[2] - q[3] * w[1],
@@ -44,5 +44,5 @@ int main(int argc, char** argv) {
     }
     for (double& component : q) component /= std::sqrt(square);
   };
-  simulate(h, step, [&](double t) { write_row(t, q, w.data()); });
+  simulate(problem, step, [&](double t) { write_row(t, q, w.data()); });
 }
