@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 
 #include "app/arguments.h"
 #include "app/check_report.h"
@@ -96,13 +97,16 @@ std::vector<double> given_steps(const CheckOptions& options) {
       "--steps", fmt::format("has {} step sizes for {} files", steps.size(), options.files.size()));
 }
 
-/// The exponent of the errors that the digits do not explain.
+/// The exponent of the errors that the digits do not explain and that still grow: those of rates
+/// are at most about |omega|, those of attitudes half a turn.
 std::optional<double> order(const std::vector<CheckedFile>& files,
                             std::optional<check::ErrorSize> check::Judgement::*errors) {
   std::vector<study::PowerLawPoint> points;
   for (const CheckedFile& file : files) {
     const auto& size = file.judgement.*errors;
-    if (size && size->max > 0 && !file.judgement.within_digits) {
+    const double speed = file.judgement.reference.body.omega().norm();
+    const double most = errors == &check::Judgement::rates ? speed / 2 : std::numbers::pi / 2;
+    if (size && size->max > 0 && size->max < most && !file.judgement.within_digits) {
       points.push_back({file.step, size->max});
     }
   }
@@ -130,7 +134,8 @@ CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
   orders.rates = order(files, &check::Judgement::rates);
   orders.attitude = order(files, &check::Judgement::attitude);
   if (!orders.rates && !orders.attitude) {
-    orders.why_not = "fewer than two files have errors that their digits do not explain";
+    orders.why_not =
+        "fewer than two files have errors that their digits do not explain and that can still grow";
   }
   return orders;
 }

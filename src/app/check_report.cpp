@@ -73,7 +73,11 @@ std::string size_text(const std::optional<check::ErrorSize>& size, double factor
 }
 
 std::string phase_text(const Judgement& judgement) {
-  if (!judgement.parts) return "none: the motion is steady";
+  if (!judgement.parts) {
+    const motion::ExactMotion exact(judgement.reference.body);
+    const bool is_steady = exact.kind() == motion::ExactMotion::Kind::steady;
+    return is_steady ? "none: the motion is steady" : "lost: the rates are on no one polhode";
+  }
   const check::ErrorParts& parts = *judgement.parts;
   const RateScale unit = rate_scale(judgement);
   std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),

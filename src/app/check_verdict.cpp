@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/check_alternatives.h"
 #include "app/check_result.h"
 #include "check/units.h"
 
@@ -11,84 +12,6 @@ namespace twrench::app {
 namespace {
 
 using check::Judgement;
-
-std::string joined(const std::vector<std::string>& parts, std::string_view between) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : std::string(between)) + part;
-  return text;
-}
-
-/// The moments in the order of a file whose axes are exchanged.
-std::string moments_text(const Eigen::Matrix3d& inertia, const check::BodyAxes& axes) {
-  const Eigen::Vector3d moments = inertia.diagonal();
-  return fmt::format("--inertia {},{},{}", moments[axes.axis[0]], moments[axes.axis[1]],
-                     moments[axes.axis[2]]);
-}
-
-/// Whether other axes are nothing but another order of the moments. If omega is given, the order of
-/// its components would be another, too.
-bool is_moment_order(const Judgement& judgement, const check::Convention& after) {
-  constexpr double rounding = 1e-12;
-  const check::BodyAxes plain;
-  return judgement.convention.axes == plain && after.axes.axis != plain.axis &&
-         after.axes.matrix().determinant() > 0 && !judgement.is_start_given &&
-         judgement.reference.body.inertia().isDiagonal(rounding);
-}
-
-/// "t is in ms", "the rates are in deg/s" ...
-std::vector<std::string> condition_texts(const Judgement& judgement,
-                                         const check::Convention& after) {
-  const check::Convention& before = judgement.convention;
-  std::vector<std::string> texts;
-  if (time_unit(after) != time_unit(before)) {
-    texts.push_back(
-        fmt::format("{} is in {}", after.columns.at("t"), name_of(time_unit(after)).option));
-  }
-  if (rate_unit(after) != rate_unit(before)) {
-    texts.push_back(fmt::format("the rates are in {}", name_of(rate_unit(after)).symbol));
-  }
-  if (angle_unit(after) != angle_unit(before)) {
-    texts.push_back(fmt::format("the angles are in {}", name_of(angle_unit(after)).option));
-  }
-  if (after.columns != before.columns) texts.emplace_back("the columns have another order");
-  if (after.sequence != before.sequence) {
-    texts.push_back("the sequence of the angles is " + after.sequence);
-  }
-  if (after.inverse != before.inverse) {
-    texts.push_back(std::string("the attitude is ") +
-                    (after.inverse ? "body from space" : "space from body"));
-  }
-  if (after.rates_in_space != before.rates_in_space) {
-    texts.push_back(std::string("the rates are in ") +
-                    (after.rates_in_space ? "space axes" : "the body's axes"));
-  }
-  if (is_moment_order(judgement, after)) {
-    texts.emplace_back("the moments have another order");
-  } else if (after.axes != before.axes) {
-    texts.push_back("its axes are the body's " + check::format_body_axes(after.axes));
-  }
-  if (after.offset) texts.emplace_back("the attitude is that of a part that is turned in the body");
-  return texts;
-}
-
-/// "t is in ms and the rates are in deg/s: use --time-unit ms --units deg".
-std::string alternative_text(const Judgement& judgement, const check::Convention& after) {
-  const check::Convention& before = judgement.convention;
-  check::Convention options = after;
-  std::vector<std::string> parts;
-  const bool is_order = is_moment_order(judgement, after);
-  if (is_order) {
-    options.axes = before.axes;
-    parts.push_back(moments_text(judgement.reference.body.inertia(), after.axes));
-  }
-  const std::string added = option_text(before, options);
-  if (!added.empty()) parts.push_back(added);
-  std::string use = parts.empty() ? "" : "use " + joined(parts, " ");
-  if (before.inverse && !after.inverse)
-    use += use.empty() ? "leave --inverse out" : ", without --inverse";
-  if (is_order) use += fmt::format(" (or --axes {})", check::format_body_axes(after.axes));
-  return joined(condition_texts(judgement, after), " and ") + ": " + use;
-}
 
 std::string foreign_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
@@ -120,7 +43,8 @@ std::string foreign_text(const CheckedFile& file) {
   if (!judgement.has_attitude) {
     text += " (without an attitude, rates in space axes cannot be recognised)";
   }
-  if (alternatives.nearest) {
+  constexpr double near = 0.5;  // of what changes
+  if (alternatives.nearest && *alternatives.nearest->misfit.worst() < near) {
     text += fmt::format("; the nearest is that {}; then it still misses {:.2g} of what changes",
                         alternative_text(judgement, alternatives.nearest->convention),
                         *alternatives.nearest->misfit.worst());
@@ -150,16 +74,25 @@ std::string direction_text(const Eigen::Vector3d& rate) {
   return fmt::format("({}, {}, {})", places(n.x()), places(n.y()), places(n.z()));
 }
 
+/// How steady a turn of the frame must be to be told.
+constexpr double steady = 0.99;
+
+/// Whether the attitude turns steadily about L against the rates, as when it is integrated less
+/// accurately.
+bool turns_about_momentum(const Judgement& judgement) {
+  const check::FrameTurn& turn = judgement.frame_turn;
+  const Eigen::Vector3d L = judgement.reference.frame * judgement.reference.body.momentum();
+  return turn.share >= steady && std::abs(turn.rate.normalized().dot(L.normalized())) > steady;
+}
+
 std::string contradiction_text(const Judgement& judgement) {
   std::string text = fmt::format(
       "attitude and rates are inconsistent: the attitude is off by up to {:.3g} deg, more than "
       "the errors of the rates explain",
       degrees(judgement.attitude->max));
   const check::FrameTurn& turn = judgement.frame_turn;
-  constexpr double steady = 0.99;
   if (turn.share < steady) return text;
-  const Eigen::Vector3d L = judgement.reference.frame * judgement.reference.body.momentum();
-  if (std::abs(turn.rate.normalized().dot(L.normalized())) > steady) {
+  if (turns_about_momentum(judgement)) {
     return text + fmt::format(
                       ", by {:.3g} deg/s about L, as when it is integrated less accurately "
                       "than the rates",
@@ -173,8 +106,20 @@ std::string contradiction_text(const Judgement& judgement) {
   return text;
 }
 
+/// How many flips are found and how many the exact motion has, if they are not as many but for one
+/// at the end: then no delay explains the error.
+std::string other_flips_text(const Judgement& judgement) {
+  const auto found =
+      std::ranges::count_if(judgement.flips, [](auto& f) { return f.found.has_value(); });
+  const auto exact =
+      std::ranges::count_if(judgement.flips, [](auto& f) { return f.exact.has_value(); });
+  if (judgement.more_flips || std::abs(found - exact) <= 1) return {};
+  return fmt::format("; it flips {} times instead of {}", found, exact);
+}
+
 /// What most of the error is.
 std::string cause_text(const Judgement& judgement) {
+  if (const std::string flips = other_flips_text(judgement); !flips.empty()) return flips;
   if (!judgement.parts) return {};
   const check::ErrorParts& parts = *judgement.parts;
   // Only the rates tell the two apart in one unit; they stand for the attitude too.
@@ -314,38 +259,6 @@ RateScale rate_scale(const Judgement& judgement) {
 
 double degrees(double angle) { return angle * (180 / std::numbers::pi); }
 
-std::string option_text(const check::Convention& before, const check::Convention& after) {
-  std::vector<std::string> options;
-  if (after.columns != before.columns) {
-    options.push_back("--columns '" + check::format_columns(after.columns) + "'");
-  }
-  if (time_unit(after) != time_unit(before)) {
-    options.push_back(std::string("--time-unit ") + name_of(time_unit(after)).option);
-  }
-  if (rate_unit(after) != rate_unit(before)) {
-    options.push_back(std::string("--units ") + name_of(rate_unit(after)).option);
-  }
-  // What --units alone would say of angles.
-  check::Convention implied = before;
-  if (rate_unit(after) != rate_unit(before)) implied.rate_unit = rate_unit(after);
-  if (attitude_form(after) == check::AttitudeForm::euler &&
-      angle_unit(after) != angle_unit(implied)) {
-    options.push_back(std::string("--angle-units ") + name_of(angle_unit(after)).option);
-  }
-  if (after.sequence != before.sequence) options.push_back("--sequence " + after.sequence);
-  if (after.inverse && !before.inverse) options.emplace_back("--inverse");
-  if (after.rates_in_space != before.rates_in_space) {
-    options.push_back(after.rates_in_space ? "--rates space" : "--rates body");
-  }
-  if (after.axes != before.axes) options.push_back("--axes " + check::format_body_axes(after.axes));
-  if (after.offset) {
-    const Eigen::Quaterniond& q = *after.offset;
-    options.push_back(
-        fmt::format("--offset {:.15g},{:.15g},{:.15g},{:.15g}", q.w(), q.x(), q.y(), q.z()));
-  }
-  return joined(options, " ");
-}
-
 bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 
 Verdict verdict(const CheckedFile& file) {
@@ -376,7 +289,9 @@ Verdict verdict(const CheckedFile& file) {
     const std::string of_rates = rates_within_digits(judgement)
                                      ? "the rates cannot be faulted: " + faultless_text(judgement)
                                      : "the rates are " + error_text(judgement);
-    return {Finding::inconsistent, contradiction_text(judgement) + "; " + of_rates};
+    const Finding finding =
+        turns_about_momentum(judgement) ? Finding::inexact : Finding::inconsistent;
+    return {finding, contradiction_text(judgement) + "; " + of_rates};
   }
   return {Finding::inexact, error_text(judgement)};
 }

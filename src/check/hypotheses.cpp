@@ -1,16 +1,14 @@
 #include "check/hypotheses.h"
 
-#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 
+#include "check/changed_rows.h"
 #include "check/fit.h"
 #include "check/other_conventions.h"
 #include "check/telling_rows.h"
@@ -39,48 +37,6 @@ struct Variant {
   std::vector<Row> rows;
 };
 
-/// How the rows are taken to those that are tested.
-struct Change {
-  double factor = 1;
-  BodyAxes axes = {};
-  bool rates_in_space = false;
-  Matrix3d offset = Matrix3d::Identity();
-};
-
-/// As RowDecoder has it.
-std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
-  const Matrix3d P = change.axes.matrix();
-  const double sign = P.determinant();
-  std::vector<Row> result(rows.begin(), rows.end());
-  for (Row& row : result) {
-    const Vector3d file = change.factor * row.omega;
-    row.X = (sign * row.X * change.offset.transpose() * P).eval();
-    row.omega = change.rates_in_space ? Vector3d(sign * row.X.transpose() * file)
-                                      : Vector3d(P.transpose() * file);
-  }
-  return result;
-}
-
-/// Whether the physics cannot tell the axes apart: a rotation that takes the inertia to itself
-/// takes a motion to a motion.
-bool are_alike(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b) {
-  const Matrix3d S = b.matrix().transpose() * a.matrix();
-  constexpr double least = 1e-12;
-  return S.determinant() > 0 &&
-         (S * inertia * S.transpose() - inertia).norm() <= least * inertia.norm();
-}
-
-/// Axes that the physics can tell apart, `first` among them.
-std::vector<BodyAxes> distinct_axes(const Matrix3d& inertia, const BodyAxes& first) {
-  std::vector<BodyAxes> distinct{first};
-  for (const BodyAxes& axes : all_body_axes()) {
-    const bool is_new = std::ranges::none_of(
-        distinct, [&](const BodyAxes& other) { return are_alike(inertia, axes, other); });
-    if (is_new) distinct.push_back(axes);
-  }
-  return distinct;
-}
-
 std::vector<Scale> scales(const std::vector<Units>& units) {
   std::vector<Scale> list;
   const auto in_si = [](const Units& u) { return name_of(u.time).in_s * name_of(u.rate).in_rad_s; };
@@ -99,64 +55,11 @@ std::vector<Scale> scales(const std::vector<Units>& units) {
   return list;
 }
 
-/// By how much |L| and the energy vary from row to row, relative to their means: what is conserved
-/// in some unit is in every one.
-double variation(const Matrix3d& inertia, std::span<const Row> rows) {
-  Eigen::Array2d sum = Eigen::Array2d::Zero(), squares = Eigen::Array2d::Zero();
-  for (const Row& row : rows) {
-    const Vector3d L = inertia * row.omega;
-    const Eigen::Array2d conserved(L.norm(), L.dot(row.omega));
-    sum += conserved;
-    squares += conserved.square();
-  }
-  const auto count = static_cast<double>(rows.size());
-  const Eigen::Array2d mean = sum / count;
-  return ((squares / count - mean.square()).max(0).sqrt() / mean).maxCoeff();
-}
-
-/// The fixed rotation from the axes whose attitude the rows have to those of their rates, by least
-/// squares (Wahba's problem) over turns of about a radian. `turned` are the rows with the axes that
-/// the physics of the rates asks for.
-Matrix3d offset_between(const Matrix3d& inertia, std::span<const Row> rows,
-                        std::span<const Row> turned, const BodyAxes& axes) {
-  const Matrix3d P = axes.matrix();
-  std::size_t stride = 1;
-  const auto angle = [&](std::size_t i) {
-    return so3::log(rows[i].X.transpose() * rows[i + stride].X).norm();
-  };
-  while (2 * stride < rows.size() / 2 && angle(0) < 1) stride *= 2;
-  Matrix3d products = Matrix3d::Zero();
-  for (std::size_t i = 0; i + stride < rows.size(); ++i) {
-    const motion::ExactMotion exact({inertia, turned[i].omega});
-    const Matrix3d turn = exact.at(turned[i + stride].t - turned[i].t).X;
-    const Vector3d expected = P.determinant() * (P * so3::log(turn));
-    products += expected * so3::log(rows[i].X.transpose() * rows[i + stride].X).transpose();
-  }
-  const Eigen::JacobiSVD<Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-}
-
 /// A reading that was tried, and the rows in it.
 struct Tried {
   Reading reading;
   std::vector<Row> rows;
 };
-
-/// Whether two readings give the same motion, seen from space frames that differ by a rotation.
-bool are_same_motion(const Tried& a, const Tried& b) {
-  constexpr double same = 1e-5;
-  const auto from_first = [](const Tried& tried, const Row& row) {
-    return tried.rows.front().X.transpose() * row.X;
-  };
-  const double speed = a.rows.front().omega.norm();
-  for (std::size_t i = 0; i < a.rows.size(); ++i) {
-    const double rates = (a.rows[i].omega - b.rows[i].omega).norm();
-    if (rates > same * speed) return false;
-    if (!from_first(a, a.rows[i]).isApprox(from_first(b, b.rows[i]), same)) return false;
-  }
-  return true;
-}
 
 /// Tries the readings of one file.
 class Search {
@@ -346,7 +249,7 @@ class Search {
     for (const Tried& tried : found_) {
       const auto is_same = [&](const Tried& other) {
         return time_unit(tried.reading.convention) == time_unit(other.reading.convention) &&
-               are_same_motion(tried, other);
+               are_same_motion(tried.rows, other.rows);
       };
       if (std::ranges::none_of(kept, is_same)) kept.push_back(tried);
     }

@@ -242,6 +242,12 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
              exact_flips(judgement.reference, judgement.first_time, judgement.last_time));
   judgement.more_flips = judgement.flips.size() >= FlipFinder::most;
   judgement.parts = error_parts(judgement.reference, judgement.course, judgement.has_attitude);
+  // If the parts are larger than the whole, the phase was lost on the way.
+  constexpr double much_larger = 1.5;
+  const double whole = judgement.rates ? judgement.rates->max : 0;
+  if (judgement.parts && judgement.rates && judgement.parts->amplitude_rate > much_larger * whole) {
+    judgement.parts.reset();
+  }
   judgement.frame_turn = comparison.frame_turn();
   if (judgement.has_rates && judgement.has_attitude) {
     constexpr double margin = 3;  // between rows the error of the rates may be larger

@@ -93,9 +93,16 @@ double largest_speed(std::span<const Row> rows) {
   return speed;
 }
 
-bool constant_rates(std::span<const Row> rows, double speed) {
-  return std::ranges::all_of(
-      rows, [&](const Row& row) { return (row.omega - rows[0].omega).norm() < too_small * speed; });
+/// Whether the rates change by a small part of what they should.
+bool constant_rates(const Matrix3d& inertia, std::span<const Row> rows) {
+  const motion::ExactMotion exact({inertia, rows[0].omega});
+  double found = 0, expected = 0;
+  for (const Row& row : rows) {
+    found = std::max(found, (row.omega - rows[0].omega).norm());
+    expected = std::max(expected, (exact.at(row.t - rows[0].t).omega - rows[0].omega).norm());
+  }
+  constexpr double small_part = 0.01;  // more than single precision adds
+  return expected > too_small * largest_speed(rows) && found < small_part * expected;
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates
   Misfit result;
   if (has_rates) {
     result.rates = misfit_of_rates(inertia, rows, rows.size());
-    result.constant_rates = constant_rates(rows, largest_speed(rows));
+    result.constant_rates = constant_rates(inertia, rows);
   }
   if (has_attitude) result.attitude = misfit_of_attitude(inertia, rows, has_rates, rows.size());
   return result;

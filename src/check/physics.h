@@ -17,7 +17,7 @@ struct Misfit {
   std::optional<double> rates;     ///< absent where there are none, or where nothing changes
   std::optional<double> attitude;  ///< absent likewise; against the rates, where there are any
 
-  /// Whether the rates never change: those of a steady motion, or of a program that leaves the
+  /// Whether the rates hardly change although they should: those of a program that leaves the
   /// gyroscopic term of Euler's equations out.
   bool constant_rates = false;
 

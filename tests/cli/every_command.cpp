@@ -120,8 +120,8 @@ void EveryCommand::tables() {
   if (document.contains("samples")) {
     expect(document["samples"].size() == rows.size(), "JSON and CSV have other samples");
   }
-  const json judged =
-      json_of(done("check", "motion.csv " + subject_.checked_body, "--format json"), "check");
+  const json judged = json_of(
+      done("check", "motion.csv " + subject_.checked_body, "--format json --no-fail"), "check");
   // Fast in a flip, the attitude depends on rounding; the rates that were written are exact.
   if (judged.contains("energy_drift")) {
     expect(std::abs(judged["energy_drift"].get<double>()) < 1e-3, "check: the energy drifts");
