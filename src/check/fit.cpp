@@ -90,7 +90,10 @@ class Residuals : public Eigen::DenseFunctor<double> {
   Matrix3d inertia(const VectorXd& p) const {
     if (body_ == Body::as_given) return from_.body.inertia();
     const body::PrincipalAxes& principal = from_.body.principal();
-    const Vector3d growth(1, std::exp(p[p.size() - 2]), std::exp(p[p.size() - 1]));
+    // Where no body fits, the search must not end at none.
+    constexpr double most = 10;
+    const auto factor = [&](Eigen::Index i) { return std::exp(std::clamp(p[i], -most, most)); };
+    const Vector3d growth(1, factor(p.size() - 2), factor(p.size() - 1));
     const Vector3d moments = principal.moments.cwiseProduct(growth);
     return principal.axes * moments.asDiagonal() * principal.axes.transpose();
   }

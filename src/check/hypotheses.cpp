@@ -282,7 +282,8 @@ namespace {
 /// The inertia of another body whose motion the rows follow far better than that of the given one.
 std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const Matrix3d& inertia,
                                       const Judgement& judgement) {
-  if (!judgement.has_rates) return std::nullopt;
+  // Rates that never change would be those of a sphere.
+  if (!judgement.has_rates || judgement.misfit.constant_rates) return std::nullopt;
   const std::vector<Row> rows = telling_rows(file, judgement.convention);
   if (rows.size() < 16 || rows.front().omega.norm() == 0) return std::nullopt;
   const Matrix3d fitted = fitted_inertia(inertia, rows, judgement.has_attitude);

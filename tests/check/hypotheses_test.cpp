@@ -194,6 +194,22 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
   }
 }
 
+// Rates of another law, for which the best moments would be none.
+TEST(BetterReadings, FindNoBodyWhereThereIsNone) {
+  for (const Vector3d& change :
+       {Vector3d(0, 0, 0), Vector3d(1e-6, -1e-6, 0), Vector3d(1, 0, 0), Vector3d(0.3, -2, 0.7)}) {
+    std::vector<Row> rows = exact_rows(256, 0.05);
+    for (Row& row : rows) row.omega = omega + std::sin(row.t) * change;
+    const ScratchFolder folder;
+    system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
+    const Judgement judgement =
+        judge(folder / "rows.csv", own_names(Parts::rates), tumbling_problem());
+    const Alternatives found = better_readings(folder / "rows.csv", tumbling_problem(), judgement);
+    EXPECT_FALSE(found.inertia);
+    EXPECT_THAT(found.fitting, IsEmpty());
+  }
+}
+
 TEST(BetterReadings, BlameNoBodyForErrors) {
   std::vector<Row> rows;
   Vector3d w = omega;
