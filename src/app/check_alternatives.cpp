@@ -27,6 +27,13 @@ bool is_moment_order(const Judgement& judgement, const check::Convention& after)
          judgement.reference.body.inertia().isDiagonal(rounding);
 }
 
+/// Whether both have the same offset, as far as a file can tell it.
+bool is_same_offset(const check::Convention& before, const check::Convention& after) {
+  if (!before.offset || !after.offset) return before.offset.has_value() == after.offset.has_value();
+  constexpr double rounding = 1e-9;  // rad
+  return before.offset->angularDistance(*after.offset) < rounding;
+}
+
 /// "t is in ms", "the rates are in deg/s" ...
 std::vector<std::string> condition_texts(const Judgement& judgement,
                                          const check::Convention& after) {
@@ -59,7 +66,10 @@ std::vector<std::string> condition_texts(const Judgement& judgement,
   } else if (after.axes != before.axes) {
     texts.push_back("its axes are the body's " + check::format_body_axes(after.axes));
   }
-  if (after.offset) texts.emplace_back("the attitude is that of a part that is turned in the body");
+  if (!is_same_offset(before, after)) {
+    texts.emplace_back(after.offset ? "the attitude is that of a part that is turned in the body"
+                                    : "the attitude is the body's own");
+  }
   return texts;
 }
 
@@ -83,8 +93,13 @@ std::string alternative_text(const Judgement& judgement, const check::Convention
   const std::string added = option_text(before, options);
   if (!added.empty()) parts.push_back(added);
   std::string use = parts.empty() ? "" : "use " + joined(parts, " ");
-  if (before.inverse && !after.inverse)
-    use += use.empty() ? "leave --inverse out" : ", without --inverse";
+  std::vector<std::string> dropped;
+  if (before.inverse && !after.inverse) dropped.emplace_back("--inverse");
+  if (before.offset && !after.offset) dropped.emplace_back("--offset");
+  if (!dropped.empty()) {
+    const std::string names = joined(dropped, " and ");
+    use += use.empty() ? "leave " + names + " out" : ", without " + names;
+  }
   if (is_order) use += fmt::format(" (or --axes {})", check::format_body_axes(after.axes));
   return joined(condition_texts(judgement, after), " and ") + ": " + use;
 }
@@ -113,7 +128,7 @@ std::string option_text(const check::Convention& before, const check::Convention
     options.push_back(after.rates_in_space ? "--rates space" : "--rates body");
   }
   if (after.axes != before.axes) options.push_back("--axes " + check::format_body_axes(after.axes));
-  if (after.offset) {
+  if (after.offset && !is_same_offset(before, after)) {
     const Eigen::Quaterniond& q = *after.offset;
     options.push_back(
         fmt::format("--offset {:.15g},{:.15g},{:.15g},{:.15g}", q.w(), q.x(), q.y(), q.z()));

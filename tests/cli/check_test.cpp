@@ -280,6 +280,12 @@ TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
               HasSubstr("if the moments have another order: use --inertia 2,3,4 (or --axes "));
   EXPECT_THAT(check("radians.csv " + body + "--rates space").out,
               HasSubstr("if the rates are in the body's axes: use --rates body"));
+  EXPECT_THAT(check("radians.csv " + body + "--offset 0.8,0.6,0,0").out,
+              HasSubstr("if the attitude is the body's own: leave --offset out"));
+  EXPECT_THAT(
+      check("radians.csv " + body + "--offset 0.8,0.6,0,0 --inverse --units deg").out,
+      HasSubstr("the rates are in rad/s and the attitude is space from body and the attitude "
+                "is the body's own: use --units rad, without --inverse and --offset"));
 }
 
 /// Python that prints the rows of `simulate` through stdin, with x the 9 numbers of X, w the rates.
