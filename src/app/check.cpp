@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/message.h"
 #include "app/output.h"
+#include "check/error.h"
 #include "plot/check_plot.h"
 #include "scene/limits.h"
 #include "system/file.h"
@@ -75,11 +76,22 @@ void check_bounds(const CheckOptions& options) {
   }
 }
 
+/// What --fit finds where the rows begin in another state than the given one.
+std::optional<check::Fit> other_start_of(const CheckedFile& file, check::Problem problem) try {
+  if (verdict(file).finding != Finding::other_start) return std::nullopt;
+  problem.omega.reset();
+  problem.fit = true;
+  return check::judge(file.name, file.judgement.convention, problem).fit;
+} catch (const check::CheckError&) {
+  return std::nullopt;  // it is at rest
+}
+
 CheckedFile check_file(const CheckOptions& options, const check::Problem& problem,
                        const std::string& name) {
   const check::Convention convention = options.setup.convention(name, problem);
-  CheckedFile file{name, check::judge(name, convention, problem), {}, {}, 0};
+  CheckedFile file{name, check::judge(name, convention, problem), {}, {}, {}, 0};
   file.alternatives = check::better_readings(name, problem, file.judgement);
+  file.other_start = other_start_of(file, problem);
   file.bounds = bounds_of(options, name, file.judgement);
   if (file.judgement.rows > 1) {
     file.step = (file.judgement.last_time - file.judgement.first_time) /

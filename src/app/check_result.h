@@ -26,6 +26,8 @@ struct CheckedFile {
   check::Judgement judgement;
   /// How else it may be read, where it does not follow the motion as it is read.
   check::Alternatives alternatives;
+  /// The initial state that fits the rows, where they begin in another than the given one.
+  std::optional<check::Fit> other_start;
   std::vector<CheckBound> bounds;
   double step;  ///< s: what was told, or the mean time between rows
 };

@@ -171,12 +171,20 @@ bool begins_otherwise(const Judgement& judgement) {
          at_least_mostly * judgement.growth.rates * error > judgement.rates->max;
 }
 
-std::string beginning_text(const Judgement& judgement) {
+std::string beginning_text(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
+  std::string fitted;
+  if (file.other_start) {
+    const check::Reference& reference = file.other_start->reference;
+    const Eigen::Vector3d omega = reference.body.omega() * unit.per_radian;
+    fitted = fmt::format("; --fit finds {:.6g},{:.6g},{:.6g} {} at {:.10g} s", omega[0], omega[1],
+                         omega[2], unit.symbol, reference.start);
+  }
   return fmt::format(
       "starts from another state: its first row is already off by {:.3g} {}, which grows to "
-      "explain the largest error, {}",
-      judgement.first_rate_error * unit.per_radian, unit.symbol, sizes_text(judgement));
+      "explain the largest error, {}{}",
+      judgement.first_rate_error * unit.per_radian, unit.symbol, sizes_text(judgement), fitted);
 }
 
 bool rates_within_digits(const Judgement& judgement) {
@@ -232,8 +240,9 @@ std::string noise_verdict_text(const Judgement& judgement) {
 }
 
 /// A body that does not turn at first.
-Verdict verdict_at_rest(const Judgement& judgement) {
-  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(judgement)};
+Verdict verdict_at_rest(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
+  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(file)};
   if (judgement.within_digits) {
     return {Finding::exact, "cannot be faulted: the body is at rest, and stays so"};
   }
@@ -263,7 +272,7 @@ bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 
 Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(judgement);
+  if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(file);
   if (file.alternatives.inertia) {
     return {Finding::other_body, body_text(judgement, *file.alternatives.inertia)};
   }
@@ -275,7 +284,7 @@ Verdict verdict(const CheckedFile& file) {
         judgement.misfit.attitude && rates_fit ? Finding::inconsistent : Finding::other_law;
     return {is_misread ? Finding::unit_or_axes : of_none, foreign_text(file)};
   }
-  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(judgement)};
+  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(file)};
   if (is_no_rotation(judgement) && !judgement.attitude_contradicts_rates) {
     return {Finding::inexact,
             no_rotation_text(judgement) +

@@ -73,7 +73,7 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
     case check::CheckError::Reason::no_rates:
       return "give it with --omega X,Y,Z, or find it with --fit";
     case check::CheckError::Reason::one_row:
-      return "judge a file of several rows";
+      return "judge a file of several rows, or give the initial state with --omega or --case";
     case check::CheckError::Reason::at_rest:
       break;
   }

@@ -10,7 +10,7 @@ class CheckError : public Error {
   /// Why it cannot.
   enum class Reason {
     no_rates,  ///< there is an attitude alone, so nothing tells the initial angular velocity
-    one_row,   ///< nothing can be fitted to one row
+    one_row,   ///< there are too few rows to judge, or to fit anything to
     at_rest,   ///< nor to a body that does not turn
   };
 

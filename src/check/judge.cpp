@@ -279,8 +279,12 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   }
   Comparison comparison(reference, recording.has_rates, recording.has_attitude);
   for_each_block(reader, [&](std::span<const Row> rows) { comparison.add(rows); });
-  if (comparison.rows() == 1 && comparison.first_time() == reference.start) {
-    throw CheckError(file.string(), "has one row, which tells nothing of a motion",
+  const std::size_t enough = problem.omega ? 1 : 3;
+  const bool is_start_alone = comparison.rows() == 1 && comparison.first_time() == reference.start;
+  if (comparison.rows() < enough || is_start_alone) {
+    throw CheckError(file.string(),
+                     fmt::format("has {} {}, too few to tell a motion", comparison.rows(),
+                                 comparison.rows() == 1 ? "row" : "rows"),
                      CheckError::Reason::one_row);
   }
 

@@ -351,7 +351,8 @@ TEST_F(CheckCommand, SeesThatAFileBeginsOtherwise) {
   simulate("exact.csv", "--method exact --duration 40");
   for (const char* told : {"-0.4,1.5,0.3", "0.4,1.50001,0.3", "0,0,0"}) {
     EXPECT_THAT(check(fmt::format("exact.csv {} --omega {}", body, told)).out,
-                HasSubstr("starts from another state: its first row is already off by"))
+                AllOf(HasSubstr("starts from another state: its first row is already off by"),
+                      HasSubstr("--fit finds 0.4,1.5,0.3 rad/s at 0 s")))
         << told;
   }
   EXPECT_THAT(check("exact.csv --omega 0.4,1.5,0.3 " + body).out, HasSubstr("cannot be faulted"));
@@ -484,8 +485,8 @@ TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
   ASSERT_EQ(run_shell(folder_, "head -2 n.csv > one.csv").code, 0);
   const Outcome one = check("one.csv --inertia 2,3,4");
   EXPECT_EQ(one.code, 2);
-  EXPECT_THAT(one.err, HasSubstr("has one row, which tells nothing of a motion\n  judge a file of "
-                                 "several rows"));
+  EXPECT_THAT(one.err,
+              HasSubstr("has 1 row, too few to tell a motion\n  judge a file of several rows"));
   // With the state at another time, it tells something.
   ASSERT_EQ(run_shell(folder_, "tail -1 n.csv > rows && (head -1 n.csv; cat rows) > last.csv").code,
             0);
@@ -493,7 +494,13 @@ TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
 }
 
 TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
-  ASSERT_EQ(run_shell(folder_, "printf 't,wx,wy,wz\\n0,1,2,3\\n1,1,2,3\\n' > few.csv").code, 0);
+  ASSERT_EQ(run_shell(folder_,
+                      "printf 't,wx,wy,wz\\n0,1,2,3\\n0.1,1,2,3\\n' > two.csv; "
+                      "printf '0.2,1,2,3\\n' | cat two.csv - > few.csv")
+                .code,
+            0);
+  EXPECT_THAT(check("two.csv " + body).err, HasSubstr("has 2 rows, too few to tell a motion"));
+  EXPECT_EQ(check("two.csv " + body).code, 2);
   EXPECT_THAT(check("few.csv " + body).out,
               AllOf(HasSubstr("cannot be faulted"), HasSubstr("almost any motion would be")));
 }
