@@ -250,6 +250,8 @@ TEST(RowReader, RefusesWhatIsNoRotation) {
   EXPECT_THAT(refusal(matrix + "1,0,0,0,0,0,0,0,0,0\n"),
               HasSubstr("the matrix: its rows have the lengths 0, 0 and 0 instead of 1"));
   EXPECT_THAT(refusal(matrix + "1,1e200,0,0,0,1e200,0,0,0,1e200\n"), HasSubstr("1e+200"));
+  EXPECT_THAT(refusal(matrix + "1,1,0,0,0,1,0,0,0,1e4\n"),
+              HasSubstr("its rows have the lengths 1, 1 and 1e+04 instead of 1"));
   EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,1,1,1\n"),
               StartsWith("run.csv:3: the quaternion: its length is 2 instead of 1"));
   EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n"), HasSubstr("it is zero, which is no attitude"));
