@@ -171,10 +171,9 @@ class Search {
     if (!problem_.omega || rows.size() < 2) return true;
     const double given = problem_.omega->norm();
     const double faster = name_of(units.rate).in_rad_s / name_of(rate_unit(convention_)).in_rad_s;
-    const double slower = name_of(units.time).in_s / name_of(time_unit(convention_)).in_s;
-    const double found = has_rates_
-                             ? faster * rows[0].omega.norm()
-                             : omega_between(problem_.inertia, rows[0], rows[1]).norm() / slower;
+    const double found =
+        has_rates_ ? faster * rows[0].omega.norm()
+                   : omega_between(problem_.inertia, rows[0], rows[1]).norm() / seconds(units.time);
     // Between them the rates can change as much as the moments differ.
     constexpr double about = 7;
     return found <= about * given && given <= about * found;

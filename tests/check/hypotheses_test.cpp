@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <filesystem>
 
 #include "check/recordings.h"
 #include "check/units.h"
@@ -194,17 +195,22 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
   }
 }
 
-// Rates of another law, for which the best moments would be none.
+/// The better readings of a file with the rates of these rows.
+Alternatives better_readings_of(const std::vector<Row>& rows) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "rows.csv";
+  system::write_file_atomically(file, csv_of(rows, Parts::rates));
+  return better_readings(file, tumbling_problem(),
+                         judge(file, own_names(Parts::rates), tumbling_problem()));
+}
+
+// Rates of another law. The fit of the moments has no minimum there.
 TEST(BetterReadings, FindNoBodyWhereThereIsNone) {
   for (const Vector3d& change :
        {Vector3d(0, 0, 0), Vector3d(1e-6, -1e-6, 0), Vector3d(1, 0, 0), Vector3d(0.3, -2, 0.7)}) {
     std::vector<Row> rows = exact_rows(256, 0.05);
     for (Row& row : rows) row.omega = omega + std::sin(row.t) * change;
-    const ScratchFolder folder;
-    system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
-    const Judgement judgement =
-        judge(folder / "rows.csv", own_names(Parts::rates), tumbling_problem());
-    const Alternatives found = better_readings(folder / "rows.csv", tumbling_problem(), judgement);
+    const Alternatives found = better_readings_of(rows);
     EXPECT_FALSE(found.inertia);
     EXPECT_THAT(found.fitting, IsEmpty());
   }
@@ -218,11 +224,7 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
     rows.push_back({.number = i + 1, .t = static_cast<double>(i) * step, .omega = w});
     w += step * (inertia.inverse() * (inertia * w).cross(w));
   }
-  const ScratchFolder folder;
-  system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
-  const Judgement judgement =
-      judge(folder / "rows.csv", own_names(Parts::rates), tumbling_problem());
-  const Alternatives found = better_readings(folder / "rows.csv", tumbling_problem(), judgement);
+  const Alternatives found = better_readings_of(rows);
   EXPECT_FALSE(found.inertia);
   EXPECT_THAT(found.fitting, IsEmpty());
 }

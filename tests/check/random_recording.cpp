@@ -11,6 +11,7 @@
 #include "check/attitude.h"
 #include "check/hypotheses.h"
 #include "check/judge.h"
+#include "check/names.h"
 #include "check/units.h"
 #include "scene_dice.h"
 #include "system/file.h"
@@ -84,25 +85,32 @@ Motion random_motion(RecordedBody body, SceneDice& dice) {
   return {moments, omega, rows, dice.spread(0.04, 0.4) / omega.norm()};
 }
 
-std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates) {
-  std::map<std::string, std::string> columns{{"t", "t"}};
-  const auto add = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) columns[name] = name;
+/// Our names of the columns, in the order in which they are written.
+std::vector<std::string> names_in(AttitudeForm form, bool has_rates) {
+  std::vector<std::string> names = names_of(Kind::time);
+  const auto add = [&](Kind kind) {
+    names.insert(names.end(), names_of(kind).begin(), names_of(kind).end());
   };
-  if (has_rates) add({"wx", "wy", "wz"});
+  if (has_rates) add(Kind::rates);
   switch (form) {
     case AttitudeForm::none:
       break;
     case AttitudeForm::matrix:
-      add({"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"});
+      add(Kind::matrix);
       break;
     case AttitudeForm::quaternion:
-      add({"qw", "qx", "qy", "qz"});
+      add(Kind::quaternion);
       break;
     case AttitudeForm::euler:
-      add({"yaw", "pitch", "roll"});
+      add(Kind::euler);
       break;
   }
+  return names;
+}
+
+std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates) {
+  std::map<std::string, std::string> columns;
+  for (const std::string& name : names_in(form, has_rates)) columns[name] = name;
   return columns;
 }
 
@@ -140,24 +148,10 @@ std::vector<double> attitude_numbers(const Matrix3d& X, const Convention& right)
 }
 
 /// The names in the file, in its order: those that `right` gives to our names in theirs.
-std::vector<std::string> header_of(const Convention& right, bool has_rates) {
-  std::vector<std::string> header{right.columns.at("t")};
-  const auto add = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) header.push_back(right.columns.at(name));
-  };
-  if (has_rates) add({"wx", "wy", "wz"});
-  switch (attitude_form(right)) {
-    case AttitudeForm::none:
-      break;
-    case AttitudeForm::matrix:
-      add({"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"});
-      break;
-    case AttitudeForm::quaternion:
-      add({"qw", "qx", "qy", "qz"});
-      break;
-    case AttitudeForm::euler:
-      add({"yaw", "pitch", "roll"});
-      break;
+std::vector<std::string> header_of(const Convention& right) {
+  std::vector<std::string> header;
+  for (const std::string& ours : names_in(attitude_form(right), has_rates(right))) {
+    header.push_back(right.columns.at(ours));
   }
   return header;
 }
@@ -167,7 +161,7 @@ std::string text_of(const Motion& motion, const Convention& right, Numbers numbe
                     SceneDice& dice) {
   const motion::ExactMotion exact({motion.moments.asDiagonal(), motion.omega});
   const bool rates = has_rates(right);
-  std::string text = fmt::format("{}\n", fmt::join(header_of(right, rates), ","));
+  std::string text = fmt::format("{}\n", fmt::join(header_of(right), ","));
   const Matrix3d P = right.axes.matrix();
   for (std::size_t i = 0; i < motion.rows; ++i) {
     const double t = static_cast<double>(i) * motion.step;
