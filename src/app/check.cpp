@@ -76,7 +76,7 @@ void check_bounds(const CheckOptions& options) {
   }
 }
 
-/// What --fit finds where the rows begin in another state than the given one.
+/// The fit of the initial state, if the rows begin in another state than the given one.
 std::optional<check::Fit> other_start_of(const CheckedFile& file, check::Problem problem) try {
   if (verdict(file).finding != Finding::other_start) return std::nullopt;
   problem.omega.reset();

@@ -115,7 +115,7 @@ std::string option_text(const check::Convention& before, const check::Convention
   if (rate_unit(after) != rate_unit(before)) {
     options.push_back(std::string("--units ") + name_of(rate_unit(after)).option);
   }
-  // What --units alone would say of angles.
+  // The unit of angles that follows from --units alone.
   check::Convention implied = before;
   if (rate_unit(after) != rate_unit(before)) implied.rate_unit = rate_unit(after);
   if (attitude_form(after) == check::AttitudeForm::euler &&

@@ -31,7 +31,7 @@ std::string reading_text(const check::Convention& convention) {
   return text;
 }
 
-/// How the numbers are written, of which the resolution limit follows.
+/// The precision of the numbers. The resolution limit follows from it.
 std::string precision_line(const Judgement& judgement) {
   std::string text = "times: " + precision_text(judgement.digits.time);
   if (judgement.has_rates) text += "; rates: " + precision_text(judgement.rate_resolution);
@@ -136,7 +136,7 @@ std::string conditioning_text(const Judgement& judgement) {
       judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
 }
 
-/// What is independent from row to row, where the digits do not explain it.
+/// The noise, if it is larger than the resolution of the digits.
 std::string noise_text(const Judgement& judgement) {
   const check::LastDigits& digits = judgement.digits;
   std::string text;

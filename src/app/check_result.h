@@ -58,7 +58,7 @@ double degrees(double angle);
 /// "--units deg --inverse".
 std::string option_text(const check::Convention& before, const check::Convention& after);
 
-/// What the file is found to be.
+/// The kind of a verdict.
 enum class Finding {
   exact,         ///< within the resolution of its digits
   noisy,         ///< within that and noise
@@ -70,7 +70,7 @@ enum class Finding {
   inexact,       ///< the motion with errors of its computation
 };
 
-/// What is to be told of a file.
+/// The verdict on a file.
 struct Verdict {
   Finding finding;
   std::string text;  ///< in one line

@@ -74,7 +74,7 @@ std::string direction_text(const Eigen::Vector3d& rate) {
   return fmt::format("({}, {}, {})", places(n.x()), places(n.y()), places(n.z()));
 }
 
-/// How steady a turn of the frame must be to be told.
+/// The least share of the errors that a steady turn of the frame must explain.
 constexpr double steady = 0.99;
 
 /// Whether the attitude turns steadily about L against the rates, as when it is integrated less

@@ -27,8 +27,8 @@ bool are_alike(const Eigen::Matrix3d& inertia, const BodyAxes& a, const BodyAxes
 /// Axes that the physics can tell apart, `first` among them.
 std::vector<BodyAxes> distinct_axes(const Eigen::Matrix3d& inertia, const BodyAxes& first);
 
-/// By how much |L| and the energy vary from row to row, relative to their means: what is conserved
-/// in some unit is in every one.
+/// The relative standard deviation of |L| and of the energy over the rows, whichever is larger. It
+/// does not depend on the unit of the rates.
 double variation(const Eigen::Matrix3d& inertia, std::span<const Row> rows);
 
 /// The fixed rotation from the axes whose attitude the rows have to those of their rates, by least

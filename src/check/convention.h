@@ -31,11 +31,11 @@ struct Convention {
   /// Our name ("t", "wx", "x11", "qw", "yaw") -> the column's name in the file, or "#3" for the
   /// third.
   std::map<std::string, std::string> columns;
-  /// Absent where nobody says it: seconds are then taken.
+  /// Seconds if absent.
   std::optional<TimeUnit> time_unit;
-  /// Of rates. Absent where nobody says it: rad/s are then taken.
+  /// The unit of the rates; rad/s if absent.
   std::optional<RateUnit> rate_unit;
-  /// Of Euler angles. Absent where nobody says it: that of the rates is then taken, or radians.
+  /// The unit of Euler angles. If absent, it is that of the rates, or radians.
   std::optional<Angle> angle_unit;
   /// Of Euler angles: the axes in the order of the rotations, each about the axes as they are then
   /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty
@@ -43,7 +43,7 @@ struct Convention {
   std::string sequence;
   bool inverse = false;         ///< the attitude is body_from_space
   bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
-  /// The axes that rates and attitude have in place of the body's.
+  /// The body's axes along which the file's axes point.
   BodyAxes axes;
   /// What the attitude is that of: a part whose axes this takes to the file's axes of the body.
   std::optional<Eigen::Quaterniond> offset;

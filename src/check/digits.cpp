@@ -40,7 +40,7 @@ void NarrowFormat::add(const table::Number& number) {
   const double spacing = std::ldexp(1.0, last_bit);
   const double nearest = spacing * std::nearbyint(number.value / spacing);
   const double place = unit_of_place(number.decimals);
-  // What is printed differs from the value by half a unit of its last place.
+  // The printed number differs from the value by at most half a unit of its last place.
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double allowed = place / 2 + rounding * std::abs(number.value);
   all_ = std::abs(number.value - nearest) <= allowed;

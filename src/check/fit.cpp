@@ -90,7 +90,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
   Matrix3d inertia(const VectorXd& p) const {
     if (body_ == Body::as_given) return from_.body.inertia();
     const body::PrincipalAxes& principal = from_.body.principal();
-    // Where no body fits, the search must not end at none.
+    // If no body fits, the moments must stay positive and finite.
     constexpr double most = 10;
     const auto factor = [&](Eigen::Index i) { return std::exp(std::clamp(p[i], -most, most)); };
     const Vector3d growth(1, factor(p.size() - 2), factor(p.size() - 1));

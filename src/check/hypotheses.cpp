@@ -25,7 +25,7 @@ constexpr std::size_t few = 8;
 /// A reading that misses more than this part of the changes is none.
 constexpr double follows = 0.2;
 
-/// What the rates are multiplied by, seen by the physics: only products of rates and times matter.
+/// A factor of the rates. The physics depends only on the products of rates and times.
 struct Scale {
   double factor;
   std::vector<Units> units;  ///< that have this factor, those as read first

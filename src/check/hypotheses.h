@@ -10,11 +10,11 @@
 
 namespace twrench::check {
 
-/// What a file may mean where it does not follow the motion as it is read.
+/// Other readings of a file that does not follow the motion as it is read.
 struct Alternatives {
   /// The readings with the fewest changes that fit, which the data cannot tell apart.
   std::vector<Reading> fitting;
-  /// Where none fits: the reading that is nearest to it.
+  /// The reading with the least misfit, if none fits.
   std::optional<Reading> nearest;
   /// Where none fits, but the motion is that of a body with the same principal axes and other
   /// moments: its inertia, of which only the ratios are determined.

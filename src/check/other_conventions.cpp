@@ -55,7 +55,7 @@ void add_sequences(std::vector<Convention>& list) {
   }
 }
 
-/// What the column that has our name states of its unit.
+/// The unit that the column with our name states.
 StatedUnit stated_of(const table::Header& header, const Convention& convention,
                      const std::string& ours) {
   return stated_unit(header, find_column(header, ours, convention.columns.at(ours)));

@@ -153,7 +153,7 @@ void RowDecoder::decode_quaternion(std::span<const table::Number> numbers, Row& 
   std::array<double, 4> q{};
   for (std::size_t i = 0; i < 4; ++i) q[i] = numbers[i].value;
   const double length = Eigen::Map<const Eigen::Vector4d>(q.data()).stableNorm();
-  // As of matrices: what drifts is judged, and what is no quaternion is refused.
+  // A quaternion that drifts is judged; any other is refused. Matrices are treated alike.
   constexpr double most = 0.1;
   if (!(std::abs(length - 1) <= most)) {
     throw bad_attitude(length == 0 ? "it is zero, which is no attitude"

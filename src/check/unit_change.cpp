@@ -56,7 +56,7 @@ class Level {
   bool stays_ = true;
 };
 
-/// Whether the factor is one between two units, but for errors.
+/// Whether the factor is about the ratio of two units.
 template <typename Name>
 bool is_between_units(double factor, const std::vector<Name>& units, double Name::*size) {
   constexpr double about = 0.05;
