@@ -10,7 +10,7 @@ it, then those of the program and of the Python module, until one fails.
 Changes are made only in a copy of the sources, build/mutate/source, which is built in
 build/mutate/build. The results are also written to build/mutate/SEED.log and build/mutate/SEED.json.
 
-  --rooms ROOM,...  change only these rooms (folders of src, such as motion or render/body)
+  --rooms ROOM,...  change only these rooms (folders of src, such as motion or picture/body)
   --at FILE:LINE    change only this line, in at most N ways
 
 Exit code: 0 if at most 10 % of the changes survive, 1 if more do, 2 for wrong usage, 3 if the changes

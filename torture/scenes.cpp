@@ -25,12 +25,12 @@
 #include <string>
 #include <vector>
 
+#include "draw/renderer.h"
 #include "gl/backend.h"
 #include "gl/child_call.h"
 #include "gl/error.h"
 #include "image/png.h"
 #include "random_body.h"
-#include "render/renderer.h"
 #include "scene/scene.h"
 #include "scene/scene_json.h"
 #include "timeline/timeline.h"
@@ -192,7 +192,7 @@ void check(const image::Frame& frame, const scene::Scene& scene) {
 void draw(const scene::Scene& scene, SceneDice& dice) {
   const auto opened = gl::open_context({});
   const timeline::Timeline timeline(scene, random_frames(dice, scene.frame_count()));
-  render::Renderer renderer(*opened.context, scene, timeline.solutions());
+  draw::Renderer renderer(*opened.context, scene, timeline.solutions());
   std::vector<std::vector<std::uint8_t>> drawn;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     image::Frame frame = renderer.draw(timeline.frame_state(i));

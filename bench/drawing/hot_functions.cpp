@@ -2,11 +2,11 @@
 #include <benchmark/benchmark.h>
 #include <twrench/math/so3.h>
 
+#include "draw/pose_renderer.h"
 #include "gl/backend.h"
 #include "image/png.h"
 #include "image/yuv.h"
-#include "render/look/background.h"
-#include "render/pose_renderer.h"
+#include "picture/look/background.h"
 
 namespace twrench {
 namespace {
@@ -28,7 +28,7 @@ Eigen::Matrix3d pose(int frame) {
 const image::Image& frame() {
   static const image::Image image = [] {
     const auto opened = context();
-    return render::PoseRenderer(*opened.context, full_scene()).draw(pose(7));
+    return draw::PoseRenderer(*opened.context, full_scene()).draw(pose(7));
   }();
   return image;
 }
@@ -37,7 +37,7 @@ void Draw(benchmark::State& state) {
   const auto opened = context();
   scene::Scene scene = full_scene();
   scene.look.samples = static_cast<int>(state.range(0));
-  render::PoseRenderer renderer(*opened.context, scene);
+  draw::PoseRenderer renderer(*opened.context, scene);
   int i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(pose(++i)).pixels.data());
 }
@@ -52,7 +52,7 @@ BENCHMARK(Draw)
 void Open(benchmark::State& state) {
   for (auto _ : state) {
     const auto opened = context();
-    render::PoseRenderer renderer(*opened.context, full_scene());
+    draw::PoseRenderer renderer(*opened.context, full_scene());
     benchmark::DoNotOptimize(renderer.draw(pose(0)).pixels.data());
   }
 }
@@ -60,7 +60,7 @@ BENCHMARK(Open)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPU
 
 void Background(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(render::background(full_scene().look, 1920, 1080).pixels.data());
+    benchmark::DoNotOptimize(picture::background(full_scene().look, 1920, 1080).pixels.data());
 }
 BENCHMARK(Background)->Unit(benchmark::kMillisecond);
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "draw/film_renderer.h"
 #include "gl/error.h"
-#include "render/film_renderer.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::python {
@@ -26,7 +26,7 @@ class FrameDrawer::Canvas {
  private:
   const FrameDrawer& drawer_;
   gl::OpenedContext opened_;
-  std::optional<render::FilmRenderer> renderer_;
+  std::optional<draw::FilmRenderer> renderer_;
 };
 
 FrameDrawer::FrameDrawer(scene::Scene scene, gl::BackendChoice backend)

@@ -217,7 +217,7 @@ def possible_changes(file: str, text: str) -> list[Change]:
 
 
 def room_of(file: str) -> str:
-    """Returns the folder below src or include/twrench: "render/body"."""
+    """Returns the folder below src or include/twrench: "picture/body"."""
     parts = file.split("/")[:-1]
     return "/".join(parts[2:] if parts[0] == "include" else parts[1:])
 

@@ -8,10 +8,10 @@
 #include "app/version.h"
 #include "app/xml.h"
 #include "embedded/page.h"
+#include "film/poster.h"
 #include "gl/error.h"
 #include "image/stb.h"
 #include "page/page_json.h"
-#include "page/poster.h"
 #include "scene/scene_json.h"
 #include "system/base64.h"
 #include "system/file.h"
@@ -83,7 +83,7 @@ std::string page_template(const std::string& file) {
 std::string poster_html(const scene::Scene& scene) {
   constexpr int quality = 80;
   try {
-    const image::Image picture = page::poster(scene, {});
+    const image::Image picture = film::poster(scene, {});
     return fmt::format(
         "<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/jpeg;base64,{}\">",
         picture.width, picture.height, system::base64(image::stb::jpeg(picture, quality)));

@@ -30,7 +30,7 @@ std::array<double, count> row_major(const Matrix& matrix) {
 
 /// The frame with the first motion's pose.
 video::FrameRecord record_of(const timeline::FilmFrame& frame, const timeline::FlipsSoFar& flips,
-                             const render::Camera& camera) {
+                             const picture::Camera& camera) {
   const timeline::FrameState& state = frame.state;
   video::FrameRecord record;
   record.frame = state.frame;
@@ -93,7 +93,7 @@ std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings
 }
 
 video::Manifest manifest_of(const RenderSettings& settings, const scene::Scene& scene,
-                            const render::FilmRenderer& renderer, const std::vector<int>& asked) {
+                            const draw::FilmRenderer& renderer, const std::vector<int>& asked) {
   video::Manifest manifest;
   manifest.version = TWRENCH_VERSION;
   // As it will be read back: its strings may contain invalid UTF-8.

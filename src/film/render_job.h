@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "draw/film_renderer.h"
 #include "film/frames_output.h"
 #include "film/pipeline.h"
 #include "film/stage_times.h"
 #include "gl/backend.h"
-#include "render/film_renderer.h"
 #include "scene/scene.h"
 #include "timeline/film_timeline.h"
 #include "video/encoder.h"
@@ -95,7 +95,7 @@ class RenderJob {
   std::future<void> trial_;         ///< The test of the encoder.
   const timeline::FilmTimeline timeline_;
   const gl::OpenedContext opened_;
-  render::FilmRenderer renderer_;
+  draw::FilmRenderer renderer_;
   std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;
   std::unique_ptr<video::VideoEncoder> encoder_;

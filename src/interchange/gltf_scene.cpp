@@ -10,12 +10,12 @@
 
 #include "interchange/surface.h"
 #include "interchange/track.h"
-#include "render/body/bounding_radius.h"
-#include "render/body/gap_closing.h"
-#include "render/compose/camera_path.h"
-#include "render/look/emphasis.h"
-#include "render/look/material.h"
-#include "render/overlay/body_overlay.h"
+#include "picture/body/bounding_radius.h"
+#include "picture/body/gap_closing.h"
+#include "picture/compose/camera_path.h"
+#include "picture/look/emphasis.h"
+#include "picture/look/material.h"
+#include "picture/overlay/body_overlay.h"
 #include "timeline/reference_frame.h"
 
 namespace twrench::interchange {
@@ -31,7 +31,7 @@ std::vector<double> numbers_of(const Quaterniond& q) { return {q.x(), q.y(), q.z
 
 /// Returns linear R, G, B and A.
 std::vector<double> linear(const scene::Color& color, double factor = 1) {
-  const auto channel = [&](int value) { return render::linear_from_srgb(factor * value); };
+  const auto channel = [&](int value) { return picture::linear_from_srgb(factor * value); };
   return {channel(color.red), channel(color.green), channel(color.blue)};
 }
 
@@ -50,11 +50,11 @@ class SceneWriter {
       : scene_(scene),
         options_(options),
         gltf_(generator),
-        style_(render::style_of(scene.look.theme)),
-        colors_(render::emphasised(style_.overlay, scene.overlay)),
+        style_(picture::style_of(scene.look.theme)),
+        colors_(picture::emphasised(style_.overlay, scene.overlay)),
         body_(scene::mass_properties(scene.body).inertia, scene.motion.omega),
         played_(body_, options.speed),
-        radius_(render::bounding_radius(scene::visible_parts(scene.body))),
+        radius_(picture::bounding_radius(scene::visible_parts(scene.body))),
         overlay_(with_all_arrows(scene), body_, radius_) {}
 
   Gltf finish() && {
@@ -87,12 +87,12 @@ class SceneWriter {
   const scene::Scene& scene_;
   AnimationOptions options_;
   Gltf gltf_;
-  const render::ThemeStyle& style_;
-  render::OverlayColors colors_;
+  const picture::ThemeStyle& style_;
+  picture::OverlayColors colors_;
   motion::FreeBody body_;
   PlayedMotion played_;
   double radius_;  ///< Bounding radius of the body in cm.
-  render::BodyOverlay overlay_;
+  picture::BodyOverlay overlay_;
   std::vector<std::size_t> nodes_;                            ///< The roots.
   std::vector<std::pair<Json, std::size_t>> part_materials_;  ///< And their indices.
   Json animation_{
@@ -120,7 +120,7 @@ std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
   std::vector<double> color{1, 1, 1};
   if (!is_colored) color = linear(own.color.value_or(look.color.value_or(style_.metal)));
   color.push_back(1);
-  const auto [metallic, roughness] = render::finish(look, own, is_colored);
+  const auto [metallic, roughness] = picture::finish(look, own, is_colored);
   const Json surface{
       {"baseColorFactor", color}, {"metallicFactor", metallic}, {"roughnessFactor", roughness}};
   const auto found =
@@ -161,7 +161,7 @@ void SceneWriter::add_channel(std::size_t node, const char* path, std::size_t ti
 /// frame.
 void SceneWriter::add_body(std::size_t camera) {
   constexpr double finest = 3e-4;  // of the radius: a seventh of a pixel in a picture 1080 high
-  const std::vector<body::Part> parts = render::close_gaps(scene::visible_parts(scene_.body));
+  const std::vector<body::Part> parts = picture::close_gaps(scene::visible_parts(scene_.body));
   std::vector<std::size_t> children;
   if (scene_.camera.frame == scene::Frame::body) children.push_back(camera);
   for (const scene::PartGroup& group : scene::part_groups(scene_.body)) {
@@ -237,9 +237,9 @@ std::vector<Vector3d> SceneWriter::extent_in_frame() const {
 /// turned until it does.
 std::size_t SceneWriter::add_camera() {
   const double aspect = static_cast<double>(scene_.film.width) / scene_.film.height;
-  const render::Framing framing =
-      render::framing_along(scene_, aspect, overlay_.bounding_radius(), extent_in_frame());
-  const render::Camera camera = render::frame_sphere(framing);
+  const picture::Framing framing =
+      picture::framing_along(scene_, aspect, overlay_.bounding_radius(), extent_in_frame());
+  const picture::Camera camera = picture::frame_sphere(framing);
   const Eigen::Matrix4d& p = camera.projection;
   const Vector3d ahead(p(0, 2) / p(0, 0), p(1, 2) / p(1, 1), -1);
   const double height = std::atan((1 + p(1, 2)) / p(1, 1)) + std::atan((1 - p(1, 2)) / p(1, 1));

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/body/mesh.h"
-#include "render/overlay/draw_list.h"
+#include "picture/body/mesh.h"
+#include "picture/overlay/draw_list.h"
 
 namespace twrench::interchange {
 namespace {
@@ -47,9 +47,9 @@ void add_band(Surface& surface, const Vector2d& from, const Vector2d& to) {
 
 Surface part_surface(const body::Part& part, double tolerance, double crease_angle) {
   const bool is_mesh = std::holds_alternative<body::Mesh>(part.shape);
-  const render::Mesh mesh = render::part_mesh(part, is_mesh ? 0 : tolerance, crease_angle);
+  const picture::Mesh mesh = picture::part_mesh(part, is_mesh ? 0 : tolerance, crease_angle);
   Surface surface;
-  for (const render::Vertex& vertex : mesh.vertices) {
+  for (const picture::Vertex& vertex : mesh.vertices) {
     const glm::vec3 &p = vertex.position, &n = vertex.normal;
     append(surface.positions, metres_per_cm * Vector3d(p.x, p.y, p.z));
     append(surface.normals, Vector3d(n.x, n.y, n.z).normalized());
@@ -60,9 +60,9 @@ Surface part_surface(const body::Part& part, double tolerance, double crease_ang
 }
 
 Surface arrow_surface(double length, double shaft) {
-  const double scale = std::min(1.0, length / (render::arrow_head_length * shaft));
-  const double neck = length - scale * render::arrow_head_length * shaft;
-  const double head = scale * render::arrow_head_radius * shaft;
+  const double scale = std::min(1.0, length / (picture::arrow_head_length * shaft));
+  const double neck = length - scale * picture::arrow_head_length * shaft;
+  const double head = scale * picture::arrow_head_radius * shaft;
   Surface surface;
   if (neck > 0) {
     add_band(surface, {0, 0}, {shaft, 0});

@@ -8,7 +8,7 @@
 namespace twrench::page {
 namespace {
 
-using render::Ball;
+using picture::Ball;
 
 constexpr std::size_t most_balls = 64;  // as in web/picture/ground.frag
 
@@ -82,8 +82,8 @@ class Reduction {
 
 }  // namespace
 
-std::vector<render::Ball> fewer_shadow_balls(std::span<const body::Part> parts) {
-  return Reduction(render::shadow_balls(parts)).down_to(most_balls);
+std::vector<picture::Ball> fewer_shadow_balls(std::span<const body::Part> parts) {
+  return Reduction(picture::shadow_balls(parts)).down_to(most_balls);
 }
 
 }  // namespace twrench::page

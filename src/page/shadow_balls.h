@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "render/body/shadow_balls.h"
+#include "picture/body/shadow_balls.h"
 
 namespace twrench::page {
 
 /// Returns balls that cast as much shadow as the parts, as the film's do. As many as a shader has
 /// room for: of more, those that are closest to one another are taken together.
-std::vector<render::Ball> fewer_shadow_balls(std::span<const body::Part> parts);
+std::vector<picture::Ball> fewer_shadow_balls(std::span<const body::Part> parts);
 
 }  // namespace twrench::page

@@ -26,7 +26,7 @@ std::size_t begin_of(const std::vector<std::size_t>& ends, std::size_t part) {
 }
 
 /// A part; the two sides of a wall, whose vertices lie in the same places, apart.
-std::vector<Piece> pieces_of(const render::Mesh& mesh, std::size_t part, bool is_wall) {
+std::vector<Piece> pieces_of(const picture::Mesh& mesh, std::size_t part, bool is_wall) {
   const std::size_t sides = is_wall ? 2 : 1;
   Piece piece{begin_of(mesh.vertex_ends, part), 0, begin_of(mesh.part_ends, part), 0};
   piece.vertices = (mesh.vertex_ends[part] - piece.first_vertex) / sides;
@@ -40,7 +40,7 @@ std::vector<Piece> pieces_of(const render::Mesh& mesh, std::size_t part, bool is
 }
 
 /// The indices of a piece that are left.
-Indices simplified(const render::Mesh& mesh, const Piece& piece, std::size_t most_indices) {
+Indices simplified(const picture::Mesh& mesh, const Piece& piece, std::size_t most_indices) {
   constexpr float any_error = 1;  // in sizes of the piece
   Indices given(piece.indices), left(piece.indices);
   for (std::size_t i = 0; i < piece.indices; ++i) {
@@ -49,10 +49,10 @@ Indices simplified(const render::Mesh& mesh, const Piece& piece, std::size_t mos
   const float* const places = &mesh.vertices[piece.first_vertex].position.x;
   std::size_t count =
       meshopt_simplify(left.data(), given.data(), given.size(), places, piece.vertices,
-                       sizeof(render::Vertex), most_indices, any_error, 0, nullptr);
+                       sizeof(picture::Vertex), most_indices, any_error, 0, nullptr);
   if (count > 2 * most_indices) {
     count = meshopt_simplifySloppy(left.data(), given.data(), given.size(), places, piece.vertices,
-                                   sizeof(render::Vertex), most_indices, any_error, nullptr);
+                                   sizeof(picture::Vertex), most_indices, any_error, nullptr);
   }
   left.resize(count);
   for (std::uint32_t& index : left) index += static_cast<std::uint32_t>(piece.first_vertex);
@@ -60,7 +60,7 @@ Indices simplified(const render::Mesh& mesh, const Piece& piece, std::size_t mos
 }
 
 /// Takes out the vertices that no triangle uses.
-void drop_unused_vertices(render::Mesh& mesh) {
+void drop_unused_vertices(picture::Mesh& mesh) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
   for (const std::uint32_t index : mesh.indices) number[index] = 0;
@@ -93,7 +93,7 @@ std::size_t triangles_given(std::span<const body::Part> parts) {
 }
 
 /// How many triangles are drawn for them.
-std::size_t triangles_drawn(const render::Mesh& mesh, std::span<const body::Part> parts) {
+std::size_t triangles_drawn(const picture::Mesh& mesh, std::span<const body::Part> parts) {
   std::size_t indices = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool is_mesh = std::holds_alternative<body::Mesh>(parts[i].shape);
@@ -104,7 +104,7 @@ std::size_t triangles_drawn(const render::Mesh& mesh, std::span<const body::Part
 
 }  // namespace
 
-std::optional<Simplification> simplify(render::Mesh& mesh, std::span<const body::Part> parts,
+std::optional<Simplification> simplify(picture::Mesh& mesh, std::span<const body::Part> parts,
                                        std::size_t most) {
   const std::size_t drawn = triangles_drawn(mesh, parts);
   if (drawn <= most) return std::nullopt;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "render/body/mesh.h"
+#include "picture/body/mesh.h"
 
 namespace twrench::page {
 
@@ -21,7 +21,7 @@ struct Simplification {
 /// SIGGRAPH 97). A surface too rough for that is cut into cells with a vertex each. A small part
 /// beside large ones keeps 100. Does and returns nothing where there are no more than `most`;
 /// clusters are not kept.
-std::optional<Simplification> simplify(render::Mesh& mesh, std::span<const body::Part> parts,
+std::optional<Simplification> simplify(picture::Mesh& mesh, std::span<const body::Part> parts,
                                        std::size_t most);
 
 }  // namespace twrench::page

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "render/body/bounding_radius.h"
-#include "render/body/gap_closing.h"
+#include "picture/body/bounding_radius.h"
+#include "picture/body/gap_closing.h"
 
 namespace twrench::page {
 namespace {
@@ -20,14 +20,14 @@ bool is_large_mesh(const body::Part& part) {
   return mesh != nullptr && mesh->surface->triangles.size() > most_triangles;
 }
 
-render::Mesh fine_mesh(std::span<const body::Part> parts, std::span<const scene::PartLook> looks,
-                       double radius) {
+picture::Mesh fine_mesh(std::span<const body::Part> parts, std::span<const scene::PartLook> looks,
+                        double radius) {
   double tolerance = finest * radius;
-  render::Mesh mesh = render::body_mesh(parts, tolerance, looks);
+  picture::Mesh mesh = picture::body_mesh(parts, tolerance, looks);
   if (std::ranges::any_of(parts, is_large_mesh)) return mesh;
   while (mesh.vertices.size() > most_vertices && tolerance < coarsest * radius) {
     tolerance *= 1.5;
-    mesh = render::body_mesh(parts, tolerance, looks);
+    mesh = picture::body_mesh(parts, tolerance, looks);
   }
   return mesh;
 }
@@ -36,8 +36,8 @@ render::Mesh fine_mesh(std::span<const body::Part> parts, std::span<const scene:
 
 Surface surface_of(const scene::Body& body) {
   const std::vector<body::Part> visible = scene::visible_parts(body);
-  Surface surface{.parts = render::close_gaps(visible),
-                  .radius = render::bounding_radius(visible),
+  Surface surface{.parts = picture::close_gaps(visible),
+                  .radius = picture::bounding_radius(visible),
                   .mesh = {},
                   .simplification = {}};
   std::vector<scene::PartLook> looks;

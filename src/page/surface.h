@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "page/simplification.h"
-#include "render/body/mesh.h"
+#include "picture/body/mesh.h"
 #include "scene/scene.h"
 
 namespace twrench::page {
@@ -15,7 +15,7 @@ struct Surface {
   /// Bounding radius of the visible parts, cm.
   double radius;
   /// As fine as the size of a page allows.
-  render::Mesh mesh;
+  picture::Mesh mesh;
   /// Set if triangles were taken out of the parts that are given by triangles.
   std::optional<Simplification> simplification;
 };

@@ -6,11 +6,9 @@
 
 #include "page/packing.h"
 #include "page/shadow_balls.h"
-#include "render/body/mesh.h"
-#include "render/body/occluders.h"
-#include "render/body/outline_radii.h"
-#include "render/body/revolution.h"
-#include "render/overlay/trail_point.h"
+#include "picture/body/body_model.h"
+#include "picture/body/revolution.h"
+#include "picture/overlay/trail_point.h"
 
 namespace twrench::page {
 namespace {
@@ -18,12 +16,11 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_occluders = 3;  // as in the film
-
 ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+ordered_json numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Positions in units of radius / 32767, and normals.
-std::string packed_vertices(const render::Mesh& mesh, double radius) {
+std::string packed_vertices(const picture::Mesh& mesh, double radius) {
   std::vector<std::uint16_t> integers;
   const auto add = [&](const glm::vec3& v, double scale) {
     for (const float x : {v.x, v.y, v.z}) {
@@ -38,7 +35,7 @@ std::string packed_vertices(const render::Mesh& mesh, double radius) {
   return packed(integers, 6);
 }
 
-std::string packed_colors(const render::Mesh& mesh) {
+std::string packed_colors(const picture::Mesh& mesh) {
   std::vector<std::uint16_t> integers;
   for (const glm::vec3& color : mesh.colors) {
     for (const float x : {color.x, color.y, color.z}) {
@@ -49,16 +46,7 @@ std::string packed_colors(const render::Mesh& mesh) {
   return packed(integers, 3);
 }
 
-/// The mean colour of the vertices of a part.
-ordered_json tint_json(const render::Mesh& mesh, std::size_t part) {
-  const std::size_t begin = part == 0 ? 0 : mesh.vertex_ends[part - 1];
-  glm::vec3 sum(0);
-  for (std::size_t i = begin; i < mesh.vertex_ends[part]; ++i) sum += mesh.colors[i];
-  sum /= static_cast<float>(mesh.vertex_ends[part] - begin);
-  return {sum.x, sum.y, sum.z};
-}
-
-ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
+ordered_json capsules_json(const std::vector<picture::Capsule>& capsules) {
   ordered_json json = ordered_json::array();
   for (const auto& [from, to, radius, meets, part] : capsules) {
     json.push_back({{"from", numbers(from)},
@@ -70,35 +58,28 @@ ordered_json capsules_json(const std::vector<render::Capsule>& capsules) {
   return json;
 }
 
-/// The uniforms of each part; see render/body/body_pass.cpp.
-ordered_json parts_json(std::span<const body::Part> parts, const render::Mesh& mesh,
-                        const Materials& materials, double radius) {
-  const auto occluders = render::find_occluders(parts, most_occluders);
-  const auto across = render::across_from_body(parts);
+/// The uniforms of each part.
+ordered_json parts_json(const Surface& surface, const Materials& materials) {
   ordered_json json = ordered_json::array();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto& side = mesh.sides[i];
-    const render::OutlineRadii outline = render::outline_radii(parts[i].shape);
-    const Vector3d axis = side ? Vector3d(parts[i].body_from_part.col(2)) : Vector3d::Zero();
+  for (const picture::PartModel& part :
+       picture::part_models(surface.parts, surface.mesh, surface.radius)) {
     ordered_json rows = ordered_json::array();
-    for (const glm::vec4& row : across[i]) {
+    for (const glm::vec4& row : part.across_from_body) {
       for (const float value : {row.x, row.y, row.z, row.w}) rows.push_back(value);
     }
-    json.push_back(
-        {{"side_begin", side ? side->begin : mesh.part_ends[i]},
-         {"end", mesh.part_ends[i]},
-         {"material", materials.of_part[i]},
-         {"radii",
-          {outline.radius / radius, outline.round / radius, side ? side->bevel / radius : 0}},
-         {"axis", numbers(axis)},
-         {"across", std::move(rows)},
-         {"occluders", capsules_json(occluders[i])}});
-    if (mesh.is_colored[i] != 0) json.back()["tint"] = tint_json(mesh, i);
+    json.push_back({{"side_begin", part.side_begin},
+                    {"end", part.end},
+                    {"material", materials.of_part[json.size()]},
+                    {"radii", numbers(part.radii)},
+                    {"axis", numbers(part.side_axis)},
+                    {"across", std::move(rows)},
+                    {"occluders", capsules_json(part.occluders)}});
+    if (part.mean_color) json.back()["tint"] = numbers(*part.mean_color);
   }
   return json;
 }
 
-ordered_json balls_json(const std::vector<render::Ball>& balls) {
+ordered_json balls_json(const std::vector<picture::Ball>& balls) {
   ordered_json json = ordered_json::array();
   for (const auto& [centre, radius] : balls) {
     json.push_back({{"centre", numbers(centre)}, {"radius", radius}});
@@ -112,11 +93,11 @@ ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
                           const Materials& materials) {
   const auto& [parts, radius, mesh, simplification] = surface;
   ordered_json json{{"radius", radius},
-                    {"trail_point", numbers(render::trail_point(scene))},
-                    {"marked", render::axis_of_revolution(parts).has_value()},
+                    {"trail_point", numbers(picture::trail_point(scene))},
+                    {"marked", picture::axis_of_revolution(parts).has_value()},
                     {"vertices", packed_vertices(mesh, radius)},
                     {"indices", packed(mesh.indices, 1)},
-                    {"parts", parts_json(parts, mesh, materials, radius)},
+                    {"parts", parts_json(surface, materials)},
                     {"balls", balls_json(fewer_shadow_balls(scene::visible_parts(scene.body)))}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
   return json;

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "render/body/shader_constants.h"
-#include "render/look/theme.h"
+#include "picture/body/shader_constants.h"
+#include "picture/look/theme.h"
 
 namespace twrench::page {
 namespace {
@@ -12,14 +12,14 @@ using nlohmann::ordered_json;
 
 ordered_json color_json(const scene::Color& color) { return {color.red, color.green, color.blue}; }
 
-ordered_json backdrop_json(const render::Backdrop& backdrop) {
+ordered_json backdrop_json(const picture::Backdrop& backdrop) {
   return {{"above", color_json(backdrop.above)},
           {"below", color_json(backdrop.below)},
           {"vignette", backdrop.vignette},
           {"stars", backdrop.stars}};
 }
 
-ordered_json floor_json(const std::optional<render::FloorStyle>& floor) {
+ordered_json floor_json(const std::optional<picture::FloorStyle>& floor) {
   if (!floor) return nullptr;
   return {{"light", color_json(floor->light)},
           {"shadow", floor->shadow},
@@ -27,7 +27,7 @@ ordered_json floor_json(const std::optional<render::FloorStyle>& floor) {
           {"clouds", floor->clouds}};
 }
 
-ordered_json overlay_json(const render::OverlayColors& colors) {
+ordered_json overlay_json(const picture::OverlayColors& colors) {
   ordered_json axis = ordered_json::array(), curve = ordered_json::array();
   for (const scene::Color& color : colors.axis) axis.push_back(color_json(color));
   for (const scene::Color& color : colors.curve) curve.push_back(color_json(color));
@@ -39,11 +39,11 @@ ordered_json overlay_json(const render::OverlayColors& colors) {
 }
 
 ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
-  const render::Material material = render::material(look, part.look, part.is_colored);
+  const picture::Material material = picture::material(look, part.look, part.is_colored);
   const glm::vec3 tint = material.diffuse + material.reflectance;
   const bool is_metal =
       part.is_colored ? material.metalness == 1 : material.diffuse == glm::vec3(0);
-  return {{"constants", render::shader_constants(material, render::style_of(look.theme).studio)},
+  return {{"constants", picture::shader_constants(material, picture::style_of(look.theme).studio)},
           {"metal", is_metal},
           {"colored", part.is_colored},
           {"tint", {tint.x, tint.y, tint.z}}};
@@ -51,7 +51,7 @@ ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
 
 ordered_json theme_json(scene::Look look, const Materials& materials, scene::Theme theme) {
   look.theme = theme;
-  const render::ThemeStyle& style = render::style_of(theme);
+  const picture::ThemeStyle& style = picture::style_of(theme);
   ordered_json kinds = ordered_json::array();
   for (const PartMaterial& part : materials.kinds) kinds.push_back(material_json(look, part));
   return {{"materials", std::move(kinds)},

@@ -23,7 +23,7 @@ bool is_source(const fs::path& path) {
   return name.ends_with(".h") || name.ends_with(".cpp") || name.ends_with(".h.in");
 }
 
-/// "render/space/camera.h": "render/space"
+/// "picture/space/camera.h": "picture/space"
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// Below which the library's headers are included: <twrench/motion/exact.h>.

@@ -8,8 +8,8 @@
 
 namespace twrench {
 
-/// A room is a folder below src that holds sources itself, by its path: "render" and
-/// "render/space" are two rooms.
+/// A room is a folder below src that holds sources itself, by its path: "picture" and
+/// "picture/space" are two rooms.
 struct Room {
   std::set<std::string> rooms;      ///< whose headers its files may include, beside its own
   std::set<std::string> libraries;  ///< likewise

@@ -21,21 +21,21 @@ const std::string document =
     "| room | what | may include | libraries |\n"
     "|---|---|---|---|\n"
     "| `math` | numbers | | Eigen |\n"
-    "| `render` | pictures | `render/space` | |\n"
-    "| `render/space` | places | `math` | |\n\n"
+    "| `picture` | pictures | `picture/space` | |\n"
+    "| `picture/space` | places | `math` | |\n\n"
     "| library | headers |\n"
     "|---|---|\n"
     "| Eigen | `Eigen/` |\n"
     "| zlib | `zlib.h` |\n";
-const std::set<std::string> known_rooms{"math", "render", "render/space"};
+const std::set<std::string> known_rooms{"math", "picture", "picture/space"};
 
 std::vector<Include> sound_includes() {
   return {{"math/so3.h:1", "math", "Eigen/Core", false},
           {"math/so3.h:2", "math", "cmath", false},
-          {"render/renderer.cpp:1", "render", "render/space/camera.h", true},
-          {"render/renderer.cpp:2", "render", "render/renderer.h", true},
-          {"render/renderer.cpp:3", "render", "embedded/shaders.h", true},
-          {"render/space/camera.h:1", "render/space", "math/so3.h", true}};
+          {"picture/view.cpp:1", "picture", "picture/space/camera.h", true},
+          {"picture/view.cpp:2", "picture", "picture/view.h", true},
+          {"picture/view.cpp:3", "picture", "embedded/shaders.h", true},
+          {"picture/space/camera.h:1", "picture/space", "math/so3.h", true}};
 }
 
 /// What is found broken when this line is there too.
@@ -52,14 +52,14 @@ TEST(IncludeRules, SoundRoomsBreakNone) {
 }
 
 TEST(IncludeRules, AnArrowThatTheTableDoesNotHave) {
-  EXPECT_THAT(broken_with({"math/so3.h:3", "math", "render/space/camera.h", true}),
-              ElementsAre("math/so3.h:3: math may not include render/space "
-                          "(render/space/camera.h)"));
+  EXPECT_THAT(broken_with({"math/so3.h:3", "math", "picture/space/camera.h", true}),
+              ElementsAre("math/so3.h:3: math may not include picture/space "
+                          "(picture/space/camera.h)"));
 }
 
 TEST(IncludeRules, ANestedRoomIsNotItsParent) {
-  EXPECT_THAT(broken_with({"render/space/camera.h:2", "render/space", "render/renderer.h", true}),
-              ElementsAre(HasSubstr("render/space may not include render")));
+  EXPECT_THAT(broken_with({"picture/space/camera.h:2", "picture/space", "picture/view.h", true}),
+              ElementsAre(HasSubstr("picture/space may not include picture")));
 }
 
 TEST(IncludeRules, ALibraryThatTheRoomDoesWithout) {
@@ -73,30 +73,30 @@ TEST(IncludeRules, AHeaderOfNoKnownLibrary) {
 }
 
 TEST(IncludeRules, AFolderWithoutARow) {
-  EXPECT_THAT(broken_rules(read_include_rules(document), {"math", "render", "render/space", "mesh"},
+  EXPECT_THAT(broken_rules(read_include_rules(document), {"math", "picture", "picture/space", "mesh"},
                            sound_includes()),
               ElementsAre("mesh has no row in the table"));
 }
 
 TEST(IncludeRules, ARowWithoutAFolder) {
   std::vector<Include> includes = sound_includes();
-  std::erase_if(includes, [](const Include& include) { return include.room == "render"; });
-  EXPECT_THAT(broken_rules(read_include_rules(document), {"math", "render/space"}, includes),
-              Contains("render has a row, but no sources"));
+  std::erase_if(includes, [](const Include& include) { return include.room == "picture"; });
+  EXPECT_THAT(broken_rules(read_include_rules(document), {"math", "picture/space"}, includes),
+              Contains("picture has a row, but no sources"));
 }
 
 TEST(IncludeRules, AnArrowThatNobodyNeeds) {
   std::vector<Include> includes = sound_includes();
   includes.pop_back();
   EXPECT_THAT(broken_rules(read_include_rules(document), known_rooms, includes),
-              ElementsAre(HasSubstr("render/space does not include math")));
+              ElementsAre(HasSubstr("picture/space does not include math")));
 }
 
 // Not the room that only looks at a circle from above.
 TEST(IncludeRules, ACircle) {
   IncludeRules rules = read_include_rules(document);
-  rules.rooms["math"].rooms = {"render/space"};
-  EXPECT_THAT(rooms_in_circles(rules), ElementsAre("math", "render/space"));
+  rules.rooms["math"].rooms = {"picture/space"};
+  EXPECT_THAT(rooms_in_circles(rules), ElementsAre("math", "picture/space"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "interchange/glb_reader.h"
 #include "interchange/playback.h"
-#include "render/look/material.h"
+#include "picture/look/material.h"
 
 namespace twrench::interchange {
 namespace {
@@ -129,7 +129,7 @@ TEST(GltfScene, HasTheMaterialOfTheScene) {
   const GlbReader glb = read(scene);
   const auto& material = glb.json["materials"][0]["pbrMetallicRoughness"];
   EXPECT_EQ(material["baseColorFactor"],
-            nlohmann::json({1.0, render::linear_from_srgb(128), 0.0, 1.0}));
+            nlohmann::json({1.0, picture::linear_from_srgb(128), 0.0, 1.0}));
   EXPECT_EQ(material["metallicFactor"], 0.25);
   EXPECT_EQ(material["roughnessFactor"], 0.5);
 }

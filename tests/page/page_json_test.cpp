@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "page/packing.h"
-#include "render/body/meshes.h"
+#include "picture/body/meshes.h"
 #include "system/base64.h"
 
 namespace twrench::page {
@@ -100,11 +100,11 @@ TEST(PageJson, KeepsThePageSmall) {
 
 /// A scene of a ball of that many meridians, with a wave on it; a wall if `shell` > 0.
 scene::Scene ball(int meridians, double shell, double wave) {
-  body::TriangleMesh mesh = render::ball_of_triangles(3, meridians);
+  body::TriangleMesh mesh = picture::ball_of_triangles(3, meridians);
   for (Vector3d& place : mesh.vertices) place *= 1 + wave * std::sin(9 * place.x());
   mesh.colors.assign(mesh.vertices.size(), {1, 0, 0});
   scene::Scene scene = scene::load_scene("dzhanibekov");
-  scene.body.parts = {render::part_of(std::move(mesh))};
+  scene.body.parts = {picture::part_of(std::move(mesh))};
   if (shell > 0) std::get<body::Mesh>(scene.body.parts[0].shape).shell = shell;
   scene.body.descriptions.clear();
   return scene;
@@ -128,7 +128,7 @@ TEST(PageJson, DrawsALargeMeshByFewerTriangles) {
 TEST(PageJson, DrawsBothSidesOfALargeWall) {
   const Surface surface = surface_of(ball(200, 0.01, 0.05).body);
   double outwards = 0;
-  for (const render::Vertex& vertex : surface.mesh.vertices) {
+  for (const picture::Vertex& vertex : surface.mesh.vertices) {
     outwards += glm::dot(vertex.normal, vertex.position) > 0 ? 1 : -1;
   }
   EXPECT_NEAR(outwards, 0, 0.02 * static_cast<double>(surface.mesh.vertices.size()));
@@ -143,7 +143,7 @@ TEST(PageJson, DrawsALargeRoughMeshByFewerTriangles) {
     state = state * 1'103'515'245U + 12'345U;
     place *= 1 + 0.03 * (state >> 16U & 0xFFU) / 255;
   }
-  scene.body.parts = {render::part_of(std::move(rough))};
+  scene.body.parts = {picture::part_of(std::move(rough))};
   const Surface surface = surface_of(scene.body);
   EXPECT_LE(surface.simplification->drawn, 40'000U);
   EXPECT_LT(surface.mesh.vertices.size(), 40'000U);
@@ -151,7 +151,7 @@ TEST(PageJson, DrawsALargeRoughMeshByFewerTriangles) {
 
 TEST(PageJson, KeepsASmallMeshBesideALargeOne) {
   scene::Scene scene = ball(200, 0, 0.05);
-  scene.body.parts.push_back(render::part_of(render::box_of_triangles({1, 1, 1})));
+  scene.body.parts.push_back(picture::part_of(picture::box_of_triangles({1, 1, 1})));
   const Surface surface = surface_of(scene.body);
   ASSERT_EQ(surface.mesh.part_ends.size(), 2U);
   EXPECT_EQ(surface.mesh.part_ends[1] - surface.mesh.part_ends[0], 36U);

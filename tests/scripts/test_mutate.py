@@ -96,10 +96,10 @@ def test_a_change_names_its_line() -> None:
 
 SOURCES = {
     "src/base/a.cpp": "int f() { return a + 1; }\n" * 4,
-    "src/render/body/b.cpp": "int f() { return a < 1 && b > 2; }\n" * 100,
+    "src/picture/body/b.cpp": "int f() { return a < 1 && b > 2; }\n" * 100,
     "include/twrench/motion/c.h": "inline int f() { g(x); return 3; }\n" * 25,
 }
-LINES = {"base": 4, "render/body": 100, "motion": 25}
+LINES = {"base": 4, "picture/body": 100, "motion": 25}
 
 
 def drawn(count: int, seed: int) -> list[Change]:
@@ -120,14 +120,14 @@ def test_each_change_is_drawn_once() -> None:
 
 def test_rooms_share_by_the_root_of_their_lines() -> None:
     rooms = [room_of(change.file) for change in drawn(17, 4)]
-    assert {room: rooms.count(room) for room in LINES} == {"base": 2, "render/body": 10, "motion": 5}
+    assert {room: rooms.count(room) for room in LINES} == {"base": 2, "picture/body": 10, "motion": 5}
 
 
 def test_rooms_above_follow_the_includes() -> None:
     sources = {
         "include/twrench/base/a.h": "",
         "src/motion/b.cpp": "#include <twrench/base/a.h>\n#include <vector>\n",
-        "src/render/body/c.cpp": '#include "motion/b.h"\n',
+        "src/picture/body/c.cpp": '#include "motion/b.h"\n',
     }
-    assert rooms_above(sources)["base"] == {"base": 0, "motion": 1, "render/body": 2}
-    assert rooms_above(sources)["render/body"] == {"render/body": 0}
+    assert rooms_above(sources)["base"] == {"base": 0, "motion": 1, "picture/body": 2}
+    assert rooms_above(sources)["picture/body"] == {"picture/body": 0}

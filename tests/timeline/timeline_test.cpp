@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/t_wrench.h"
+#include "picture/t_wrench.h"
 
 namespace twrench::timeline {
 namespace {
 
 scene::Scene turning_over() {
-  scene::Scene scene = render::t_wrench();
+  scene::Scene scene = picture::t_wrench();
   scene.motion.omega = {1.0, 0.05, 0.0};
   return scene;
 }

@@ -1,4 +1,4 @@
-// Arrows of a draw list: src/render/overlay/draw_list_arrow.cpp.
+// Arrows of a draw list: src/picture/overlay/draw_list_arrow.cpp.
 import { add, column, frameWithZAlong, norm, normalized, scale, subtract, times } from '../math/linear.js';
 import { transformed } from '../math/camera.js';
 import { band, noEdge } from './draw_list.js';

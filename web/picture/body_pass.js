@@ -1,5 +1,5 @@
 // Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and its
-// bounding radius scaled to 1. As src/render/body/body_pass.cpp, but for a framebuffer with several
+// bounding radius scaled to 1. As src/draw/body_pass.cpp, but for a framebuffer with several
 // samples a pixel, so that edges need no quads of their own.
 import body_frag from '../../shaders/body.frag';
 import body_vert from '../../shaders/body.vert';

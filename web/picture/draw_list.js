@@ -1,5 +1,5 @@
 // Lines, arrows and plain surfaces in space as a camera sees them, as triangles in the order in
-// which they were added: src/render/overlay/draw_list.h for a framebuffer with several samples a
+// which they were added: src/picture/overlay/draw_list.h for a framebuffer with several samples a
 // pixel, so that only lines and dots need an antialiased edge of their own.
 import { add, dot, normalized, subtract, times } from '../math/linear.js';
 import { clipFromSpace, eyeOf, transformed } from '../math/camera.js';

@@ -1,4 +1,4 @@
-// Renders draw lists as premultiplied colour: src/render/overlay/draw_list_pass.cpp.
+// Renders draw lists as premultiplied colour: src/draw/draw_list_pass.cpp.
 import draw_list_frag from '../../shaders/draw_list.frag';
 import draw_list_vert from '../../shaders/draw_list.vert';
 import { floatsOfVertex } from './draw_list.js';

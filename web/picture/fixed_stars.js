@@ -1,4 +1,4 @@
-// Stars that show how a turning frame turns: src/render/overlay/fixed_stars.cpp.
+// Stars that show how a turning frame turns: src/picture/overlay/fixed_stars.cpp.
 import { cross, norm, rotation, scale, times } from '../math/linear.js';
 import { mersenneTwister } from '../math/mersenne_twister.js';
 import { addDot, addLine } from './lines.js';

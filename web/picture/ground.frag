@@ -1,5 +1,5 @@
-// What is behind the body: the theme's gradient (src/render/look/background.cpp) and the floor with
-// its pool of light, the body's shadow and its reflection (src/render/body/floor.cpp).
+// What is behind the body: the theme's gradient (src/picture/look/background.cpp) and the floor with
+// its pool of light, the body's shadow and its reflection (src/draw/floor.cpp).
 
 const int most_balls = 64;
 

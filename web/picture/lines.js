@@ -1,4 +1,4 @@
-// Lines and dots of a draw list, which face the eye: src/render/overlay/draw_list_line.cpp.
+// Lines and dots of a draw list, which face the eye: src/picture/overlay/draw_list_line.cpp.
 import { transformed } from '../math/camera.js';
 
 /** @typedef {import("../math/linear.js").Vec3} Vec3 */

@@ -1,5 +1,5 @@
 // The stars of space. Where the film's own camera looks, they are those of its still background
-// (src/render/look/background.cpp); around that, others as bright are spread evenly.
+// (src/picture/look/background.cpp); around that, others as bright are spread evenly.
 import stars_frag from './stars.frag';
 import stars_vert from './stars.vert';
 import { normalized, times, transposed } from '../math/linear.js';

@@ -7,7 +7,7 @@ import { unpacked } from './unpacking.js';
 /** @typedef {{centre: number[], radius: number}} Ball  casts shadow; body axes, cm */
 
 /**
- * Index ranges and uniforms of a part; see src/render/body/body_pass.cpp.
+ * Index ranges and uniforms of a part; see src/draw/body_pass.cpp.
  * @typedef {object} SurfacePart
  * @property {number} side_begin In indices, where the side of a cylinder begins; else `end`.
  * @property {number} end

@@ -1,5 +1,5 @@
 // What is shown in space around the body: its axes, L and omega, the invariable plane and the trail
-// of a point. See src/render/overlay/body_overlay.h for why omega's arrow has this length.
+// of a point. See src/picture/overlay/body_overlay.h for why omega's arrow has this length.
 import { add, column, frameWithZAlong, normalized, scale, subtract, times } from '../math/linear.js';
 import { addArrow } from '../picture/arrows.js';
 import { addDot, addLine, addLineOnHalo, haloOf } from '../picture/lines.js';

@@ -1,5 +1,5 @@
 // The rotating body, or two of them side by side or one as a ghost over the other, seen by a camera
-// that may go along with a turning frame: src/render/views/body_view.cpp.
+// that may go along with a turning frame: src/picture/views/body_view.cpp.
 import { product, times, transposed } from '../math/linear.js';
 import { carried, directionOf, fitted, frameSphere } from '../math/camera.js';
 import { BodyPass } from '../picture/body_pass.js';

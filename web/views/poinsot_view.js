@@ -1,5 +1,5 @@
 // Poinsot's construction: the inertia ellipsoid rolls without slipping on the invariable plane. See
-// src/render/views/poinsot_view.h; lengths are in units of the plane's distance, and L points up.
+// src/picture/views/poinsot_view.h; lengths are in units of the plane's distance, and L points up.
 import {
   column,
   diagonal,

@@ -1,5 +1,5 @@
 // The momentum in the body frame, on a sphere because its length is constant:
-// src/render/views/momentum_view.cpp. The start of the motion can be dragged.
+// src/picture/views/momentum_view.cpp. The start of the motion can be dragged.
 import {
   column,
   dot,

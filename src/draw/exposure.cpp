@@ -1,0 +1,75 @@
+#include "draw/exposure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "picture/look/material.h"
+
+namespace twrench::draw {
+namespace {
+
+// Of linear light: finer than sRGB's smallest step except in the darkest tones.
+constexpr int steps = 4096;
+
+std::array<float, 256> linear_table() {
+  std::array<float, 256> table{};
+  for (int i = 0; i < 256; ++i) {
+    table[static_cast<std::size_t>(i)] = static_cast<float>(picture::linear_from_srgb(i));
+  }
+  return table;
+}
+
+/// sRGB values, 0 to 255, at i / steps of full light.
+std::vector<float> srgb_table() {
+  std::vector<float> table;
+  for (int i = 0; i <= steps; ++i) {
+    const double light = static_cast<double>(i) / steps;
+    const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    table.push_back(static_cast<float>(255 * s));
+  }
+  return table;
+}
+
+}  // namespace
+
+Exposure::Exposure(int width, int height)
+    : width_(width),
+      height_(height),
+      sums_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+void Exposure::add(const image::Image& image) {
+  static const std::array<float, 256> linear = linear_table();
+  ++count_;
+  for (std::size_t i = 0; i < sums_.size(); i += 4) {
+    const std::uint8_t* p = &image.pixels[i];
+    const unsigned alpha = p[3];
+    if (alpha == 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Most pixels are opaque, and divisions are slow.
+      const unsigned straight =
+          alpha == 255 ? p[c] : std::min((p[c] * 255U + alpha / 2) / alpha, 255U);
+      sums_[i + c] += static_cast<float>(alpha) * linear[straight];
+    }
+    sums_[i + 3] += static_cast<float>(alpha);
+  }
+}
+
+image::Image Exposure::mean() const {
+  const auto rounded = [](float value) { return static_cast<std::size_t>(value + 0.5F); };
+  static const std::vector<float> srgb = srgb_table();
+  image::Image image(width_, height_, 4);
+  for (std::size_t i = 0; i < sums_.size(); i += 4) {
+    const float alpha = sums_[i + 3];
+    if (alpha == 0) continue;
+    const float mean_alpha = alpha / static_cast<float>(count_);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t step = rounded(sums_[i + c] / alpha * steps);
+      image.pixels[i + c] = static_cast<std::uint8_t>(rounded(srgb[step] * mean_alpha / 255));
+    }
+    image.pixels[i + 3] = static_cast<std::uint8_t>(rounded(mean_alpha));
+  }
+  return image;
+}
+
+}  // namespace twrench::draw

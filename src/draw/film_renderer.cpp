@@ -1,0 +1,117 @@
+#include "draw/film_renderer.h"
+
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "canvas/font.h"
+#include "draw/cross_fade.h"
+#include "picture/compose/layout.h"
+#include "picture/hud/caption.h"
+#include "picture/look/theme.h"
+
+namespace twrench::draw {
+namespace {
+
+/// Throws if the shot has no layout, or a caption that cannot be set.
+void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface) {
+  try {
+    const picture::Layout layout = picture::compute_layout(shot.scene);
+    const picture::OverlayColors& colors = picture::style_of(shot.scene.look.theme).overlay;
+    if (layout.caption) picture::Caption(*shot.scene.caption, *layout.caption, typeface, colors);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(shot.place, error.what(), error.remedy());
+  }
+}
+
+/// Composites both frames, and returns the one as it fades into the other.
+image::Frame faded(image::PendingFrame& from, image::PendingFrame& to, double share) {
+  const image::Frame before = from.composite();
+  image::Frame frame = to.composite();
+  frame.image = cross_fade(before.image, frame.image, share);
+  frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
+  return frame;
+}
+
+}  // namespace
+
+FilmRenderer::FilmRenderer(gl::Context& context, const scene::Scene& film)
+    : context_(context), film_(film) {
+  const canvas::Typeface typeface = canvas::load_typeface(film.overlay.font);
+  typeface_digest_ = canvas::typeface_digest(typeface);
+  for (const scene::Shot& shot : film.shots) require_drawable(shot, typeface);
+}
+
+/// Gives up the shots that the frame does not show and that no frame in progress needs: on this
+/// thread, because their objects in OpenGL go with them.
+void FilmRenderer::leave_others(const timeline::FilmFrame& frame) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(stages_, [&](const auto& stage) {
+    return stage->shot != frame.shot && !(frame.previous && stage->shot + 1 == frame.shot) &&
+           stage.use_count() == 1;
+  });
+}
+
+std::shared_ptr<FilmRenderer::Stage> FilmRenderer::stage(const timeline::FilmTimeline& timeline,
+                                                         std::size_t shot) {
+  const auto found = std::ranges::find_if(
+      stages_, [&](const std::shared_ptr<Stage>& stage) { return stage->shot == shot; });
+  if (found != stages_.end()) return *found;
+  const scene::Scene& scene = timeline::scene_of_shot(film_, shot);
+  auto made =
+      std::make_shared<Stage>(Stage{shot, Renderer(context_, scene, timeline.solutions(shot))});
+  const std::lock_guard lock(mutex_);
+  stages_.push_back(made);
+  return made;
+}
+
+picture::Camera FilmRenderer::camera(const timeline::FilmTimeline& timeline,
+                                     const timeline::FilmFrame& frame) {
+  leave_others(frame);
+  const picture::Camera own = stage(timeline, frame.shot)->renderer.camera(frame.state);
+  if (frame.moved == 1) return own;
+  const auto before = stage(timeline, frame.shot - 1);
+  return picture::between(before->renderer.camera(*frame.previous), own, frame.moved);
+}
+
+image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
+                                        timeline::FilmFrame frame) {
+  leave_others(frame);
+  auto drawn = std::make_shared<Drawn>();
+  std::optional<picture::Camera> moving;
+  if (frame.moved < 1) moving = camera(timeline, frame);
+  const auto draw = [&](std::size_t shot, timeline::FrameState state) {
+    drawn->stages.push_back(stage(timeline, shot));
+    drawn->pictures.push_back(drawn->stages.back()->renderer.begin(std::move(state), moving));
+  };
+  draw(frame.shot, std::move(frame.state));
+  if (frame.faded < 1) draw(frame.shot - 1, std::move(*frame.previous));
+  const auto transfer = [drawn] {
+    std::ranges::for_each(drawn->pictures, &image::PendingFrame::fetch);
+  };
+  const auto composition = [drawn, share = frame.faded] {
+    auto& own = drawn->pictures.front();
+    return share < 1 ? faded(drawn->pictures.back(), own, share) : own.composite();
+  };
+  return {std::async(std::launch::deferred, transfer),
+          std::async(std::launch::deferred, composition)};
+}
+
+void FilmRenderer::reuse(image::Frame frame) noexcept {
+  const std::lock_guard lock(mutex_);
+  for (const auto& stage : stages_) {
+    if (stage->renderer.drew(frame)) return stage->renderer.reuse(std::move(frame));
+  }
+}
+
+std::size_t FilmRenderer::frames_ahead() const {
+  return gl::best_read_mode(gl::Functions(context_)) == gl::ReadMode::buffered ? 1 : 0;
+}
+
+std::string FilmRenderer::description() const {
+  return gl::renderer_string(gl::Functions(context_));
+}
+
+}  // namespace twrench::draw

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "draw/renderer.h"
+#include "timeline/film_timeline.h"
+
+namespace twrench::draw {
+
+/// Draws the frames of a film, with shots or without. Each shot has its own renderer, made when a
+/// frame needs it and given up when the frames have gone on. Use it only on the thread that created
+/// it.
+class FilmRenderer {
+ public:
+  /// Examines the layout and the text of all shots. Throws InvalidArgument about a shot that cannot
+  /// be drawn. The context and the film must outlive the renderer.
+  FilmRenderer(gl::Context& context, const scene::Scene& film);
+
+  /// Begins a frame of the timeline, as Renderer::begin() does. Throws as Renderer() does where a
+  /// shot begins with it.
+  image::PendingFrame begin(const timeline::FilmTimeline& timeline, timeline::FilmFrame frame);
+
+  /// Returns the camera of the frame's first view. Throws as begin() does.
+  picture::Camera camera(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame);
+
+  /// Takes back a frame, as Renderer::reuse() does. Thread-safe.
+  void reuse(image::Frame frame) noexcept;
+
+  /// Returns how many frames should be in progress before the oldest is completed.
+  std::size_t frames_ahead() const;
+
+  /// Returns GL's renderer and version; frames are byte-identical where these are the same.
+  std::string description() const;
+
+  /// Returns a digest of the font files' bytes; frames depend on it too.
+  std::string typeface_digest() const { return typeface_digest_; }
+
+ private:
+  /// A shot that is being drawn.
+  struct Stage {
+    std::size_t shot;
+    Renderer renderer;
+  };
+
+  /// The pictures of a frame, that of its own shot first, and the shots that they need.
+  struct Drawn {
+    std::vector<std::shared_ptr<Stage>> stages;
+    std::vector<image::PendingFrame> pictures;
+  };
+
+  void leave_others(const timeline::FilmFrame& frame);
+  std::shared_ptr<Stage> stage(const timeline::FilmTimeline& timeline, std::size_t shot);
+
+  gl::Context& context_;
+  const scene::Scene& film_;
+  std::string typeface_digest_;
+  std::mutex mutex_;  ///< Guards the vector of the shots being drawn, a few at most.
+  std::vector<std::shared_ptr<Stage>> stages_;
+};
+
+}  // namespace twrench::draw

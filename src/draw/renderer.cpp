@@ -1,0 +1,293 @@
+#include "draw/renderer.h"
+
+#include <algorithm>
+#include <functional>
+#include <future>
+#include <iterator>
+#include <optional>
+
+#include "canvas/font.h"
+#include "draw/blank_frames.h"
+#include "draw/body_painter.h"
+#include "draw/draw_list_painter.h"
+#include "gl/framebuffer.h"
+#include "picture/compose/element.h"
+#include "picture/compose/label_painter.h"
+#include "picture/compose/layout.h"
+#include "picture/hud/caption.h"
+#include "picture/hud/component_panel.h"
+#include "picture/hud/curve_panel.h"
+#include "picture/hud/force_legend.h"
+#include "picture/hud/hud.h"
+#include "picture/hud/moments_panel.h"
+#include "picture/hud/tilt_panel.h"
+#include "picture/hud/torque_readouts.h"
+#include "picture/look/background.h"
+#include "picture/look/emphasis.h"
+#include "picture/look/theme.h"
+#include "picture/views/body_view.h"
+#include "picture/views/momentum_view.h"
+#include "picture/views/poinsot_view.h"
+
+namespace twrench::draw {
+namespace {
+
+using picture::Camera;
+using picture::Element;
+using picture::Layer;
+using picture::Layout;
+using picture::View;
+using picture::ViewContents;
+
+image::Image empty_picture(const scene::Scene& scene) {
+  if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
+  return picture::background(scene.look, scene.film.width, scene.film.height,
+                             scene.camera.frame == scene::Frame::space);
+}
+
+PendingLayer dimmed(PendingLayer pending) {
+  return std::async(std::launch::deferred, [pending = std::move(pending)]() mutable {
+    AnyLayer layer = pending.get();
+    std::visit([](auto& any) { scale_opacity(any, picture::dimmed_opacity); }, layer);
+    return layer;
+  });
+}
+
+}  // namespace
+
+/// What a frame is composited of.
+struct Renderer::Ingredients {
+  timeline::FrameState state;
+  std::optional<image::Image> background;  ///< Seen through another camera than the view's own.
+  std::vector<PendingLayer> views;
+  std::vector<picture::Label> labels;
+};
+
+struct Renderer::Parts {
+  Parts(gl::Context& context, const scene::Scene& scene,
+        const std::vector<timeline::Solution>& solutions, std::optional<gl::ReadMode> mode);
+
+  std::shared_future<image::Image> empty;  // without any element; made while OpenGL gets ready
+  gl::Functions gl;
+  gl::Framebuffer framebuffer;
+  canvas::Typeface typeface;
+  /// A view, and whether what the scene stresses lets it step back.
+  struct ShownView {
+    std::unique_ptr<View> view;
+    std::unique_ptr<ViewPainter> painter;
+    bool is_dimmed;
+    ViewContents contents;  ///< Of the last frame.
+  };
+  struct ShownElement {
+    std::unique_ptr<Element> element;
+    bool is_dimmed;
+  };
+  std::vector<ShownView> views;                        // in compositing order
+  std::vector<ShownElement> elements;                  // over the views
+  std::optional<picture::LabelPainter> label_painter;  // over both
+  std::vector<image::Area> taken;                      // areas that labels avoid
+  bool shows_body = false;
+  std::optional<BlankFrames> blank;
+
+  void add_bodies(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                  const Layout& layout);
+  template <typename Inset>
+  void add_inset(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                 const std::optional<Layout::Pane>& pane, scene::Feature feature);
+  void add_panels(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                  const Layout& layout);
+  /// The static background. With `camera`, the body is seen through that at first.
+  image::Image background(const std::optional<Camera>& camera);
+  /// A frame that shows `other_background`, or the blank one.
+  image::Frame blank_frame(std::optional<image::Image> other_background);
+  Ingredients draw(timeline::FrameState state, const std::optional<Camera>& camera);
+  image::Frame composited(Ingredients& drawn);
+};
+
+Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
+                       const std::vector<timeline::Solution>& solutions,
+                       std::optional<gl::ReadMode> mode)
+    : empty(std::async(empty_picture, std::cref(scene))),
+      gl(context),
+      framebuffer(gl, scene.film.width, scene.film.height, scene.look.samples,
+                  mode.value_or(gl::best_read_mode(gl))),
+      typeface(canvas::load_typeface(scene.overlay.font)) {
+  const Layout layout = picture::compute_layout(scene);
+  add_bodies(scene, solutions, layout);
+  add_inset<picture::MomentumView>(scene, solutions, layout.momentum, scene::Feature::sphere);
+  add_inset<picture::PoinsotView>(scene, solutions, layout.poinsot, scene::Feature::poinsot);
+  add_panels(scene, solutions, layout);
+  label_painter.emplace(typeface.regular, layout.text.readout,
+                        picture::style_of(scene.look.theme).overlay.panel,
+                        image::Area{0, 0, scene.film.width, scene.film.height}, taken);
+  blank.emplace(background({}));
+}
+
+/// Adds a view of the body for each motion.
+void Renderer::Parts::add_bodies(const scene::Scene& scene,
+                                 const std::vector<timeline::Solution>& solutions,
+                                 const Layout& layout) {
+  shows_body = !layout.panes.empty();
+  const std::vector<body::Part> parts = scene::visible_parts(scene.body);
+  for (std::size_t i = 0; i < layout.panes.size(); ++i) {
+    auto view = std::make_unique<picture::BodyView>(scene, solutions, i, layout.panes[i]);
+    auto painter =
+        std::make_unique<BodyPainter>(gl, framebuffer, *view, parts, scene.look.samples > 1);
+    views.push_back({std::move(view), std::move(painter), false, {}});
+  }
+}
+
+/// Adds a view of the first motion, which beside a body can step back.
+template <typename Inset>
+void Renderer::Parts::add_inset(const scene::Scene& scene,
+                                const std::vector<timeline::Solution>& solutions,
+                                const std::optional<Layout::Pane>& pane, scene::Feature feature) {
+  if (!pane) return;
+  const bool is_dimmed =
+      scene.overlay.view == scene::View::wrench && picture::is_dimmed(scene.overlay, feature);
+  views.push_back({std::make_unique<Inset>(scene, solutions, 0, *pane),
+                   std::make_unique<DrawListPainter>(gl, framebuffer, pane->area),
+                   is_dimmed,
+                   {}});
+}
+
+/// Adds curves, figures and text.
+void Renderer::Parts::add_panels(const scene::Scene& scene,
+                                 const std::vector<timeline::Solution>& solutions,
+                                 const Layout& layout) {
+  const picture::OverlayColors& colors = picture::style_of(scene.look.theme).overlay;
+  const auto add = [&](std::unique_ptr<Element> element, scene::Feature feature) {
+    elements.push_back({std::move(element), picture::is_dimmed(scene.overlay, feature)});
+  };
+  const auto add_plot = [&]<typename Panel>(std::in_place_type_t<Panel>,
+                                            const std::optional<image::Area>& area,
+                                            scene::Feature feature) {
+    if (!area) return;
+    add(std::make_unique<Panel>(scene, solutions, layout, typeface, colors), feature);
+    taken.push_back(*area);
+  };
+  using enum scene::Feature;
+  add_plot(std::in_place_type<picture::ComponentPanel>, layout.components, components);
+  add_plot(std::in_place_type<picture::CurvePanel>, layout.curve, curve);
+  add_plot(std::in_place_type<picture::TiltPanel>, layout.tilt, tilt);
+  add_plot(std::in_place_type<picture::MomentsPanel>, layout.moments, moments);
+  const picture::TextStyle style{typeface, colors, layout.text, layout.compact,
+                                 picture::needs_panels(scene.look)};
+  if (layout.forces) {
+    add(std::make_unique<picture::ForceLegend>(scene, layout, style), forces);
+    taken.push_back(*layout.forces);
+  }
+  if (layout.torques) {
+    add(std::make_unique<picture::TorqueReadouts>(scene, solutions, layout, style), forces);
+    taken.push_back(*layout.torques);
+  }
+  auto text = std::make_unique<picture::Hud>(scene, solutions, layout, typeface, colors);
+  std::ranges::copy(text->extents(), std::back_inserter(taken));
+  add(std::move(text), hud);
+  if (layout.caption) {
+    elements.push_back(
+        {std::make_unique<picture::Caption>(*scene.caption, *layout.caption, typeface, colors),
+         false});
+    taken.push_back(layout.caption->area);
+  }
+}
+
+image::Image Renderer::Parts::background(const std::optional<Camera>& camera) {
+  image::Image picture = empty.get();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto& [view, painter, is_dimmed, last] = views[i];
+    ViewContents contents;
+    contents.begin(i == 0 && camera ? *camera : view->camera(0), view->pane().area);
+    view->add_still(contents);
+    for (Layer& layer : painter->draw_still(contents)) {
+      if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
+      composite_over(picture, layer);
+    }
+  }
+  return picture;
+}
+
+image::Frame Renderer::Parts::blank_frame(std::optional<image::Image> other_background) {
+  image::Frame frame = blank->acquire();
+  if (!other_background) return frame;
+  frame.image = std::move(*other_background);
+  frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
+  return frame;
+}
+
+/// Draws the views; with `camera`, the first is seen through that.
+Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
+                                            const std::optional<Camera>& camera) {
+  Ingredients drawn;
+  if (camera) drawn.background = background(camera);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    auto& [view, painter, is_dimmed, contents] = views[i];
+    contents.begin(i == 0 && camera ? *camera : view->camera_in_space(state), view->pane().area);
+    view->add(state, contents);
+    for (PendingLayer& layer : painter->draw(contents)) {
+      drawn.views.push_back(is_dimmed ? dimmed(std::move(layer)) : std::move(layer));
+    }
+    std::ranges::move(contents.labels, std::back_inserter(drawn.labels));
+  }
+  drawn.state = std::move(state);
+  return drawn;
+}
+
+image::Frame Renderer::Parts::composited(Ingredients& drawn) {
+  image::Frame frame = blank_frame(std::move(drawn.background));
+  const auto add = [&](const auto& layer) {
+    std::ranges::move(composite_over(frame.image, layer), std::back_inserter(frame.damage));
+  };
+  for (PendingLayer& pending : drawn.views) std::visit(add, pending.get());
+  for (const auto& [element, is_dimmed] : elements) {
+    for (Layer& layer : element->draw(drawn.state)) {
+      if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
+      add(layer);
+    }
+  }
+  std::ranges::for_each(label_painter->paint(drawn.labels), add);
+  if (frame.image.channels == 4) {
+    picture::unpremultiply(frame.image, {0, 0, frame.image.width, frame.image.height});
+  }
+  return frame;
+}
+
+Renderer::Renderer(gl::Context& context, const scene::Scene& scene,
+                   const std::vector<timeline::Solution>& solutions,
+                   std::optional<gl::ReadMode> mode)
+    : parts_(std::make_unique<Parts>(context, scene, solutions, mode)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+image::PendingFrame Renderer::begin(timeline::FrameState state,
+                                    const std::optional<Camera>& camera) {
+  const bool has_other_camera = camera && parts_->shows_body;
+  auto drawn = std::make_shared<Ingredients>(
+      parts_->draw(std::move(state), has_other_camera ? camera : std::nullopt));
+  const auto transfer = [drawn, mode = parts_->framebuffer.read_mode()] {
+    if (mode == gl::ReadMode::buffered) std::ranges::for_each(drawn->views, complete);
+  };
+  const auto composition = [drawn, parts = parts_.get()] { return parts->composited(*drawn); };
+  return {std::async(std::launch::deferred, transfer),
+          std::async(std::launch::deferred, composition)};
+}
+
+bool Renderer::drew(const image::Frame& frame) const noexcept {
+  return frame.background == parts_->blank->bands();
+}
+
+void Renderer::reuse(image::Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
+
+std::size_t Renderer::frames_ahead() const {
+  return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
+}
+
+const image::Image& Renderer::static_background() const {
+  return parts_->blank->static_background();
+}
+Camera Renderer::camera(const timeline::FrameState& state) const {
+  return parts_->views.front().view->camera_in_space(state);
+}
+
+}  // namespace twrench::draw

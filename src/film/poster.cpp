@@ -1,0 +1,46 @@
+#include "film/poster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/film_renderer.h"
+#include "scene/natural_times.h"
+#include "timeline/film_timeline.h"
+
+namespace twrench::film {
+namespace {
+
+/// The scene of one frame, which costs the page few bytes.
+scene::Scene still(scene::Scene scene) {
+  constexpr double longest = 960;
+  const double scale = longest / std::max(scene.film.width, scene.film.height);
+  const auto scaled = [&](int side) {
+    return std::max(16, 2 * static_cast<int>(std::lround(scale * side / 2)));
+  };
+  scene.film.width = scaled(scene.film.width), scene.film.height = scaled(scene.film.height);
+  using enum scene::Feature;
+  scene.overlay.view = scene::View::wrench;
+  scene.overlay.show = {floor, momentum, omega};
+  scene.overlay.stress.clear();
+  scene.overlay.compare.clear(), scene.overlay.compare_omega.clear();
+  scene.look.transparent = false;
+  scene.shots.clear();
+  scene.title.clear();
+  // Nothing of t > 0 is seen, so the film has one frame and the motion one step.
+  scene.motion.method = "exact";
+  scene.motion.duration = scene.film.speed = scene::natural_times(scene).step;
+  scene.film.fps = 1;
+  return scene;
+}
+
+}  // namespace
+
+image::Image poster(const scene::Scene& scene, const gl::BackendChoice& backend) {
+  const scene::Scene drawn = still(scene);
+  const timeline::FilmTimeline timeline(drawn, {0});
+  const gl::OpenedContext opened = gl::open_context(backend);
+  draw::FilmRenderer renderer(*opened.context, drawn);
+  return renderer.begin(timeline, timeline.frame(0)).get().image;
+}
+
+}  // namespace twrench::film

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <twrench/body/shape.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "picture/body/mesh.h"
+#include "picture/body/occluders.h"
+#include "picture/body/revolution.h"
+#include "picture/look/material.h"
+#include "picture/look/studio.h"
+#include "scene/scene.h"
+
+namespace twrench::picture {
+
+/// A part of a body as its shaders need it. The shaders are in stage coordinates: the camera's
+/// axes, with the body's centre at the origin and its bounding radius scaled to 1.
+struct PartModel {
+  /// In the mesh's indices: where the side of a cylinder begins, or the end of a part without one.
+  std::size_t side_begin;
+  /// In the mesh's indices.
+  std::size_t end;
+  /// The uniform part_radii of body.vert, in stage coordinates.
+  glm::vec3 radii;
+  /// Unit vector in body axes; 0 for a part without the side of a cylinder.
+  Eigen::Vector3d side_axis;
+  /// The uniform across_from_body of body.vert.
+  AcrossFromBody across_from_body;
+  /// The nearest capsules of other parts, at most three: more would cost more at every pixel than
+  /// they add to the picture.
+  std::vector<Capsule> occluders;
+  /// Linear mean of the colours of its vertices, if they have any.
+  std::optional<glm::vec3> mean_color;
+
+  /// Whether it touches a part that is drawn before it.
+  bool meets_others() const;
+};
+
+/// Returns the parts of a body with that mesh, whose bounding radius about the origin is `radius`
+/// cm.
+std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh& mesh,
+                                   double radius);
+
+/// The body as it is drawn.
+struct BodyModel {
+  /// Triangles of all parts.
+  Mesh mesh;
+  /// Bounding radius of the parts about the origin, cm.
+  double radius;
+  /// In the order of the mesh's.
+  std::vector<PartModel> parts;
+  /// Of each part.
+  std::vector<Material> materials;
+  /// Whether a stripe shows how a body of revolution turns.
+  bool is_marked;
+  /// Lights.
+  Studio studio;
+
+  /// Returns the linear colour of the light that a part reflects.
+  glm::vec3 tint(std::size_t part) const;
+  /// Returns the largest number of occluders of a part.
+  std::size_t most_occluders() const;
+};
+
+/// Returns the body of these parts, each with its material.
+BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius,
+                     std::vector<Material> materials, const Studio& studio);
+
+/// Returns the body of the scene with facets that deviate from it by at most `tolerance` cm.
+/// `radius` is the bounding radius of its visible parts about the origin in cm.
+BodyModel body_model(const scene::Scene& scene, double tolerance, double radius);
+
+}  // namespace twrench::picture

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <twrench/body/shape.h>
+
+#include <span>
+
+namespace twrench::picture {
+
+/// Returns a bounding radius in cm of the parts about the origin: the smallest one, except for an
+/// ellipsoid that is neither a sphere nor at the origin, for which it may be larger.
+double bounding_radius(std::span<const body::Part> parts);
+
+}  // namespace twrench::picture

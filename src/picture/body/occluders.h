@@ -1,0 +1,36 @@
+#pragma once
+
+#include <twrench/body/shape.h>
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace twrench::picture {
+
+/// All points within `radius` of a segment. Lengths in cm, body axes.
+struct Capsule {
+  /// Ends of the segment.
+  Eigen::Vector3d from, to;
+  /// Radius about the segment.
+  double radius;
+  /// Whether it is a cylinder that touches the part it occludes and is drawn before it.
+  bool meets = false;
+  /// The index of the part that it stands for.
+  std::size_t part = 0;
+};
+
+/// Returns a capsule that approximates a convex part for soft shading: about its longest axis, with
+/// ends inset by half a radius.
+Capsule capsule_of(const body::Part& part);
+
+/// Returns the capsules that approximate a part for soft shading: one, or several for a ring, a
+/// tube or a mesh.
+std::vector<Capsule> capsules_of(const body::Part& part);
+
+/// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
+/// close enough to shade it: nearest first, at most `most`.
+std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
+                                                 std::size_t most);
+
+}  // namespace twrench::picture

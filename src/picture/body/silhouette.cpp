@@ -1,0 +1,251 @@
+#include "picture/body/silhouette.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <span>
+#include <tuple>
+
+#include "picture/body/half_edges.h"
+
+namespace twrench::picture {
+namespace {
+
+/// For each vertex the first one at the same position: corners of boxes have several, one per face.
+std::vector<std::uint32_t> first_at_each_place(std::span<const Vertex> vertices) {
+  const auto place = [&](std::uint32_t i) {
+    const glm::vec3& p = vertices[i].position;
+    return std::tuple(p.x, p.y, p.z);
+  };
+  return first_equal(vertices.size(),
+                     [&](std::uint32_t i, std::uint32_t j) { return place(i) < place(j); });
+}
+
+}  // namespace
+
+Silhouette::Silhouette(const Mesh& mesh)
+    : vertices_(mesh.vertices), colors_(mesh.colors), corners_(mesh.indices) {
+  first_at_.reserve(vertices_.size());
+  add_planes();
+  Part begin{};
+  for (std::size_t i = 0; i < mesh.part_ends.size(); ++i) {
+    Part part{mesh.part_ends[i] / 3, 0, mesh.vertex_ends[i], !mesh.clusters[i].empty()};
+    const auto first = static_cast<std::uint32_t>(begin.vertex_end);
+    const std::span vertices(vertices_.data() + first, part.vertex_end - first);
+    for (const std::uint32_t at : first_at_each_place(vertices)) first_at_.push_back(first + at);
+    add_edges(begin, part);
+    part.edge_end = edges_.size();
+    parts_.push_back(part);
+    begin = part;
+  }
+  on_it_.resize(vertices_.size());
+  for (const Vertex& vertex : vertices_) shifts_.push_back({vertex.normal, 0});
+}
+
+void Silhouette::add_planes() {
+  for (std::size_t i = 0; i < corners_.size(); i += 3) {
+    const glm::vec3 a = vertices_[corners_[i]].position;
+    const glm::vec3 normal = glm::cross(vertices_[corners_[i + 1]].position - a,
+                                        vertices_[corners_[i + 2]].position - a);
+    planes_.x.push_back(a.x);
+    planes_.y.push_back(a.y);
+    planes_.z.push_back(a.z);
+    planes_.normal_x.push_back(normal.x);
+    planes_.normal_y.push_back(normal.y);
+    planes_.normal_z.push_back(normal.z);
+  }
+  faces_eye_.resize(planes_.x.size());
+}
+
+/// The edges of a part; those in smooth hollows are left out.
+void Silhouette::add_edges(const Part& begin, const Part& part) {
+  std::vector<std::uint32_t> places;
+  places.reserve(3 * (part.triangle_end - begin.triangle_end));
+  for (std::size_t i = 3 * begin.triangle_end; i < 3 * part.triangle_end; ++i) {
+    places.push_back(place(i) - static_cast<std::uint32_t>(begin.vertex_end));
+  }
+  const std::vector<std::uint32_t> opposite =
+      opposite_half_edges(places, part.vertex_end - begin.vertex_end);
+  const auto first = static_cast<std::uint32_t>(3 * begin.triangle_end);
+  for (std::uint32_t i = 0; i < opposite.size(); ++i) {
+    if (opposite[i] == no_half_edge || opposite[i] > i) continue;
+    const std::uint32_t half_edge = first + i, other = first + opposite[i];
+    const bool hollow = is_hollow(half_edge, other);
+    const bool crease = part.has_creases && is_crease(half_edge, other);
+    if (!hollow || crease) edges_.push_back({half_edge, other, hollow, crease});
+  }
+}
+
+glm::vec3 Silhouette::normal_of(std::uint32_t half_edge) const {
+  const std::uint32_t triangle = half_edge / 3;
+  return {planes_.normal_x[triangle], planes_.normal_y[triangle], planes_.normal_z[triangle]};
+}
+
+/// Whether the two triangles face each other: what turns away is then in front of what does not,
+/// and the edge is hidden wherever it is on the silhouette.
+bool Silhouette::is_hollow(std::uint32_t half_edge, std::uint32_t other) const {
+  const glm::vec3 normal = normal_of(half_edge);
+  const std::uint32_t apex = next_half_edge(next_half_edge(other));
+  const glm::vec3 across =
+      vertices_[corners_[apex]].position - vertices_[corners_[half_edge]].position;
+  constexpr float round_off = 1e-5F;
+  return glm::dot(normal, across) > round_off * glm::length(normal) * glm::length(across);
+}
+
+/// Whether their shading differs visibly along the edge.
+bool Silhouette::is_crease(std::uint32_t half_edge, std::uint32_t other) const {
+  const glm::vec3 one = normal_of(half_edge), two = normal_of(other);
+  constexpr float least_cosine = 0.97F;
+  return corners_[half_edge] != corners_[next_half_edge(other)] &&
+         glm::dot(one, two) < least_cosine * glm::length(one) * glm::length(two);
+}
+
+void Silhouette::find(const glm::vec3& eye, float scale) {
+  face(eye);
+  edge_quads_.clear();
+  indices_.clear();
+  part_ends_.clear();
+  on_it_.assign(on_it_.size(), 0);
+  Part begin{};
+  for (const Part& part : parts_) {
+    find_outline(begin, part);
+    if (part.has_creases) {
+      point_outward(begin, part, eye);
+    } else {
+      for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i].offset = 0;
+    }
+    for (const Edge& edge : outline_) add_edge_quad(edge);
+    for (const Edge& edge : creases_) {
+      add_crease_quad(edge.half_edge, eye);
+      add_crease_quad(edge.other, eye);
+    }
+    part_ends_.push_back(indices_.size());
+    shrink(begin, part, eye, scale);
+    begin = part;
+  }
+}
+
+void Silhouette::face(const glm::vec3& eye) {
+  const auto& [x, y, z, normal_x, normal_y, normal_z] = planes_;
+  for (std::size_t i = 0; i < faces_eye_.size(); ++i) {
+    const float towards =
+        normal_x[i] * (eye.x - x[i]) + normal_y[i] * (eye.y - y[i]) + normal_z[i] * (eye.z - z[i]);
+    faces_eye_[i] = towards > 0 ? 1 : 0;
+  }
+}
+
+void Silhouette::find_outline(const Part& begin, const Part& part) {
+  outline_.clear();
+  creases_.clear();
+  for (std::size_t i = begin.edge_end; i < part.edge_end; ++i) {
+    const Edge& edge = edges_[i];
+    if (is_seen(edge.half_edge) == is_seen(edge.other)) {
+      if (edge.is_crease && is_seen(edge.other)) creases_.push_back(edge);
+      continue;
+    }
+    if (edge.is_hollow) continue;
+    outline_.push_back(edge);
+    on_it_[place(edge.half_edge)] = 1;
+    on_it_[place(edge.other)] = 1;
+  }
+}
+
+/// At creases normals say nothing of the outline; the planes through its edges and the eye do. Two
+/// edges meet in a mitre.
+void Silhouette::point_outward(const Part& begin, const Part& part, const glm::vec3& eye) {
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i] = {glm::vec3(0), 0};
+  for (const Edge& edge : outline_) {
+    const std::uint32_t seen = is_seen(edge.half_edge) ? edge.half_edge : edge.other;
+    const std::uint32_t from = place(seen), to = place(next_half_edge(seen));
+    const glm::vec3 outward = glm::cross(vertices_[from].position - eye,
+                                         vertices_[to].position - vertices_[from].position);
+    const float length = glm::length(outward);
+    if (length == 0) continue;
+    for (const std::uint32_t end : {from, to}) {
+      shifts_[end].direction += outward / length;
+      shifts_[end].offset += 1;  // their number, for the moment
+    }
+  }
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) {
+    auto& [direction, count] = shifts_[i];
+    if (on_it_[i] == 0) continue;
+    const float mean = glm::length(direction) / std::max(count, 1.0F);
+    constexpr float sharpest = 0.5F;  // the cosine of half the angle by which the outline turns
+    if (mean > sharpest) {
+      direction /= count * mean * mean;
+    } else if (mean > 0.1F) {
+      direction /= count * mean;
+    } else {
+      direction = vertices_[i].normal;
+    }
+    count = 0;
+  }
+}
+
+void Silhouette::add_edge_quad(const Edge& edge) {
+  const bool is_first = is_seen(edge.half_edge);
+  const std::uint32_t from = is_first ? edge.half_edge : next_half_edge(edge.other);
+  const std::uint32_t to = is_first ? next_half_edge(edge.half_edge) : edge.other;
+  const auto corner = [&](std::uint32_t end, float side) {
+    return quad_vertex(corners_[end], {shifts_[place(end)].direction, side}, std::max(side, 0.0F),
+                       0);
+  };
+  add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});
+}
+
+/// Lets a triangle fade out beyond one of its edges.
+void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) {
+  const std::uint32_t from = corners_[half_edge], to = corners_[next_half_edge(half_edge)];
+  const glm::vec3 outward =
+      glm::cross(vertices_[from].position - eye, vertices_[to].position - vertices_[from].position);
+  const float length = glm::length(outward);
+  if (length == 0) return;
+  constexpr float lift = 1;  // over the other triangle, where that rises towards the eye
+  const auto corner = [&](std::uint32_t end, float side) {
+    return quad_vertex(end, {outward / length, side}, 0.5F + 0.5F * side, lift);
+  };
+  add_quad({corner(from, 0), corner(from, 1), corner(to, 0), corner(to, 1)});
+}
+
+EdgeQuadVertex Silhouette::quad_vertex(std::uint32_t vertex, const Shift& shift, float transparency,
+                                       float lift) const {
+  const auto& [position, normal] = vertices_[vertex];
+  const glm::vec3 color = colors_.empty() ? glm::vec3(0) : colors_[vertex];
+  return {position, normal, shift, transparency, lift, color};
+}
+
+void Silhouette::add_quad(const std::array<EdgeQuadVertex, 4>& corners) {
+  const auto first = static_cast<std::uint32_t>(edge_quads_.size());
+  edge_quads_.insert(edge_quads_.end(), corners.begin(), corners.end());
+  indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
+}
+
+/// The distance of a vertex inside the silhouette is measured on the screen: along the direction in
+/// which that is moved, without its component along the line of sight.
+void Silhouette::shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale) {
+  for (std::size_t i = 3 * begin.triangle_end; i < 3 * part.triangle_end; i += 3) {
+    const std::array places{place(i), place(i + 1), place(i + 2)};
+    for (const std::uint32_t edge : places) {
+      if (on_it_[edge] == 0) continue;
+      const glm::vec3& position = vertices_[edge].position;
+      const glm::vec3 direction = shifts_[edge].direction;
+      const glm::vec3 sight = glm::normalize(eye - position);
+      const glm::vec3 across = glm::normalize(direction - glm::dot(direction, sight) * sight);
+      for (const std::uint32_t corner : places) {
+        const float within = scale * glm::dot(across, position - vertices_[corner].position);
+        if (part.has_creases && within < -0.5F) continue;  // around a corner
+        const float offset = std::clamp(2 * within - 1, -1.0F, 0.0F);
+        if (offset >= shifts_[corner].offset) continue;
+        shifts_[corner].offset = offset;
+        if (part.has_creases && on_it_[corner] == 0) shifts_[corner].direction = direction;
+      }
+    }
+  }
+  for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) {
+    const Shift& first = shifts_[first_at_[i]];
+    if (part.has_creases) shifts_[i].direction = first.direction;
+    shifts_[i].offset = first.offset;
+  }
+}
+
+}  // namespace twrench::picture

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "picture/space/camera.h"
+#include "scene/color.h"
+
+namespace twrench::picture {
+
+/// The name of an object in space, drawn next to it.
+struct Label {
+  /// UTF-8.
+  std::string text;
+  /// The end of the object, in pixels from the top left of the picture.
+  Eigen::Vector2d anchor;
+  /// Unit vector, y down, in which direction there is room for the text.
+  Eigen::Vector2d away;
+  /// Colour of the text.
+  scene::Color color;
+  /// Where the object begins, in pixels too: other labels stay clear of it from there to the
+  /// anchor.
+  std::optional<Eigen::Vector2d> root = {};
+};
+
+/// Returns the label at the end of an object that extends from `from` to `to` in space, for a
+/// camera whose picture fills `pane`; nothing if the end is outside.
+std::optional<Label> label_at(const std::string& text, const Camera& camera,
+                              const image::Area& pane, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to, const scene::Color& color);
+
+}  // namespace twrench::picture

@@ -1,0 +1,59 @@
+#include "picture/compose/layout.h"
+
+#include <twrench/base/error.h>
+
+#include "picture/compose/layout_draft.h"
+#include "scene/names.h"
+
+namespace twrench::picture {
+namespace {
+
+Parts parts_of(const scene::Overlay& overlay) {
+  const bool single = overlay.motion_count() == 1;
+  const bool shows_body = overlay.view == scene::View::wrench;
+  Parts parts{};
+  parts[poinsot_part] = single && shows_body && overlay.shows(scene::Feature::poinsot);
+  parts[momentum_part] = single && shows_body && overlay.shows(scene::Feature::sphere);
+  parts[components_part] = shows_body && overlay.shows(scene::Feature::components);
+  parts[curve_part] = shows_body && overlay.shows(scene::Feature::curve);
+  const bool hud = overlay.shows(scene::Feature::hud);
+  const bool method = overlay.shows(scene::Feature::method);
+  parts[title_part] = hud || (single && method);
+  parts[readouts_part] = hud || overlay.shows(scene::Feature::drift) || (!single && method);
+  return parts;
+}
+
+}  // namespace
+
+double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows) {
+  const double row =
+      readout_height * sizes.readout + (compact ? 0 : caption_height * sizes.caption);
+  return rows * row + (rows - 1) * readout_row_gap * sizes.readout;
+}
+
+bool is_strip(const image::Area& components) {
+  return components.height < least_square && components.width > 4 * components.height;
+}
+
+Layout compute_layout(const scene::Scene& scene) {
+  const scene::Overlay& overlay = scene.overlay;
+  if (!overlay.compare.empty() && !overlay.compare_omega.empty()) {
+    throw InvalidArgument("compare_omega", "cannot be combined with compare",
+                          "compare either methods or initial angular velocities");
+  }
+  if (overlay.motion_count() > 1 && overlay.view != scene::View::wrench) {
+    throw InvalidArgument(overlay.compare.empty() ? "compare_omega" : "compare",
+                          "the view '" + scene::name_of(overlay.view) + "' shows only one motion",
+                          "use the view 'wrench' to compare motions");
+  }
+  Parts parts = parts_of(scene.overlay);
+  for (bool& part : parts) {
+    for (const Words words : {Words::with_insets, Words::with_body}) {
+      if (auto layout = LayoutDraft(scene, parts, words).finish()) return *layout;
+    }
+    part = false;
+  }
+  return *LayoutDraft(scene, parts, Words::with_body).finish();
+}
+
+}  // namespace twrench::picture

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "image/area.h"
+#include "scene/scene.h"
+
+namespace twrench::picture {
+
+/// The layout of the picture. Text and insets stay 5 % of the picture's sides away from its edges,
+/// and overlap neither each other nor the focus of any pane. The insets stand in a column beside
+/// the body, with the title above them and the readouts below; in an upright picture in a block
+/// below the body. In a picture more than three times as long as it is wide, everything stands in
+/// one line, so that each item has the full breadth.
+///
+/// Items that do not fit are dropped in this order, until the rest has its minimum size and each
+/// body a third of its pane: Poinsot's construction, the momentum sphere, the components, the large
+/// curve, the readouts, the title.
+struct Layout {
+  /// A three-dimensional view.
+  struct Pane {
+    image::Area area;   ///< The entire pane.
+    image::Area focus;  ///< The part in which the body is framed, free of other items.
+    bool named = true;  ///< Whether there is room for labels.
+    /// A line that says what an inset shows.
+    std::optional<image::Area> heading = std::nullopt;
+  };
+
+  /// Text sizes in px per em.
+  struct TextSizes {
+    /// The title.
+    double title;
+    /// Values of readouts.
+    double readout;
+    /// Captions of readouts and plots.
+    double caption;
+  };
+
+  /// The caption of a shot, in a band at the bottom that everything else keeps clear of.
+  struct Caption {
+    static constexpr double line_height = 1.3;  ///< em
+
+    image::Area area;  ///< As high as the most lines.
+    double size;       ///< px per em, of which capitals are a 25th of the shorter side high.
+    int most_lines;
+
+    /// Returns the width in em of the longest line: longer ones are hard to read.
+    double line_width() const { return std::min(area.width / size, 26.0); }
+  };
+
+  /// Panes of the body, one per motion. They tile the picture or, in the view `quad`, a quarter of
+  /// it; none if the view shows no body.
+  std::vector<Pane> panes;
+  /// The momentum sphere and Poinsot's construction.
+  std::optional<Pane> momentum, poinsot;
+  /// The nine components, and one of them, x11, large.
+  std::optional<image::Area> components, curve;
+  /// The title, with the method below it or, in a comparison, the time on the right.
+  std::optional<image::Area> title;
+  /// What a view without the body shows, in sentences.
+  std::optional<image::Area> description;
+  /// The remark on what happens, and the readouts of a single motion.
+  std::optional<image::Area> readouts;
+  /// The legend of the forces, one row; and what takes the place of the curve or the components or,
+  /// where none are shown, a part of the body's pane: the tilt against time, the principal moments,
+  /// and the torques of the forces, which without the other two stand above the legend.
+  std::optional<image::Area> forces, torques, tilt, moments;
+  /// In a comparison, the method, readouts and remark of each pane.
+  std::vector<image::Area> legends;
+
+  /// The caption; nothing in a film without captions, and in a picture too small for them.
+  std::optional<Caption> caption;
+
+  /// Text sizes.
+  TextSizes text{};
+  /// Whether the picture is too small for captions above the readouts, and for remarks.
+  bool compact = false;
+};
+
+/// The height of the caption above a readout, in em of the caption; of the readout's value, of the
+/// gap between two rows of them, and of a remark, in em of the value.
+inline constexpr double caption_height = 1.4;
+inline constexpr double readout_height = 1.25;
+inline constexpr double readout_row_gap = 0.35;
+inline constexpr double remark_height = 1.6;
+
+/// Returns the height in px of that many rows of readouts with captions.
+double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);
+
+/// Returns whether the nine components stand in one row there instead of three rows of three.
+bool is_strip(const image::Area& components);
+
+/// Computes the layout. Throws InvalidArgument for a comparison in a view that shows only one
+/// motion.
+Layout compute_layout(const scene::Scene& scene);
+
+}  // namespace twrench::picture

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "picture/compose/cut.h"
+#include "picture/compose/layout.h"
+
+namespace twrench::picture {
+
+/// The optional parts of a layout, in the order in which they are dropped.
+enum Part {
+  poinsot_part,
+  momentum_part,
+  components_part,
+  curve_part,
+  readouts_part,
+  title_part,
+  part_count
+};
+using Parts = std::array<bool, part_count>;
+
+/// The least height in px of three rows of curves with their names: lower components stand in one
+/// row.
+inline constexpr int least_square = 96;
+
+/// Where title and readouts stand in a picture that is not long: with the insets, so that the body
+/// is larger, or above and below the body, so that the insets have more room.
+enum class Words { with_insets, with_body };
+
+/// A layout in progress: pieces are cut from `rest_`, the free area, until the views take what is
+/// left.
+class LayoutDraft {
+ public:
+  LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words);
+
+  /// Returns nothing if something does not fit.
+  std::optional<Layout> finish();
+
+ private:
+  /// An inset and its length along a line of insets, in units of the line's breadth.
+  struct Inset {
+    Part part;
+    double length;
+  };
+
+  bool is_long() const;
+  bool upright() const { return 10 * picture_.height > 9 * picture_.width; }
+  bool single() const { return solutions_ == 1; }
+  bool shows_no_body() const;
+  /// Whether the picture says in words what happens and what is seen.
+  bool explains() const {
+    return !layout_.compact && parts_[readouts_part] && overlay_.shows(scene::Feature::hud);
+  }
+  std::vector<Inset> shown(std::vector<Inset> insets) const;
+
+  void place_caption();
+
+  // Title, readouts and insets: layout_insets.cpp.
+  void place_words_and_insets();
+  double title_height(int width) const;
+  int rows_of_readouts(const image::Area& column) const;
+  void place_title(image::Area& column);
+  void place_readouts(image::Area& column);
+  void place_words(image::Area& column);
+  void place_column();
+  void place_block();
+  void place_in_line();
+  void place_strips();
+  void place_description(const image::Area& area);
+  void place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets);
+  void place_inset(Part part, image::Area cell);
+
+  // Views: layout_draft.cpp.
+  void place_views();
+  std::vector<Share> equal_shares(int count) const;
+  void place_panes();
+  void place_legend(image::Area& pane);
+  void place_quarters();
+  int heading_height() const;
+  std::optional<image::Area> cut_heading(image::Area& cell) const;
+
+  // Forces, tilt and moments: layout_forces.cpp.
+  void place_forces();
+  void place_force_panels();
+  void place_force_legend();
+  bool compares_torques() const;
+  int torques_height() const;
+  image::Area safe_focus() const;
+  bool take_focus(const image::Area& rest);
+  image::Area cut_panels(image::Area& rest) const;
+  image::Area beside_focus(image::Area area) const;
+
+  bool is_safe(const image::Area& area) const;
+  bool has_room_for_words() const;
+  bool holds_components(const image::Area& area) const;
+  bool holds_curve(const image::Area& area) const;
+  bool has_room() const;
+
+  const scene::Scene& scene_;
+  const scene::Overlay& overlay_;
+  Parts parts_;
+  Words words_;
+  image::Area picture_;
+  image::Area safe_;
+  int gap_;
+  image::Area rest_;
+  int solutions_;
+  Layout layout_;
+};
+
+}  // namespace twrench::picture

@@ -1,0 +1,107 @@
+#include "picture/hud/captions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twrench::picture::captions {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What a part covers of an axis of the body, in cm from the centre of mass.
+struct Extent {
+  double low, high;
+
+  double middle() const { return (low + high) / 2; }
+  double half() const { return (high - low) / 2; }
+  double farthest() const { return std::max(high, -low); }
+};
+
+Extent extent(const body::Part& part, int axis) {
+  const Vector3d along = part.body_from_part.row(axis).transpose();
+  const auto end = [&](double side) {
+    return part.position[axis] + along.dot(body::support(part.shape, side * along));
+  };
+  return {end(-1), end(1)};
+}
+
+bool is_leg(const body::Part& part) {
+  constexpr double on_axis = 1e-6;
+  const Extent x = extent(part, 0), y = extent(part, 1), z = extent(part, 2);
+  return x.middle() > 0 && x.half() > std::max(y.half(), z.half()) &&
+         std::hypot(y.middle(), z.middle()) < on_axis * x.half();
+}
+
+bool has_leg(const scene::Body& body) {
+  const std::vector<body::Part> parts = scene::visible_parts(body);
+  const auto reach = [](const body::Part& part) { return extent(part, 0).farthest(); };
+  const auto farthest = std::ranges::max_element(parts, {}, reach);
+  const bool alone = std::ranges::all_of(parts, [&](const body::Part& part) {
+    return &part == &*farthest || reach(part) < 0.999 * reach(*farthest);
+  });
+  return parts.size() > 1 && alone && is_leg(*farthest);
+}
+
+}  // namespace
+
+std::string curve(const scene::Body& body) {
+  return has_leg(body) ? "which way the leg points" : "the body's x axis along space x";
+}
+
+std::string momentum_heading() { return "L, seen from the body"; }
+std::string poinsot_heading() { return "the ellipsoid rolls"; }
+
+std::string momentum(const timeline::Solution& solution, const PrincipalFrame& frame) {
+  if (frame.direction.isZero(0.0)) return "The body is at rest: it has no angular momentum.";
+  const std::string sphere =
+      "The angular momentum L, seen from the body. Its length is constant, so its tip stays on a "
+      "sphere; ";
+  if (!frame.level) return sphere + "as all moments are equal, it stays where it is.";
+  const std::string level = sphere + "the energy is constant, so it stays on one curve. ";
+  if (solution.flips) {
+    return level + fmt::format(
+                       "Close to the bold curve this leads from one end of the {} axis to "
+                       "the other: the body turns over.",
+                       frame.names[1]);
+  }
+  return level + fmt::format("It stays on one side of the body, about the {} axis.",
+                             frame.names[static_cast<std::size_t>(frame.level->axis)]);
+}
+
+std::string poinsot(const timeline::Solution& solution) {
+  if (solution.body.momentum().isZero(0.0)) {
+    return "The body's inertia ellipsoid. The body is at rest.";
+  }
+  return "The body's inertia ellipsoid rolls without slipping on a plane that never moves, normal "
+         "to "
+         "L. It touches the plane at ω, the axis about which the body turns at that moment.";
+}
+
+Remarks::Remarks(const timeline::Solution& solution)
+    : flips_(solution.flips),
+      flip_times_(solution.flip_times),
+      axis_(solution.body.principal().axes.col(1)),
+      momentum_(solution.body.momentum()) {}
+
+/// Returns 1 where L has left the intermediate axis, from one end of which to the other it swings,
+/// and less where it comes close to its turning points.
+double Remarks::share_of_flip(const motion::Sample& sample) const {
+  constexpr double begins = 0.95, full = 0.85;  // of L's largest component along that axis
+  const Vector3d direction = (sample.X.transpose() * momentum_).stableNormalized();
+  const double along = std::abs(axis_.dot(direction)) / std::sin(flips_->swing / 2);
+  return std::clamp((begins - along) / (begins - full), 0.0, 1.0);
+}
+
+Remark Remarks::at(const timeline::SolutionState& state) const {
+  constexpr double visible = 0.01;
+  if (state.diagnostics.orthogonality_error > visible) return {no_rotation};
+  const bool flips = std::ranges::any_of(flip_times_, [&](double flip) {
+    return std::abs(state.sample.t - flip) < flips_->interval / 2;
+  });
+  const double share = flips ? share_of_flip(state.sample) : 0;
+  return share > 0 ? Remark{turns_over, share} : Remark{};
+}
+
+}  // namespace twrench::picture::captions

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "picture/hud/text_block.h"
+#include "picture/views/principal_frame.h"
+#include "timeline/timeline.h"
+
+// What the picture says in words about what it shows, in UTF-8.
+namespace twrench::picture::captions {
+
+/// Returns what x11 means. A body has a leg if one part lies along the x axis on the positive side
+/// and alone reaches farthest from the centre of mass in that direction or the opposite one.
+std::string curve(const scene::Body& body);
+
+/// Return what the insets show, in a few words.
+std::string momentum_heading();
+std::string poinsot_heading();
+
+/// Return what the views show, in sentences that are true of the motion.
+std::string momentum(const timeline::Solution& solution, const PrincipalFrame& frame);
+std::string poinsot(const timeline::Solution& solution);
+
+/// The remarks on a motion: that the body turns over, around each flip of the method's own
+/// solution; that the matrix is no rotation, once it is 1 % off.
+class Remarks {
+ public:
+  explicit Remarks(const timeline::Solution& solution);
+
+  /// Returns the remark on that state of the motion.
+  Remark at(const timeline::SolutionState& state) const;
+
+ private:
+  double share_of_flip(const motion::Sample& sample) const;
+
+  std::optional<motion::ExactMotion::Flips> flips_;
+  std::vector<double> flip_times_;
+  Eigen::Vector3d axis_;      ///< The intermediate axis, in body axes.
+  Eigen::Vector3d momentum_;  ///< L in space, of any length.
+};
+
+/// The remarks that there are; the longest decides on the room that one needs.
+inline constexpr const char* turns_over = "it turns over";
+inline constexpr const char* no_rotation = "no rotation any more";
+
+}  // namespace twrench::picture::captions

@@ -1,0 +1,128 @@
+#include "picture/hud/curve_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/time_unit.h"
+#include "picture/hud/captions.h"
+#include "picture/hud/hud_text.h"
+
+namespace twrench::picture {
+namespace {
+
+// em
+constexpr double panel_padding = 0.8, caption_line = 1.5, scale_width = 1.9, times_line = 1.5;
+constexpr double least_width = 16, least_caption_height = 5, least_times_height = 7;
+constexpr double flip_label_gap = 0.6;
+
+}  // namespace
+
+CurvePanel::CurvePanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                       const Layout& layout, const canvas::Typeface& typeface,
+                       const OverlayColors& colors)
+    : PlotPanel(scene, solutions, *layout.curve, std::max(1.0, 0.14 * layout.text.caption), colors),
+      font_(typeface.regular),
+      size_(layout.text.caption) {
+  const image::Area& area = *layout.curve;
+  const bool flips = !compares() && !solutions[0].flip_times.empty();
+  captioned_ =
+      area.width >= 0.75 * least_width * size_ && area.height >= least_caption_height * size_;
+  scaled_ = area.width >= least_width * size_ && captioned_;
+  timed_ = flips && scaled_ && area.height >= least_times_height * size_;
+  place_plot(area);
+  if (plots_.empty()) return;
+  if (captioned_) draw_caption(scene, area);
+  if (scaled_) draw_scale(scene);
+  mark_zeros();
+  if (!compares()) mark_flips(solutions[0]);
+  if (timed_) label_flips(solutions[0].flip_times);
+  add_curves(solutions);
+}
+
+void CurvePanel::place_plot(const image::Area& area) {
+  const double padding = std::min(panel_padding * size_, 0.08 * area.height);
+  const int left =
+      static_cast<int>(std::ceil(area.x + padding + (scaled_ ? scale_width * size_ : 0)));
+  const int top =
+      static_cast<int>(std::ceil(area.y + padding + (captioned_ ? caption_line * size_ : 0)));
+  const int right = static_cast<int>(area.x + area.width - padding);
+  const int bottom =
+      static_cast<int>(area.y + area.height - padding - (timed_ ? times_line * size_ : 0));
+  if (right > left && bottom > top)
+    plots_.push_back({0, 0, {left, top, right - left, bottom - top}});
+}
+
+void CurvePanel::draw_caption(const scene::Scene& scene, const image::Area& area) {
+  const double padding = panel_padding * size_;
+  const double room = (area.width - 2 * padding) / size_;
+  const std::string meaning = captions::curve(scene.body);
+  canvas::Line line = canvas::typeset(font_, fmt::format("{} ({})", meaning, name_of(plots_[0])));
+  if (line.width > room) line = canvas::typeset_within(font_, meaning, room);
+  ground().text(line, size_, {area.x + padding, area.y + padding + 0.85 * size_}, {colors_.text});
+}
+
+/// The two ends of the scale: the directions along space x, as arrows where the camera sees them
+/// from a fixed side, otherwise as numbers.
+void CurvePanel::draw_scale(const scene::Scene& scene) {
+  const Plot& plot = plots_[0];
+  const double side = std::cos(scene.camera.azimuth);
+  for (const double end : {1.0, -1.0}) {
+    if (scene.camera.orbit == 0 && std::abs(side) > 0.5) {
+      draw_arrow(plot.y(end), side > 0 ? end : -end);
+    } else {
+      ground().text(canvas::typeset(font_, end > 0 ? "1" : "−1"), size_,
+                    {plot.area.x - 0.6 * size_, plot.y(end) + 0.35 * size_}, {colors_.dim},
+                    canvas::Canvas::Align::right);
+    }
+  }
+}
+
+void CurvePanel::draw_arrow(double y, double direction) {
+  const double middle = plots_[0].area.x - 0.5 * scale_width * size_ - 0.2 * size_;
+  const double half = 0.55 * size_, head = 0.32 * size_;
+  const double tip = middle + direction * half;
+  const canvas::Canvas::Ink ink{colors_.dim};
+  const double width = std::max(1.0, 0.1 * size_);
+  using Point = canvas::Canvas::Point;
+  ground().polyline(std::array{Point{middle - direction * half, y}, Point{tip, y}}, width, ink);
+  ground().polyline(std::array{Point{tip - direction * head, y - head}, Point{tip, y},
+                               Point{tip - direction * head, y + head}},
+                    width, ink);
+}
+
+/// Ticks at the flips, with their times: of all flips or, where those would run into each other, of
+/// every second one, every third and so on.
+void CurvePanel::label_flips(const std::vector<double>& times) {
+  const Plot& plot = plots_[0];
+  const double bottom = plot.area.y + plot.area.height;
+  const double tick = std::max(1.0, 0.1 * size_);
+  const TimeUnit unit = time_unit(duration_);
+  const auto text = [&](double time) {
+    return canvas::typeset(font_, hud_text::rounded_time(time, unit));
+  };
+  const double widest = (text(times.back()).width + flip_label_gap) * size_;
+  const double covered = plot.x(times.back() / duration_) - plot.x(times.front() / duration_);
+  const double labels = std::max(1.0, covered / widest + 1);
+  const auto stride =
+      static_cast<std::size_t>(std::ceil(static_cast<double>(times.size()) / labels));
+  canvas::Canvas canvas = ground();
+  double free = plot.area.x;  // what lies to the left is taken
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double x = std::round(plot.x(times[i] / duration_));
+    canvas.rectangle(x - tick / 2, bottom - 0.5 * size_, tick, 0.5 * size_, {colors_.text, 0.8});
+    if (i % stride != 0) continue;
+    const canvas::Line line = text(times[i]);
+    const double half = line.width * size_ / 2;
+    const double last = std::max(plot.area.x + plot.area.width - half, plot.area.x + half);
+    const double centre = std::clamp(x, plot.area.x + half, last);
+    if (centre - half < free) continue;  // at an end of the plot
+    canvas.text(line, size_, {centre, bottom + 1.15 * size_}, {colors_.dim},
+                canvas::Canvas::Align::centre);
+    free = centre + half + flip_label_gap * size_ / 2;
+  }
+}
+
+}  // namespace twrench::picture

@@ -1,0 +1,84 @@
+#include "picture/hud/force_legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/hud/panel.h"
+#include "picture/look/force_style.h"
+
+namespace twrench::picture {
+namespace {
+
+// In em.
+constexpr double sample_length = 1.1, after_sample = 0.4, between_names = 1.4;
+constexpr double name_baseline = 0.95;
+
+/// A text of the row, with a sample of an arrow before it unless it has none.
+struct Entry {
+  canvas::Line name;
+  scene::Color color;
+  bool has_sample;
+
+  double width() const { return name.width + (has_sample ? sample_length + after_sample : 0); }
+};
+
+std::string heading(scene::Frame frame) {
+  if (frame == scene::Frame::body) return "in the frame of the body";
+  return frame == scene::Frame::rotating ? "in the rotating frame" : "in space";
+}
+
+double width_of(const std::vector<Entry>& row) {
+  double width = (static_cast<double>(row.size()) - 1) * between_names;
+  for (const Entry& entry : row) width += entry.width();
+  return width;
+}
+
+/// Draws the sample, an arrow, from `x` to the right; returns where the name begins.
+double draw_sample(canvas::Canvas& canvas, double x, double middle, double size,
+                   const scene::Color& color) {
+  const double tip = x + sample_length * size, barb = 0.22 * size, width = 0.12 * size;
+  const canvas::Canvas::Point shaft[]{{x, middle}, {tip, middle}};
+  const canvas::Canvas::Point head[]{
+      {tip - 1.3 * barb, middle - barb}, {tip, middle}, {tip - 1.3 * barb, middle + barb}};
+  canvas.polyline(shaft, width, {color});
+  canvas.polyline(head, width, {color});
+  return tip + after_sample * size;
+}
+
+}  // namespace
+
+ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style) {
+  const canvas::Font& font = style.typeface.regular;
+  std::vector<Entry> row;
+  for (const Force force : forces_in(scene.camera.frame)) {
+    row.push_back({canvas::typeset(font, name_of(force)), color_of(force, style.colors), true});
+  }
+  row.push_back({canvas::typeset(font, heading(scene.camera.frame)), style.colors.text, false});
+  const image::Area& area = *layout.forces;
+  const double size = layout.text.readout;
+  if (width_of(row) * size > area.width) row.pop_back();
+  const double width = width_of(row) * size;
+  if (width > area.width) return;
+  const image::Area extent{area.x, area.y, static_cast<int>(std::ceil(width)), area.height};
+  const int margin = static_cast<int>(std::ceil(0.3 * size));
+  layer_ = layer_around(extent, margin, {0, 0, scene.film.width, scene.film.height});
+  canvas::Canvas canvas(layer_.image, layer_.x, layer_.y);
+  if (style.panels) draw_panel(canvas, layer_.area(), margin, style.colors);
+  const double base = area.y + name_baseline * size;
+  double x = area.x;
+  for (const auto& [name, color, has_sample] : row) {
+    if (has_sample) x = draw_sample(canvas, x, base - 0.34 * size, size, color);
+    canvas.text_halo(name, size, {x, base}, 0.12 * size,
+                     {style.colors.panel, style.panels ? 0.75 : 0.3});
+    canvas.text(name, size, {x, base}, {color});
+    x += (name.width + between_names) * size;
+  }
+}
+
+std::vector<Layer> ForceLegend::draw(const timeline::FrameState& /*state*/) {
+  std::vector<Layer> layers;
+  if (layer_.image.width > 0) layers.push_back(layer_);
+  return layers;
+}
+
+}  // namespace twrench::picture

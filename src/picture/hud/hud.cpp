@@ -1,0 +1,216 @@
+#include "picture/hud/hud.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/time_unit.h"
+#include "canvas/typesetting.h"
+#include "picture/hud/captions.h"
+#include "picture/hud/hud_text.h"
+
+namespace twrench::picture {
+namespace {
+
+/// The common settings of the readouts of a video.
+class Figures {
+ public:
+  Figures(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions, bool compact)
+      : longest_(scene.motion.duration),
+        resolution_(scene.film.speed / scene.film.fps),
+        unit_(time_unit(longest_)),
+        compact_(compact) {
+    for (const timeline::Solution& solution : solutions)
+      flips_ = std::max(flips_, solution.flip_times.size());
+  }
+
+  Readout time() const {
+    return {"time", text(longest_), [self = *this](const timeline::FrameState& m) {
+              return self.text(m.solutions[0].sample.t);
+            }};
+  }
+  Readout energy_drift(std::size_t solution) const {
+    return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁸",
+            [solution](const timeline::FrameState& m) {
+              return hud_text::drift(m.solutions[solution].diagnostics.energy_drift);
+            }};
+  }
+  static Readout orthogonality(std::size_t solution) {
+    return {"off SO(3)", "8.8×10⁻¹⁸", [solution](const timeline::FrameState& m) {
+              return hud_text::error(m.solutions[solution].diagnostics.orthogonality_error);
+            }};
+  }
+  Readout flips(std::size_t solution) const {
+    return {"flips", fmt::format("{}", flips_), [solution](const timeline::FrameState& m) {
+              return fmt::format("{}", m.solutions[solution].flips);
+            }};
+  }
+  Readout next_flip(std::size_t solution) const {
+    return {"next flip", text(longest_), [solution, self = *this](const timeline::FrameState& m) {
+              const auto& next = m.solutions[solution].next_flip;
+              return next ? self.text(*next) : std::string("none");
+            }};
+  }
+
+ private:
+  std::string text(double t) const { return hud_text::time(t, resolution_, unit_); }
+
+  double longest_;
+  double resolution_;
+  TimeUnit unit_;
+  bool compact_;
+  std::size_t flips_ = 0;
+};
+
+/// Sets all text of a video.
+class Typesetter {
+ public:
+  Typesetter(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+             const Layout& layout, const TextStyle& style)
+      : scene_(scene), solutions_(solutions), layout_(layout), style_(style) {}
+
+  std::vector<TextBlock> blocks() &&;
+
+ private:
+  bool shows(scene::Feature feature) const { return scene_.overlay.shows(feature); }
+  bool compares() const { return solutions_.size() > 1; }
+  void add_title();
+  void add_readouts();
+  void add_legend(std::size_t solution);
+  void add_moment(TextBlock& block, std::size_t solution);
+  void add_remark(TextBlock& block, std::size_t solution);
+  void add_description();
+  void add_heading(const Layout::Pane& pane, const std::string& text);
+
+  const scene::Scene& scene_;
+  const std::vector<timeline::Solution>& solutions_;
+  const Layout& layout_;
+  TextStyle style_;
+  Figures figures_{scene_, solutions_, layout_.compact};
+  std::vector<TextBlock> blocks_;
+};
+
+std::vector<TextBlock> Typesetter::blocks() && {
+  if (layout_.title) add_title();
+  if (layout_.readouts) add_readouts();
+  for (std::size_t i = 0; i < layout_.legends.size(); ++i) add_legend(i);
+  if (layout_.description) add_description();
+  if (layout_.momentum) add_heading(*layout_.momentum, captions::momentum_heading());
+  if (layout_.poinsot) add_heading(*layout_.poinsot, captions::poinsot_heading());
+  const image::Area picture{0, 0, scene_.film.width, scene_.film.height};
+  for (TextBlock& block : blocks_) block.finish(picture);
+  return std::move(blocks_);
+}
+
+void Typesetter::add_title() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.title);
+  if (shows(scene::Feature::hud)) {
+    const std::string& title = scene_.shown_title();
+    canvas::require_characters(style_.typeface.strong, title, "title");
+    if (compares()) block.add_corner(figures_.time());
+    block.add_title(title, style_.typeface.strong, layout_.text.title, style_.colors.text);
+  }
+  if (shows(scene::Feature::method) && !compares()) {
+    block.add_line(hud_text::method(solutions_[0]), style_.typeface.regular, layout_.text.caption,
+                   style_.colors.dim);
+  }
+}
+
+void Typesetter::add_readouts() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.readouts);
+  add_remark(block, 0);
+  const bool hud = shows(scene::Feature::hud);
+  std::vector<Readout> row;
+  if (hud) row.push_back(figures_.time());
+  if (shows(scene::Feature::drift)) row.push_back(figures_.energy_drift(0));
+  if (hud && solutions_[0].flips) {
+    row.push_back(figures_.flips(0));
+    row.push_back(figures_.next_flip(0));
+  }
+  block.add_readouts(row);
+}
+
+void Typesetter::add_legend(std::size_t solution) {
+  TextBlock& block = blocks_.emplace_back(style_, layout_.legends[solution]);
+  const scene::Color curve = solution_color(style_.colors, solution);
+  const bool plotted = layout_.components || layout_.curve;
+  block.add_line(solutions_[solution].name, style_.typeface.strong, 0.85 * layout_.text.title,
+                 style_.colors.text, plotted ? &curve : nullptr);
+  if (shows(scene::Feature::moments)) add_moment(block, solution);
+  std::vector<Readout> row;
+  if (scene_.overlay.compare_omega.empty()) {
+    row = {figures_.energy_drift(solution), Figures::orthogonality(solution)};
+  }
+  if (!row.empty() || shows(scene::Feature::hud)) row.push_back(figures_.flips(solution));
+  block.add_readouts(row);
+  add_remark(block, solution);
+}
+
+/// Adds the moment of inertia about omega as a bar, in units of the body's greatest.
+void Typesetter::add_moment(TextBlock& block, std::size_t solution) {
+  const motion::FreeBody& body = solutions_[solution].body;
+  if (body.omega().isZero(0.0)) return;
+  const Eigen::Vector3d along = body.omega().normalized();
+  const PrincipalFrame frame(body, style_.colors);
+  Eigen::Index axis = 0;
+  (frame.axes.transpose() * along).cwiseAbs().maxCoeff(&axis);
+  block.add_bar(along.dot(body.inertia() * along) / body.principal().moments[2],
+                frame.colors[static_cast<std::size_t>(axis)]);
+}
+
+/// Small pictures have no room for it.
+void Typesetter::add_remark(TextBlock& block, std::size_t solution) {
+  if (layout_.compact || !shows(scene::Feature::hud)) return;
+  block.add_remark(
+      captions::no_rotation,
+      [solution, remarks = captions::Remarks(solutions_[solution])](
+          const timeline::FrameState& state) { return remarks.at(state.solutions[solution]); });
+}
+
+void Typesetter::add_description() {
+  TextBlock& block = blocks_.emplace_back(style_, *layout_.description);
+  const timeline::Solution& solution = solutions_[0];
+  const std::string text =
+      layout_.momentum ? captions::momentum(solution, PrincipalFrame(solution.body, style_.colors))
+                       : captions::poinsot(solution);
+  block.add_paragraph(text, style_.typeface.regular, layout_.text.readout, style_.colors.dim);
+}
+
+void Typesetter::add_heading(const Layout::Pane& pane, const std::string& text) {
+  if (!pane.heading) return;
+  TextBlock& block = blocks_.emplace_back(style_, *pane.heading);
+  block.add_line(text, style_.typeface.regular, layout_.text.caption, style_.colors.text);
+}
+
+}  // namespace
+
+bool needs_panels(const scene::Look& look) {
+  return look.transparent || look.background.has_value();
+}
+
+scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
+  const std::array inks{colors.axis[0], colors.axis[2], colors.axis[1], colors.omega};
+  return inks.at(solution);
+}
+
+Hud::Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+         const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors)
+    : blocks_(Typesetter(scene, solutions, layout,
+                         {typeface, colors, layout.text, layout.compact, needs_panels(scene.look)})
+                  .blocks()) {}
+
+std::vector<Layer> Hud::draw(const timeline::FrameState& state) {
+  std::vector<Layer> layers;
+  for (const TextBlock& block : blocks_) {
+    if (!block.is_empty()) layers.push_back(block.draw(state));
+  }
+  return layers;
+}
+
+std::vector<image::Area> Hud::extents() const {
+  std::vector<image::Area> extents;
+  for (const TextBlock& block : blocks_) extents.push_back(block.extent());
+  return extents;
+}
+
+}  // namespace twrench::picture

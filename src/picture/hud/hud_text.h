@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "base/time_unit.h"
+#include "timeline/timeline.h"
+
+// Formatting of numbers and names for the HUD, as UTF-8 for typeset().
+namespace twrench::picture::hud_text {
+
+/// Formats a time in s with as many decimals as `resolution` (in s) requires, at most three.
+std::string time(double t, double resolution, const TimeUnit& unit);
+
+/// Formats a time in s with three digits, or without decimals if it has more.
+std::string rounded_time(double t, const TimeUnit& unit);
+
+/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁵" or "−0.034"; "0"
+/// for zero.
+std::string drift(double value);
+
+/// Formats the magnitude of an error: the same without the sign.
+std::string error(double value);
+
+/// Formats a setting as briefly as possible: "0.01", "10⁻¹⁰", "2.5×10⁻⁷".
+std::string setting(double value);
+
+/// Returns, for example, "rkmk45, tolerance 10⁻¹⁰".
+std::string method(const timeline::Solution& solution);
+
+}  // namespace twrench::picture::hud_text

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "canvas/canvas.h"
+#include "picture/compose/element.h"
+#include "picture/look/theme.h"
+
+namespace twrench::picture {
+
+/// Plots of components of X against time on a panel: the past in full strength, the future faint,
+/// with a cursor between them. In a comparison, each plot shows the curves of all methods.
+class PlotPanel : public Element {
+ public:
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
+
+ protected:
+  /// The component of X in that row and column, each from 0, against time.
+  struct Plot {
+    int row, column;
+    image::Area area;
+
+    /// Where a share of the duration, and where a value lies in the picture, in px.
+    double x(double share) const { return area.x + share * area.width; }
+    double y(double value) const;
+  };
+
+  /// `area` is that of the panel, and `thickness` that of a curve, in px.
+  PlotPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+            const image::Area& area, double thickness, const OverlayColors& colors);
+
+  /// Draws on what lies below the curves.
+  canvas::Canvas ground() { return {future_.image, future_.x, future_.y}; }
+
+  /// Draws the curves; called once, when plots and ground are complete.
+  void add_curves(const std::vector<timeline::Solution>& solutions);
+
+  /// Draws a line through each plot at each flip. Those of several methods, which disagree, would
+  /// clutter the plots.
+  void mark_flips(const timeline::Solution& solution);
+
+  /// Draws the zero lines.
+  void mark_zeros();
+
+  /// Returns "x₁₁" for the first.
+  static std::string name_of(const Plot& plot);
+
+  bool compares() const { return solutions_ > 1; }
+  scene::Color ink(const Plot& plot, std::size_t solution) const;
+
+  const OverlayColors& colors_;
+  double duration_;
+  std::vector<Plot> plots_;
+
+ private:
+  void draw_curves(canvas::Canvas& canvas, const timeline::Solution& solution, std::size_t index,
+                   double opacity) const;
+
+  std::size_t solutions_;
+  double thickness_;
+  Layer future_;
+  Layer past_;
+};
+
+}  // namespace twrench::picture

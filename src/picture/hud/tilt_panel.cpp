@@ -1,0 +1,158 @@
+#include "picture/hud/tilt_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "picture/hud/panel.h"
+#include "scene/prediction.h"
+
+namespace twrench::picture {
+namespace {
+
+using Point = canvas::Canvas::Point;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double greatest_tilt = std::numbers::pi / 2;      // the greatest tilt
+constexpr double faint_future = 0.35, grid_opacity = 0.22;  // opacities
+constexpr double dash_em = 0.55;                            // em, and as much between two
+constexpr double scale_em = 2.6;                            // width of the scale's numbers
+constexpr double plot_line_em = 1.5;                        // height of a line of text
+
+/// The power of ten in degrees, in rad, at the bottom of the scale: below the least tilt of the
+/// film, except where that is none but for round-off.
+double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& whole) {
+  constexpr double round_off = 1e-9 * degree;
+  double least = degree;
+  for (const motion::Sample& sample : whole) {
+    const double value = tilt.of(sample);
+    if (value > round_off) least = std::min(least, value);
+  }
+  return degree * std::pow(10, std::floor(std::log10(least / degree) + 1e-9));
+}
+
+std::string degrees_text(double tilt) {
+  const double value = tilt / degree;
+  if (value != 0 && value < 1e-3) return fmt::format("{:.0e}°", value);
+  return fmt::format("{:.{}f}°", value, value < 0.1 ? 3 : value < 1 ? 2 : value < 10 ? 1 : 0);
+}
+
+}  // namespace
+
+TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                     const Layout& layout, const canvas::Typeface& typeface,
+                     const OverlayColors& colors)
+    : colors_(colors),
+      typeface_(typeface),
+      tilt_(solutions[0].body),
+      duration_(scene.motion.duration),
+      size_(layout.text.caption),
+      thickness_(std::max(1.0, 0.12 * size_)),
+      least_(bottom_of(tilt_, solutions[0].whole)) {
+  const image::Area area = panel_content(*layout.tilt, size_);
+  place_plot(area);
+  future_ = layer_around(*layout.tilt, 0, {0, 0, scene.film.width, scene.film.height});
+  canvas::Canvas future(future_.image, future_.x, future_.y);
+  draw_panel(future, *layout.tilt, size_, colors);
+  const canvas::Line name = canvas::typeset(typeface.regular, "tilt against L");
+  future.text(name, size_, {static_cast<double>(area.x), value_.y}, {colors.text});
+  const std::string prediction =
+      scene::prediction(solutions[0].body.principal(), tilt_.axis(), tilt_.steady_rate());
+  future.text(canvas::typeset_within(typeface.regular, prediction, area.width / size_), size_,
+              {static_cast<double>(area.x), value_.y + plot_line_em * size_}, {colors.dim});
+  draw_scale(future, typeface);
+  past_ = future_;
+  canvas::Canvas past(past_.image, past_.x, past_.y);
+  std::vector<Point> points;
+  for (const motion::Sample& sample : solutions[0].whole) {
+    points.push_back(place(sample.t, tilt_.of(sample)));
+  }
+  future.polyline(points, thickness_, {colors.text, faint_future});
+  past.polyline(points, thickness_, {colors.text});
+  draw_prediction(future);
+  draw_prediction(past);
+}
+
+void TiltPanel::place_plot(const image::Area& area) {
+  const int left = area.x + static_cast<int>(scale_em * size_);
+  const int top = area.y + static_cast<int>(2.5 * plot_line_em * size_);
+  const int margin = static_cast<int>(0.5 * size_);
+  plot_ = {left, top, area.x + area.width - left - margin, area.y + area.height - top - margin};
+  value_ = {static_cast<double>(area.x + area.width - margin), area.y + 0.95 * size_};
+}
+
+Point TiltPanel::place(double time, double tilt) const {
+  const double height = std::log(greatest_tilt / std::clamp(tilt, least_, greatest_tilt)) /
+                        std::log(greatest_tilt / least_);
+  return {plot_.x + time / duration_ * plot_.width, plot_.y + height * plot_.height};
+}
+
+/// Draws a line and a number for each decade, as far as there is room, and for 90 degrees.
+void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typeface) const {
+  const auto line = [&](double tilt, const std::string& text) {
+    const double y = std::round(place(0, tilt).y);
+    canvas.rectangle(plot_.x, y, plot_.width, 1, {colors_.dim, grid_opacity});
+    canvas.text(canvas::typeset(typeface.regular, text), size_,
+                {plot_.x - 0.4 * size_, y + 0.35 * size_}, {colors_.dim},
+                canvas::Canvas::Align::right);
+  };
+  line(greatest_tilt, "90°");
+  const auto decades = static_cast<int>(std::lround(std::log10(10 * degree / least_)));
+  const double apart = place(0, degree).y - place(0, 10 * degree).y;
+  const int every = std::max(1, static_cast<int>(std::ceil(1.2 * size_ / apart)));
+  for (int i = 0; i <= decades; i += every) {
+    const double value = std::pow(10, 1 - i);
+    line(value * degree, i < 4 ? fmt::format("{}°", value) : fmt::format("1e{}°", 1 - i));
+  }
+}
+
+/// Draws the predicted line, dashed, from t = 0 to where it leaves the plot.
+void TiltPanel::draw_prediction(canvas::Canvas& canvas) const {
+  const auto growth = tilt_.growth();
+  if (!growth || !(growth->amplitude > 0)) return;
+  const auto leaves = [&](double tilt) {
+    return std::log(tilt / growth->amplitude) / growth->rate;
+  };
+  const double from = std::max(0.0, leaves(least_)),
+               to = std::min(leaves(greatest_tilt), duration_);
+  if (!(from < to)) return;
+  const auto at = [&](double time) {
+    return place(time, growth->amplitude * std::exp(growth->rate * time));
+  };
+  const Point first = at(from), last = at(to);
+  const double length = std::hypot(last.x - first.x, last.y - first.y);
+  const double step = dash_em * size_;
+  for (double along = 0; along < length; along += 2 * step) {
+    const auto point = [&](double px) -> Point {
+      const double share = std::min(px / length, 1.0);
+      return {first.x + share * (last.x - first.x), first.y + share * (last.y - first.y)};
+    };
+    canvas.polyline(std::array{point(along), point(along + step)}, 0.8 * thickness_,
+                    {colors_.momentum});
+  }
+}
+
+std::vector<Layer> TiltPanel::draw(const timeline::FrameState& state) {
+  Layer layer = future_;
+  const motion::Sample& sample = state.solutions[0].sample;
+  const double tilt = tilt_.of(sample);
+  const Point now = place(std::clamp(sample.t, 0.0, duration_), tilt);
+  const int margin = static_cast<int>(std::ceil(thickness_));  // of the curve beyond the plot
+  const int left = plot_.x - margin;
+  copy_area(past_, layer,
+            {left, plot_.y - margin, static_cast<int>(std::lround(now.x)) - left,
+             plot_.height + 2 * margin});
+  canvas::Canvas canvas(layer.image, layer.x, layer.y);
+  canvas.rectangle(now.x - thickness_ / 2, plot_.y, thickness_, plot_.height, {colors_.text, 0.5});
+  canvas.disc(now, 2 * thickness_, {colors_.text});
+  canvas.text(canvas::typeset(typeface_.regular, degrees_text(tilt)), 1.3 * size_, value_,
+              {colors_.text}, canvas::Canvas::Align::right);
+  std::vector<Layer> layers;
+  layers.push_back(std::move(layer));
+  return layers;
+}
+
+}  // namespace twrench::picture

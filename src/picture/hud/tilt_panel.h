@@ -1,0 +1,46 @@
+#pragma once
+
+#include <twrench/motion/stability.h>
+
+#include <vector>
+
+#include "canvas/canvas.h"
+#include "picture/compose/element.h"
+#include "picture/compose/layout.h"
+#include "picture/look/theme.h"
+
+namespace twrench::picture {
+
+/// The tilt of the body against L (motion::Tilt) against time on a logarithmic scale: the past in
+/// full strength, the future faint. If the axis is unstable, a dashed straight line is the growth
+/// that the linearised equations predict; a caption says what they predict.
+class TiltPanel : public Element {
+ public:
+  /// Uses layout.tilt. Shows the first solution.
+  TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+            const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);
+
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
+
+  /// Returns the position in px at which a tilt in rad at a time in s is drawn.
+  canvas::Canvas::Point place(double time, double tilt) const;
+
+ private:
+  void place_plot(const image::Area& area);
+  void draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typeface) const;
+  void draw_prediction(canvas::Canvas& canvas) const;
+
+  const OverlayColors& colors_;
+  const canvas::Typeface& typeface_;
+  motion::Tilt tilt_;
+  double duration_;              ///< Of the motion in s.
+  double size_;                  ///< Of the text in px.
+  double thickness_;             ///< Of the curve in px.
+  double least_;                 ///< At the bottom of the plot, in rad.
+  canvas::Canvas::Point value_;  ///< Where the current value is written.
+  image::Area plot_;
+  Layer future_;
+  Layer past_;
+};
+
+}  // namespace twrench::picture

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "picture/compose/element.h"
+#include "picture/hud/text_block.h"
+
+namespace twrench::picture {
+
+/// The torque with which the forces on each group of parts tilt the body further, and their sum: a
+/// viewer sees which of them wins.
+class TorqueReadouts : public Element {
+ public:
+  /// Uses layout.torques. Shows the first solution.
+  TorqueReadouts(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                 const Layout& layout, const TextStyle& style);
+
+  std::vector<Layer> draw(const timeline::FrameState& state) override;
+
+ private:
+  TextBlock block_;
+};
+
+}  // namespace twrench::picture

@@ -1,0 +1,40 @@
+#include "picture/look/emphasis.h"
+
+#include <cmath>
+
+namespace twrench::picture {
+namespace {
+
+int mixed(int from, int to) {
+  return static_cast<int>(std::lround(std::lerp(from, to, dimmed_opacity)));
+}
+
+}  // namespace
+
+scene::Color dimmed(const scene::Color& color, const OverlayColors& colors) {
+  const scene::Color& ground = colors.panel;
+  return {mixed(ground.red, color.red), mixed(ground.green, color.green),
+          mixed(ground.blue, color.blue)};
+}
+
+bool is_dimmed(const scene::Overlay& overlay, scene::Feature feature) {
+  return !overlay.stress.empty() && !overlay.stress.contains(feature);
+}
+
+double thickness_of(const scene::Overlay& overlay, scene::Feature feature) {
+  return overlay.stress.contains(feature) ? 1.5 : 1;
+}
+
+OverlayColors emphasised(OverlayColors colors, const scene::Overlay& overlay) {
+  const auto dim = [&](scene::Feature feature, scene::Color& color) {
+    if (is_dimmed(overlay, feature)) color = dimmed(color, colors);
+  };
+  for (scene::Color& axis : colors.axis) dim(scene::Feature::axes, axis);
+  dim(scene::Feature::momentum, colors.momentum);
+  dim(scene::Feature::omega, colors.omega);
+  dim(scene::Feature::trail, colors.trail);
+  dim(scene::Feature::plane, colors.plane);
+  return colors;
+}
+
+}  // namespace twrench::picture

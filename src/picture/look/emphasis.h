@@ -1,0 +1,23 @@
+#pragma once
+
+#include "picture/look/theme.h"
+
+namespace twrench::picture {
+
+/// Where a scene stresses some features, the opacity of each other one.
+inline constexpr double dimmed_opacity = 0.55;
+
+/// Returns whether the scene stresses other features than this one.
+bool is_dimmed(const scene::Overlay& overlay, scene::Feature feature);
+
+/// Returns by how much thicker a feature is drawn than usual.
+double thickness_of(const scene::Overlay& overlay, scene::Feature feature);
+
+/// Returns the colour of a dimmed feature, mixed with the panel's.
+scene::Color dimmed(const scene::Color& color, const OverlayColors& colors);
+
+/// Returns the colours with those of the dimmed features among axes, momentum, omega, trail and
+/// plane dimmed.
+OverlayColors emphasised(OverlayColors colors, const scene::Overlay& overlay);
+
+}  // namespace twrench::picture

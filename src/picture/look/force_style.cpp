@@ -1,0 +1,26 @@
+#include "picture/look/force_style.h"
+
+#include <array>
+
+namespace twrench::picture {
+
+const std::vector<Force>& forces_in(scene::Frame frame) {
+  using enum Force;
+  static const std::array<std::vector<Force>, 3> forces{
+      std::vector{constraint}, std::vector{centrifugal, euler, constraint},
+      std::vector{centrifugal, coriolis, constraint}};
+  return forces[static_cast<std::size_t>(frame)];
+}
+
+std::string name_of(Force force) {
+  static constexpr std::array names{"centrifugal", "Coriolis", "Euler", "what holds it"};
+  return names[static_cast<std::size_t>(force)];
+}
+
+scene::Color color_of(Force force, const OverlayColors& colors) {
+  // Those of the axes are apart for every type of colour vision, and axes are seldom shown too.
+  if (force == Force::constraint) return colors.dim;
+  return colors.axis[static_cast<std::size_t>(force)];
+}
+
+}  // namespace twrench::picture

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace twrench::picture {
+
+/// Returns the linear light, 0 to 1, of an sRGB value from 0 to 255 (IEC 61966-2-1).
+double linear_from_srgb(double value);
+
+/// Reflectance at normal incidence of paint: F0 of a refractive index of 1.5.
+inline constexpr double dielectric_reflectance = 0.04;
+
+/// The material of the body, as the shader needs it.
+struct Material {
+  /// Linear diffuse albedo; black for metals.
+  glm::vec3 diffuse;
+  /// Linear reflectance at normal incidence: F0 of Schlick's Fresnel term.
+  glm::vec3 reflectance;
+  /// Standard deviation of the slopes of the scratches that brushing leaves, across them;
+  /// 0 for paint.
+  float brushing;
+  /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
+  float roughness;
+  /// Metalness, 0 (paint) to 1 (metal), which decides how a vertex's own colour is shared out
+  /// between diffuse albedo and reflectance.
+  float metalness;
+
+  bool operator==(const Material&) const = default;
+};
+
+/// How a surface reflects, whatever its colour.
+struct Finish {
+  double metallic;   ///< Metalness, 0 (paint) to 1 (metal).
+  double roughness;  ///< Roughness, 0.05 (mirror) to 1 (chalk).
+};
+
+/// Returns the finish of a part. What neither its look nor the body's sets is the theme's or, for a
+/// mesh with colours of its own, that of plastic.
+Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colored);
+
+/// Returns the material of a body that looks like that, or of a part of it with a look of its own,
+/// or with colours of its own.
+Material material(const scene::Look& look, const scene::PartLook& part = {},
+                  bool is_colored = false);
+
+}  // namespace twrench::picture

@@ -1,0 +1,100 @@
+#include "picture/look/theme.h"
+
+#include <cmath>
+
+namespace twrench::picture {
+namespace {
+
+/// Interpolates from a to b, each channel by `share`.
+scene::Color mixed(const scene::Color& a, const scene::Color& b, double share) {
+  const auto channel = [&](int from, int to) {
+    return static_cast<int>(std::lround(from + share * (to - from)));
+  };
+  return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
+}
+
+/// The axes' colours for the columns; rows from nearest to `end` to the axes' colours themselves.
+std::array<scene::Color, 9> curves(const std::array<scene::Color, 3>& axis,
+                                   const scene::Color& end) {
+  std::array<scene::Color, 9> result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      result[3 * row + column] = mixed(axis[column], end, 0.4 - 0.2 * static_cast<double>(row));
+    }
+  }
+  return result;
+}
+
+// The distinguishing colours started as those of Okabe and Ito ("Color Universal Design", 2008).
+// Subject to the contrast that text needs on a panel over any background, they were moved to
+// maximise the smallest difference between any two for normal, protan, deutan and tritan vision
+// (Machado et al. 2009), also where an arrow is in shade, at 0.65 of its colour.
+
+OverlayColors on_dark() {
+  const std::array<scene::Color, 3> axis{{{243, 82, 49}, {0, 248, 151}, {118, 124, 255}}};
+  return {.text = {245, 247, 250},
+          .dim = {216, 220, 228},
+          .panel = {14, 16, 21},
+          .panel_opacity = 0.92,
+          .axis = axis,
+          .momentum = {255, 216, 39},
+          .omega = {247, 120, 201},
+          .trail = {255, 255, 255},
+          .plane = {116, 126, 132},
+          .curve = curves(axis, {255, 255, 255})};
+}
+
+OverlayColors on_paper() {
+  const std::array<scene::Color, 3> axis{{{199, 43, 5}, {0, 118, 100}, {32, 7, 231}}};
+  return {.text = {16, 18, 22},
+          .dim = {70, 74, 82},
+          .panel = {255, 255, 255},
+          .panel_opacity = 0.92,
+          .axis = axis,
+          .momentum = {114, 0, 0},
+          .omega = {143, 56, 178},
+          .trail = {0, 0, 0},
+          .plane = {76, 58, 103},
+          .curve = curves(axis, {0, 0, 0})};
+}
+
+constexpr scene::Color steel{184, 188, 196};
+
+ThemeStyle studio() {
+  return {.metal = steel,
+          .metallic = 1,
+          .roughness = 0.25,
+          .studio = dark_studio(),
+          .backdrop = {{11, 13, 20}, {53, 55, 62}, 0.16, 0},
+          .floor = FloorStyle{{41, 41, 41}, 0.5, 0.16, 0.14},
+          .overlay = on_dark()};
+}
+
+ThemeStyle paper() {
+  return {.metal = {168, 172, 180},
+          .metallic = 1,
+          .roughness = 0.25,
+          .studio = white_studio(),
+          .backdrop = {{250, 250, 248}, {237, 237, 235}, 0.02, 0},
+          .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10, 0.03},
+          .overlay = on_paper()};
+}
+
+ThemeStyle space() {
+  return {.metal = steel,
+          .metallic = 1,
+          .roughness = 0.25,
+          .studio = sunlight(),
+          .backdrop = {{3, 4, 8}, {8, 9, 13}, 0.2, 420},
+          .floor = std::nullopt,
+          .overlay = on_dark()};
+}
+
+}  // namespace
+
+const ThemeStyle& style_of(scene::Theme theme) {
+  static const std::array<ThemeStyle, 3> styles{studio(), paper(), space()};
+  return styles[static_cast<std::size_t>(theme)];
+}
+
+}  // namespace twrench::picture

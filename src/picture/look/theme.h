@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "picture/look/studio.h"
+#include "scene/scene.h"
+
+namespace twrench::picture {
+
+/// The colours of overlays. All are legible as text on a panel over any background, and `text` and
+/// `dim` anywhere on the theme's background too: the contrast is at least 4.5 (WCAG 2.1, 1.4.3).
+/// They are distinguishable with every type of colour vision.
+struct OverlayColors {
+  /// Text.
+  scene::Color text;
+  /// For secondary content: units, grid lines, the future of a curve.
+  scene::Color dim;
+  /// Panels behind text and curves.
+  scene::Color panel;
+  /// 0 to 1.
+  double panel_opacity;
+  /// The body's x, y and z axes.
+  std::array<scene::Color, 3> axis;
+  /// The angular momentum L.
+  scene::Color momentum;
+  /// The angular velocity.
+  scene::Color omega;
+  /// The trail of a point.
+  scene::Color trail;
+  /// The invariable plane.
+  scene::Color plane;
+  /// The components of X row by row: a column has its axis' hue, a row its lightness. Curves of one
+  /// row are distinguishable.
+  std::array<scene::Color, 9> curve;
+};
+
+/// The background: a vertical gradient, and stars. Its colours, and so all between them, have the
+/// same differences between their channels: the 8-bit chroma planes of a video would turn a hue
+/// that varies with the brightness into visible contours.
+struct Backdrop {
+  /// Colour at the top of the picture.
+  scene::Color above;
+  /// Colour at the bottom of the picture.
+  scene::Color below;
+  /// Darkening of the sides, 0 to 1.
+  double vignette;
+  /// Number of stars.
+  int stars;
+};
+
+/// The floor of a theme.
+struct FloorStyle {
+  /// Light added in the middle of the pool. It is gray, so that the background keeps its hue.
+  scene::Color light;
+  /// Fraction of the light that the deepest shadow removes, 0 to 1.
+  double shadow;
+  /// Visible fraction of the body's mirror image, 0 to 1.
+  double reflection;
+  /// Fraction of the light that the darkest clouds in its polish remove, 0 to 1. They show under a
+  /// moving camera that the floor stands still.
+  double clouds;
+};
+
+/// Everything that a theme determines.
+struct ThemeStyle {
+  /// Colour of the body, metal or paint, unless the scene sets it.
+  scene::Color metal;
+  /// Metalness of the body, 0 (paint) to 1 (metal).
+  double metallic;
+  /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).
+  double roughness;
+  /// Lights.
+  Studio studio;
+  /// Background.
+  Backdrop backdrop;
+  /// Nothing if the body floats in space.
+  std::optional<FloorStyle> floor;
+  /// Colours of overlays.
+  OverlayColors overlay;
+};
+
+const ThemeStyle& style_of(scene::Theme theme);
+
+}  // namespace twrench::picture

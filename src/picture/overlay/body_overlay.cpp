@@ -1,0 +1,180 @@
+#include "picture/overlay/body_overlay.h"
+
+#include <twrench/motion/polhode.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "picture/look/emphasis.h"
+#include "picture/overlay/trail_point.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// As multiples of the bounding radius.
+constexpr double plane_distance = 1.18, longest_omega = 1.5, least_plane = 0.85;
+constexpr double momentum_thickness = 0.017, omega_thickness = 0.015, axis_thickness = 0.010;
+constexpr double trail_width = 0.016, plane_line = 0.004;
+
+/// Points on the circle of that radius about `centre`, normal to `normal`.
+std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
+                             int count) {
+  const Matrix3d frame = body::frame_with_z_along(normal);
+  std::vector<Vector3d> points;
+  for (int i = 0; i <= count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    points.emplace_back(centre + radius * (frame * Vector3d(std::cos(angle), std::sin(angle), 0)));
+  }
+  return points;
+}
+
+}  // namespace
+
+BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body, double radius)
+    : colors_(emphasised(style_of(scene.look.theme).overlay, scene.overlay)),
+      shows_axes_(scene.overlay.shows(scene::Feature::axes)),
+      shows_momentum_(scene.overlay.shows(scene::Feature::momentum)),
+      shows_omega_(scene.overlay.shows(scene::Feature::omega)),
+      shows_plane_(scene.overlay.shows(scene::Feature::plane)),
+      shows_trail_(scene.overlay.shows(scene::Feature::trail)),
+      shows_labels_(scene.overlay.shows(scene::Feature::labels)),
+      momentum_shaft_(momentum_thickness * thickness_of(scene.overlay, scene::Feature::momentum)),
+      omega_shaft_(omega_thickness * thickness_of(scene.overlay, scene::Feature::omega)),
+      axis_shaft_(axis_thickness * thickness_of(scene.overlay, scene::Feature::axes)),
+      trail_width_(trail_width * thickness_of(scene.overlay, scene::Feature::trail)),
+      radius_(radius),
+      trail_length_(timeline::trail_length(scene)),
+      trail_point_(trail_point(scene)),
+      up_(body.momentum().stableNormalized()) {
+  if (body.momentum().isZero(0.0)) {
+    shows_momentum_ = shows_omega_ = shows_plane_ = false;
+    return;
+  }
+  const auto level =
+      motion::level_through(body.principal().moments, body.principal().axes.transpose() * up_);
+  const double outer = level ? motion::herpolhode_annulus(*level).outer : 0;
+  const double height = body.omega().dot(up_);  // rad/s
+  const double longest = std::max(height * std::hypot(1, outer), body.omega().norm());
+  scale_ = radius * std::min(plane_distance / height, longest_omega / longest);
+  plane_height_ = scale_ * height;
+  omega_radius_ = outer * plane_height_;
+  plane_radius_ = std::max(1.2 * omega_radius_, least_plane * radius);
+}
+
+std::vector<Vector3d> BodyOverlay::extent() const {
+  std::vector<Vector3d> points;
+  if (shows_momentum_) points.push_back(momentum_tip());
+  if (shows_omega_ || shows_plane_) {
+    const double across = shows_plane_ ? plane_radius_ : omega_radius_;
+    for (const Vector3d& point : circle(plane_height_ * up_, up_, across, 16)) {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
+                       DrawList& translucent) const {
+  const Matrix3d& X = instant.sample.X;
+  const Vector3d centre = Vector3d::Zero();
+  if (shows_axes_) {
+    for (int i = 0; i < 3; ++i) {
+      opaque.arrow(centre, axis_arrow_length() * X.col(i), axis_shaft(),
+                   {colors_.axis[static_cast<std::size_t>(i)]});
+    }
+  }
+  if (shows_momentum_) {
+    opaque.arrow(centre, momentum_tip(), momentum_shaft(), {colors_.momentum});
+  }
+  if (shows_omega_) {
+    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft(), {colors_.omega});
+  }
+  if (shows_plane_) draw_plane(translucent);
+  if (shows_trail_) draw_trail(instant, translucent);
+}
+
+void BodyOverlay::draw_plane(DrawList& translucent) const {
+  const Vector3d centre = plane_height_ * up_;
+  translucent.disc(centre, up_, plane_radius_, {colors_.plane, 0.22}, {colors_.plane, 0.10});
+  std::vector<DrawList::Point> line;
+  const auto add = [&](const Vector3d& place, double opacity) {
+    line.push_back(
+        {place, plane_line * radius_ * translucent.pixels(place), {colors_.plane, opacity}});
+  };
+  constexpr int rings = 4, spokes = 12;
+  for (int ring = 1; ring <= rings; ++ring) {
+    line.clear();
+    for (const Vector3d& place : circle(centre, up_, plane_radius_ * ring / rings, 96)) {
+      add(place, ring == rings ? 0.75 : 0.4);
+    }
+    translucent.line(line);
+  }
+  for (const Vector3d& rim : circle(centre, up_, plane_radius_, spokes)) {
+    line.clear();
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) add(centre + share * (rim - centre), 0.3);
+    translucent.line(line);
+  }
+}
+
+/// The line that a point leaves behind, with a dot where the point is now, on a halo that keeps
+/// them visible against anything.
+template <typename Place>
+void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
+                             const scene::Color& color, Place place, DrawList& translucent) const {
+  constexpr double dot = 1.15;  // radius in widths of the line
+  std::vector<DrawList::Point> line;
+  for (const motion::Sample& sample : instant.trail) {
+    const double age = instant.trail_age(sample, trail_length_);
+    const double opacity = 0.9 * std::pow(1 - age, 1.4);
+    const Vector3d point = place(sample);
+    const double across = width * radius_ * (1 - 0.6 * age) * translucent.pixels(point);
+    line.push_back({point, across, {color, opacity}});
+  }
+  translucent.line_on_halo(line, colors_.panel);
+  if (line.empty()) return;
+  // The dot stands for a ball, whose near side is what arrows through it do not hide.
+  const Vector3d& now = line.back().place;
+  const Vector3d near = now + dot * width * radius_ * (translucent.eye() - now).normalized();
+  const double size = line.back().width;
+  translucent.dot(near, dot * size + DrawList::halo_of(size), {colors_.panel, 0.9});
+  translucent.dot(near, dot * size, {color, 1});
+}
+
+void BodyOverlay::draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const {
+  if (shows_plane_ && shows_omega_) {
+    draw_track(
+        instant, 0.6 * trail_width_, colors_.omega,
+        [&](const motion::Sample& sample) { return omega_tip(sample); }, translucent);
+  }
+  draw_track(
+      instant, trail_width_, colors_.trail,
+      [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; },
+      translucent);
+}
+
+std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, const Camera& camera,
+                                       const image::Area& pane) const {
+  std::vector<Label> labels;
+  if (!shows_labels_) return labels;
+  const auto add = [&](const char* text, const Vector3d& tip, const scene::Color& color) {
+    if (auto label = label_at(text, camera, pane, Vector3d::Zero(), tip, color)) {
+      labels.push_back(std::move(*label));
+    }
+  };
+  static constexpr std::array names{"x", "y", "z"};
+  for (std::size_t i = 0; shows_axes_ && i < 3; ++i) {
+    const Vector3d tip = axis_arrow_length() * instant.sample.X.col(static_cast<Eigen::Index>(i));
+    add(names[i], tip, colors_.axis[i]);
+  }
+  if (shows_momentum_) add("L", momentum_tip(), colors_.momentum);
+  if (shows_omega_) add("ω", omega_tip(instant.sample), colors_.omega);
+  return labels;
+}
+
+}  // namespace twrench::picture

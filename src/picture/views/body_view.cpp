@@ -1,0 +1,113 @@
+#include "picture/views/body_view.h"
+
+#include <algorithm>
+
+#include "picture/body/bounding_radius.h"
+#include "picture/compose/camera_path.h"
+#include "timeline/reference_frame.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Matrix3d;
+
+std::optional<ForceArrows> forces_of(const scene::Scene& scene, const timeline::Solution& solution,
+                                     double radius) {
+  if (!scene.overlay.shows(scene::Feature::forces)) return std::nullopt;
+  return ForceArrows(scene, solution, radius);
+}
+
+/// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
+/// the middle of the picture.
+double tolerance(const Camera& camera, int height) {
+  return 0.15 * 2 * camera.distance / (camera.projection(1, 1) * height);
+}
+
+}  // namespace
+
+BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                   std::size_t solution, const Layout::Pane& pane)
+    : View(pane),
+      solution_(solution),
+      motion_(solutions[solution].body),
+      frame_(scene.camera.frame),
+      radius_(bounding_radius(scene::visible_parts(scene.body))),
+      overlay_(scene, solutions[solution].body, radius_),
+      forces_(forces_of(scene, solutions[solution], radius_)),
+      path_(scene.camera),
+      framing_(framing_of(scene, solutions[solution])),
+      body_(body_model(scene, tolerance(camera(0), pane.area.height), radius_)) {
+  if (scene.look.motion_blur > 1) {
+    sampling_.emplace(scene::visible_parts(scene.body), body_.mesh, radius_);
+  }
+  if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(scene);
+}
+
+/// Adds the floor or, for a camera that goes along with a turning frame, the stars.
+void BodyView::add_surroundings(const scene::Scene& scene) {
+  std::optional<FloorStyle> floor = style_of(scene.look.theme).floor;
+  if (frame_ != scene::Frame::space) {
+    if (!scene.look.transparent) stars_.emplace(scene);
+  } else if (floor && !scene.look.transparent && scene.camera.elevation >= 0) {
+    const bool is_lit = !scene.look.background;
+    if (!is_lit || scene.camera.orbit == 0) floor->clouds = 0;
+    floor_ = Floor{*floor, is_lit};
+  }
+}
+
+/// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
+Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution& solution) const {
+  std::vector<Eigen::Vector3d> points;
+  if (forces_) points = forces_->extent();
+  constexpr std::size_t stride = 12;  // of the samples, which are finer than needed here
+  for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
+    const Matrix3d frame_from_space = frame_at(solution.whole[i]).attitude.transpose();
+    for (const Eigen::Vector3d& p : overlay_.extent()) points.emplace_back(frame_from_space * p);
+    if (frame_ == scene::Frame::space) break;  // there they are at rest
+  }
+  const double aspect = static_cast<double>(pane().focus.width) / pane().focus.height;
+  return framing_along(scene, aspect, overlay_.bounding_radius(), points);
+}
+
+Camera BodyView::camera(double video_time) const {
+  Framing framing = framing_;
+  framing.direction = direction_of(path_.azimuth + path_.orbit * video_time, path_.elevation);
+  return widened(frame_sphere(framing), pane().focus, pane().area);
+}
+
+motion::RotatingFrame BodyView::frame_at(const motion::Sample& sample) const {
+  return timeline::reference_frame(frame_, motion_, sample);
+}
+
+Camera BodyView::camera_in_space(const timeline::FrameState& state) const {
+  return carried(camera(state.video_time), frame_at(state.solutions[solution_].sample).attitude);
+}
+
+/// Returns the state with its earlier and blurred poses as they were in the frame, which has turned
+/// on since.
+timeline::SolutionState BodyView::relative(timeline::SolutionState instant) const {
+  if (frame_ == scene::Frame::space) return instant;
+  const Matrix3d now = frame_at(instant.sample).attitude;
+  const auto carry = [&](motion::Sample& sample) {
+    sample.X = now * frame_at(sample).attitude.transpose() * sample.X;
+  };
+  std::ranges::for_each(instant.trail, carry);
+  std::ranges::for_each(instant.blur, carry);
+  return instant;
+}
+
+void BodyView::add(const timeline::FrameState& state, ViewContents& contents) const {
+  const timeline::SolutionState instant = relative(state.solutions[solution_]);
+  contents.X = instant.sample.X;
+  for (const motion::Sample& sample : instant.blur) contents.blur.push_back(sample.X);
+  if (stars_) {
+    stars_->draw(frame_at(instant.sample), contents.camera, pane().area.height,
+                 contents.translucent);
+  }
+  overlay_.draw(instant, contents.opaque, contents.translucent);
+  if (forces_) forces_->draw(instant, contents.opaque);
+  if (!pane().named) return;
+  contents.labels = overlay_.labels(state.solutions[solution_], contents.camera, pane().area);
+}
+
+}  // namespace twrench::picture

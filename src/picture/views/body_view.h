@@ -1,0 +1,58 @@
+#pragma once
+
+#include "picture/body/body_model.h"
+#include "picture/look/theme.h"
+#include "picture/overlay/body_overlay.h"
+#include "picture/overlay/fixed_stars.h"
+#include "picture/overlay/force_arrows.h"
+#include "picture/views/blur_sampling.h"
+#include "picture/views/view.h"
+
+namespace twrench::picture {
+
+/// The rotating body, seen by the scene's camera, which may go along with a turning frame: a trail
+/// is then the path in that frame, and motion blur is that of the motion in it.
+class BodyView final : public View {
+ public:
+  /// The floor below the body.
+  struct Floor {
+    FloorStyle style;
+    /// Otherwise it keeps the colour of a flat background, and only shadow and reflection show it.
+    bool is_lit;
+  };
+
+  /// Shows the motion with that index in `pane`.
+  BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+           std::size_t solution, const Layout::Pane& pane);
+
+  Camera camera(double video_time) const override;
+  Camera camera_in_space(const timeline::FrameState& state) const override;
+  void add(const timeline::FrameState& state, ViewContents& contents) const override;
+
+  const BodyModel& body() const { return body_; }
+  /// Returns nothing without motion blur.
+  const std::optional<BlurSampling>& sampling() const { return sampling_; }
+  /// Returns nothing where no floor is seen.
+  const std::optional<Floor>& floor() const { return floor_; }
+
+ private:
+  void add_surroundings(const scene::Scene& scene);
+  motion::RotatingFrame frame_at(const motion::Sample& sample) const;
+  timeline::SolutionState relative(timeline::SolutionState instant) const;
+  Framing framing_of(const scene::Scene& scene, const timeline::Solution& solution) const;
+
+  std::size_t solution_;
+  motion::FreeBody motion_;
+  scene::Frame frame_;
+  double radius_;  ///< Bounding radius of the body in every pose, in cm.
+  BodyOverlay overlay_;
+  std::optional<ForceArrows> forces_;
+  scene::CameraPath path_;
+  Framing framing_;  ///< Chosen so that the overlay is in view too; its direction moves.
+  BodyModel body_;
+  std::optional<BlurSampling> sampling_;
+  std::optional<Floor> floor_;       ///< For a camera at rest in space; otherwise
+  std::optional<FixedStars> stars_;  ///< these show how the world turns.
+};
+
+}  // namespace twrench::picture

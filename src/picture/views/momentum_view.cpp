@@ -1,0 +1,142 @@
+#include "picture/views/momentum_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int levels = 4;             // around each end of an axis
+constexpr int points_of_curve = 240;  // points of a curve
+constexpr double lifted = 1.002;      // lifts curves off the facets of the sphere
+constexpr double axis_end = 1.24;
+constexpr double named = 1.12;  // times that, the position of an axis' name
+
+/// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
+/// the intermediate one towards the viewer.
+Matrix3d view_from_body(const Matrix3d& axes) {
+  Matrix3d m;
+  m << axes.col(0).cross(axes.col(1)).transpose(), axes.col(0).transpose(), axes.col(1).transpose();
+  return m;
+}
+
+/// The direction from which the flip is seen best, along the frame's own axes: slightly beside the
+/// intermediate axis, on the side of `mu`.
+Vector3d eye_direction(const Vector3d& mu) {
+  const Vector3d side = mu.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
+  return side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
+}
+
+}  // namespace
+
+MomentumView::MomentumView(const scene::Scene& scene,
+                           const std::vector<timeline::Solution>& solutions, std::size_t solution,
+                           const Layout::Pane& pane)
+    : SolutionView(scene, solutions, solution, pane),
+      view_from_own_(view_from_body(frame_.axes) * frame_.axes) {
+  const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
+  std::vector<Vector3d> tips;
+  for (int i = 0; i < 3; ++i) tips.emplace_back(named * axis_end * view_from_own_.col(i));
+  frame(std::atan2(from.x(), from.z()), std::atan2(from.y(), std::hypot(from.x(), from.z())), 1,
+        tips);
+}
+
+Vector3d MomentumView::place_of(const motion::Sample& sample) const {
+  const double G = body_.momentum().stableNorm();
+  if (G == 0) return Vector3d::Zero();
+  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
+}
+
+template <typename Place>
+void MomentumView::add_curve(Place place, double width, const Ink& ink, DrawList& list) const {
+  std::vector<DrawList::Point> line;
+  for (int i = 0; i <= points_of_curve; ++i) {
+    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / points_of_curve);
+    const double opacity = ink.opacity * shown(point, point, list.eye());
+    line.push_back({lifted * point, width * hairline(), {ink.color, opacity}});
+  }
+  list.line(line);
+}
+
+void MomentumView::add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
+                             DrawList& list) const {
+  add_curve([&](double phi) { return level.at(phi); }, width, ink, list);
+}
+
+void MomentumView::add_separatrix(DrawList& list) const {
+  const auto circles = motion::separatrix(body_.principal().moments);
+  if (!circles) return;
+  for (const Vector3d& side : *circles) {
+    add_curve(
+        [&](double phi) -> Vector3d {
+          return std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * side;
+        },
+        1.7, {colors_.text, 0.95}, list);
+  }
+}
+
+void MomentumView::add_sphere(ViewContents& contents) const {
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis = view_from_own_.col(i);
+    contents.opaque.arrow(0.98 * axis, axis_end * axis, 0.016,
+                          {frame_.colors[static_cast<std::size_t>(i)]});
+  }
+  DrawList& list = contents.translucent;
+  list.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.22}, 0.75,
+                 {colors_.panel, colors_.panel_opacity});
+  for (const motion::EnergyLevel& level : motion::level_family(body_.principal().moments, levels)) {
+    add_level(level, 1.25, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.95}, list);
+  }
+  if (frame_.level) add_level(*frame_.level, 1.5, {colors_.momentum, 0.85}, list);
+  add_separatrix(list);
+}
+
+void MomentumView::add_momentum(const timeline::SolutionState& instant, DrawList& list) const {
+  const auto fading = [&](const Vector3d& point, double opacity) {
+    return opacity * shown(point, point, list.eye());
+  };
+  std::vector<DrawList::Point> line;
+  for (const motion::Sample& sample : instant.trail) {
+    if (!shows_trail_) break;
+    const double age = instant.trail_age(sample, trail_length_);
+    const Vector3d point = lifted * place_of(sample);
+    line.push_back({point,
+                    (3.2 - 2 * age) * hairline(),
+                    {colors_.momentum, fading(point, std::pow(1 - age, 1.2))}});
+  }
+  list.line_on_halo(line, colors_.panel);
+  const Vector3d now = place_of(instant.sample);
+  const Ink ink{colors_.momentum, 0.8};
+  list.line(
+      std::array<DrawList::Point, 2>{{{Vector3d::Zero(), hairline(), {ink.color, 0.15}},
+                                      {now, 1.5 * hairline(), {ink.color, fading(now, 0.7)}}}});
+  const double clear = 0.45 + 0.55 * fading(now, 1);  // remains visible on the far side
+  list.dot(now, 5.2 * hairline(), {colors_.panel, 0.9 * clear});
+  list.dot(now, 4.0 * hairline(), {colors_.momentum, clear});
+}
+
+void MomentumView::add_still(ViewContents& contents) const {
+  if (path_.orbit == 0) add_sphere(contents);
+}
+
+void MomentumView::add(const timeline::FrameState& state, ViewContents& contents) const {
+  if (path_.orbit != 0) add_sphere(contents);
+  if (!at_rest()) add_momentum(state_in(state), contents.translucent);
+  add_labels(state, contents);
+}
+
+void MomentumView::add_labels(const timeline::FrameState& state, ViewContents& contents) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3d tip = axis_end * view_from_own_.col(static_cast<Eigen::Index>(i));
+    add_label(contents, frame_.names[i], tip, frame_.colors[i]);
+  }
+  if (!at_rest()) add_label(contents, "L", place_of(state_in(state).sample), colors_.momentum);
+}
+
+}  // namespace twrench::picture

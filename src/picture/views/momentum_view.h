@@ -1,0 +1,38 @@
+#pragma once
+
+#include "picture/views/solution_view.h"
+
+namespace twrench::picture {
+
+/// The momentum in the body frame. Its length G is constant, so it moves on a sphere, along a curve
+/// of constant energy: around the axis of least or greatest moment or, close to the separatrix,
+/// back and forth between the ends of the intermediate axis, which is the flip.
+class MomentumView : public SolutionView {
+ public:
+  /// Shows one motion in `pane`.
+  MomentumView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+               std::size_t solution, const Layout::Pane& pane);
+
+  /// The sphere with its curves and axes, if the camera is fixed.
+  void add_still(ViewContents& contents) const override;
+
+  /// The momentum and its trail.
+  void add(const timeline::FrameState& state, ViewContents& contents) const override;
+
+  /// Returns the position of a sample's momentum, on the unit sphere unless the method has left it.
+  Eigen::Vector3d place_of(const motion::Sample& sample) const;
+
+ private:
+  void add_sphere(ViewContents& contents) const;
+  void add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
+                 DrawList& list) const;
+  void add_separatrix(DrawList& list) const;
+  void add_momentum(const timeline::SolutionState& instant, DrawList& list) const;
+  void add_labels(const timeline::FrameState& state, ViewContents& contents) const;
+  template <typename Place>
+  void add_curve(Place place, double width, const Ink& ink, DrawList& list) const;
+
+  Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
+};
+
+}  // namespace twrench::picture

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "picture/look/theme.h"
+#include "picture/views/principal_frame.h"
+#include "picture/views/view.h"
+
+namespace twrench::picture {
+
+/// What the views that show one motion in its body's principal axes have in common.
+class SolutionView : public View {
+ public:
+  Camera camera(double video_time) const override;
+
+ protected:
+  /// Shows solutions[solution] in `pane`.
+  SolutionView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+               std::size_t solution, const Layout::Pane& pane);
+
+  /// Returns whether the body does not rotate.
+  bool at_rest() const { return frame_.direction.isZero(0.0); }
+
+  /// Frames the sphere of that radius about the centre and the points. The camera starts at
+  /// `azimuth` and goes around as the scene's does; angles in rad.
+  void frame(double azimuth, double elevation, double radius,
+             std::span<const Eigen::Vector3d> points);
+
+  const timeline::SolutionState& state_in(const timeline::FrameState& frame) const {
+    return frame.solutions[solution_];
+  }
+
+  /// Returns the width in pixels of a thin line in a pane of this size.
+  double hairline() const;
+
+  /// Adds the name of what points from the centre to `tip`, if there is room for it.
+  void add_label(ViewContents& contents, const std::string& text, const Eigen::Vector3d& tip,
+                 const scene::Color& color) const;
+
+  OverlayColors colors_;
+  scene::CameraPath path_;
+  bool shows_trail_, shows_labels_;
+  double trail_length_;  ///< Duration of the trail in s.
+  motion::FreeBody body_;
+  PrincipalFrame frame_;
+
+ private:
+  std::size_t solution_;
+  double orbit_;  ///< rad, of the camera in the whole video.
+  double azimuth_ = 0, elevation_ = 0;
+  Framing framing_{};
+};
+
+}  // namespace twrench::picture

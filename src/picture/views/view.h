@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "picture/compose/label.h"
+#include "picture/compose/layout.h"
+#include "picture/overlay/draw_list.h"
+#include "timeline/timeline.h"
+
+namespace twrench::picture {
+
+/// What a view shows at one time, as values. It is kept from frame to frame to reuse its memory.
+struct ViewContents {
+  /// For coordinates in space.
+  Camera camera;
+  /// Attitude of the body, space_from_body; nothing if the view shows no body.
+  std::optional<Eigen::Matrix3d> X;
+  /// Its attitudes while the shutter is open; empty without motion blur.
+  std::vector<Eigen::Matrix3d> blur;
+  /// Items that hide one another and the body, and those that are blended over both in order.
+  DrawList opaque, translucent;
+  /// Names, which are drawn over all views and panels.
+  std::vector<Label> labels;
+
+  /// Removes what was shown. Later items are seen by `camera_in_space`, whose picture fills `pane`.
+  void begin(const Camera& camera_in_space, const image::Area& pane);
+
+  bool is_empty() const {
+    return !X && opaque.vertices().empty() && translucent.vertices().empty();
+  }
+};
+
+/// A view of objects in space. It computes what is to be seen, and draws nothing.
+class View {
+ public:
+  explicit View(Layout::Pane pane) : pane_(std::move(pane)) {}
+  virtual ~View() = default;
+
+  const Layout::Pane& pane() const { return pane_; }
+
+  /// Returns the camera at `video_time` seconds of video, since it may move, for coordinates in the
+  /// view's own frame.
+  virtual Camera camera(double video_time) const = 0;
+
+  /// Returns the camera for coordinates in space.
+  virtual Camera camera_in_space(const timeline::FrameState& state) const {
+    return camera(state.video_time);
+  }
+
+  /// Adds what is the same in every frame to `contents`, which show nothing yet.
+  virtual void add_still(ViewContents& /*contents*/) const {}
+
+  /// Adds what changes from frame to frame, as the contents' camera sees it.
+  virtual void add(const timeline::FrameState& state, ViewContents& contents) const = 0;
+
+ private:
+  Layout::Pane pane_;
+};
+
+}  // namespace twrench::picture

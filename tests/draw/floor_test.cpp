@@ -1,0 +1,160 @@
+#include "draw/floor.h"
+
+#include <gtest/gtest.h>
+#include <twrench/math/so3.h>
+
+#include <cmath>
+#include <memory>
+
+#include "draw/pose_renderer.h"
+#include "gl/test_context.h"
+#include "picture/t_wrench.h"
+
+namespace twrench::draw {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using picture::cylinder;
+using picture::t_wrench;
+
+class FloorTest : public testing::Test {
+ protected:
+  std::unique_ptr<gl::Context> context = gl::make_test_context();
+
+  image::Image drawn(const scene::Scene& scene, const Matrix3d& X,
+                     const std::set<scene::Feature>& features) const {
+    return PoseRenderer(*context, scene, features).draw(X);
+  }
+
+  /// The effect of the floor: the red of each pixel with it, minus that without.
+  std::vector<int> change(const scene::Scene& scene, const Matrix3d& X) const {
+    const image::Image with = drawn(scene, X, {scene::Feature::floor});
+    const image::Image without = drawn(scene, X, {});
+    std::vector<int> result;
+    for (std::size_t i = 0; i < with.pixels.size(); i += 3) {
+      result.push_back(with.pixels[i] - without.pixels[i]);
+    }
+    return result;
+  }
+
+  static scene::Scene white() {
+    scene::Scene scene = t_wrench(320, 180);
+    scene.look.background = scene::Color{255, 255, 255};
+    scene.camera.distance = 1.5;
+    return scene;
+  }
+
+  /// The centre of the shadow on a white floor, column and row.
+  Eigen::Vector2d shadow(const scene::Scene& scene, const Matrix3d& X) const {
+    const std::vector<int> darker = change(scene, X);
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weight = 0;
+    for (std::size_t i = 0; i < darker.size(); ++i) {
+      const double dark = std::min(darker[i], 0);
+      sum += dark * Eigen::Vector2d(static_cast<double>(i % 320), static_cast<double>(i / 320));
+      weight += dark;
+    }
+    return sum / weight;
+  }
+};
+
+TEST_F(FloorTest, HasTheShadowOfABodyOfAnySize) {
+  scene::Scene ball = white();
+  ball.body.descriptions.clear();
+  const auto sized = [&](double radius) {
+    ball.body.parts = {
+        {body::Ellipsoid{Vector3d::Constant(radius)}, 1, {0, 0, 0}, Matrix3d::Identity()}};
+    return shadow(ball, Matrix3d::Identity());
+  };
+  const Eigen::Vector2d expected = sized(1);
+  EXPECT_LT((sized(1e6) - expected).norm(), 0.5);
+}
+
+TEST_F(FloorTest, IsLightThatFadesBeforeAHorizon) {
+  const scene::Scene scene = t_wrench(320, 180);
+  const std::vector<int> light = change(scene, Matrix3d::Identity());
+  const auto at = [&](int column, int row) {
+    return light[static_cast<std::size_t>(320 * row + column)];
+  };
+  EXPECT_GT(*std::ranges::max_element(light), 15);
+  EXPECT_GT(at(170, 178), at(100, 178) + 3) << "brightest below the body";
+  for (int column = 0; column < 320; column += 20) EXPECT_LE(at(column, 10), 1) << column;
+  for (int row = 1; row < 180; ++row) {
+    EXPECT_LE(std::abs(at(40, row) - at(40, row - 1)), 2) << "no edge, row " << row;
+  }
+}
+
+TEST_F(FloorTest, LeavesAFlatBackgroundItsColourAndShadesIt) {
+  const scene::Scene scene = white();
+  const std::vector<int> darker = change(scene, Matrix3d::Identity());
+  EXPECT_EQ(darker.front(), 0);
+  EXPECT_LT(*std::ranges::min_element(darker), -40);
+}
+
+TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
+  const scene::Scene scene = white();
+  // The leg, which casts most of it, points right, or left.
+  const Eigen::Vector2d right = shadow(scene, Matrix3d::Identity());
+  const Eigen::Vector2d left = shadow(scene, so3::exp(Vector3d(0, 3.14, 0)));
+  EXPECT_GT(right.x(), left.x() + 5);
+  EXPECT_GT(left.y(), 110);
+  // A small rotation moves it slightly: it neither jumps nor pulsates.
+  const Eigen::Vector2d near = shadow(scene, so3::exp(Vector3d(0, 0.01, 0)));
+  EXPECT_LT((near - right).norm(), 0.5);
+}
+
+TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
+  scene::Scene scene = white();
+  scene.overlay.view = scene::View::quad;  // the body is in the upper left quarter
+  scene.camera.distance = 1.0;
+  const std::vector<int> darker = change(scene, Matrix3d::Identity());
+  const auto at = [&](int column, int row) {
+    return darker[static_cast<std::size_t>(320 * row + column)];
+  };
+  EXPECT_LT(*std::ranges::min_element(darker), -20);
+  for (int column = 0; column < 160; ++column) EXPECT_GE(at(column, 89), -1) << column;
+  for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
+}
+
+// The light goes along with the camera, and here the body too; the floor does not.
+TEST_F(FloorTest, IsSeenToStandStillUnderAMovingCamera) {
+  const auto seen = [&](double azimuth, double orbit) {
+    scene::Scene scene = t_wrench(320, 180);
+    scene.camera.azimuth = azimuth;
+    scene.camera.orbit = orbit;
+    return change(scene, so3::exp(Vector3d(0, azimuth, 0)));
+  };
+  const auto differing = [&](double orbit) {
+    const std::vector<int> here = seen(0, orbit), there = seen(0.5, orbit);
+    int count = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) count += std::abs(here[i] - there[i]) > 1 ? 1 : 0;
+    return count;
+  };
+  EXPECT_LT(differing(0), 10) << "a still camera";
+  EXPECT_GT(differing(0.1), 300);
+}
+
+TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
+  const Matrix3d Id = Matrix3d::Identity();
+  scene::Scene below = t_wrench(160, 90);
+  below.camera.elevation = -0.2;
+  scene::Scene clear = t_wrench(160, 90);
+  clear.look.transparent = true;
+  scene::Scene space = t_wrench(160, 90);
+  space.look.theme = scene::Theme::space;
+  for (const scene::Scene& scene : {below, clear, space}) {
+    EXPECT_EQ(drawn(scene, Id, {scene::Feature::floor}).pixels, drawn(scene, Id, {}).pixels);
+  }
+}
+
+// Not with a sphere per radius, of which its length is ten million.
+TEST_F(FloorTest, IsDrawnBelowAWire) {
+  scene::Scene scene = white();
+  scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};
+  scene.motion.omega.setZero();
+  EXPECT_NO_THROW(change(scene, Matrix3d::Identity()));
+}
+
+}  // namespace
+}  // namespace twrench::draw

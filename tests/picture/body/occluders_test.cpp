@@ -1,0 +1,44 @@
+#include "picture/body/occluders.h"
+
+#include <gtest/gtest.h>
+
+#include "picture/t_wrench.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(CapsuleOf, LiesAboutTheLongestAxis) {
+  const Capsule capsule = capsule_of(cylinder(1, 8, {-1, 0, 0}, Vector3d::UnitY()));
+  EXPECT_EQ(capsule.radius, 1);
+  EXPECT_NEAR((capsule.from - Vector3d(-1, -3.5, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((capsule.to - Vector3d(-1, 3.5, 0)).norm(), 0, 1e-12);
+  const Capsule box = capsule_of({body::Box{{6, 2, 4}}, 1, {0, 0, 1}, Eigen::Matrix3d::Identity()});
+  EXPECT_EQ(box.radius, 1.5);
+  EXPECT_NEAR(std::abs((box.to - box.from).x()), 4.5, 1e-12);
+}
+
+TEST(CapsuleOf, IsABallForABall) {
+  const Capsule capsule = capsule_of(
+      {body::Ellipsoid{Vector3d::Constant(2)}, 1, {1, 2, 3}, Eigen::Matrix3d::Identity()});
+  EXPECT_EQ(capsule.radius, 2);
+  EXPECT_NEAR((capsule.to - capsule.from).norm(), 2, 1e-12);
+}
+
+TEST(Neighbours, AreTheNearestThatAreNear) {
+  const std::vector<body::Part> parts{cylinder(1, 8, {0, 0, 0}, Vector3d::UnitY()),
+                                      cylinder(1, 4, {3.0, 2, 0}, Vector3d::UnitX()),
+                                      cylinder(0.5, 4, {0, 0, 2.6}, Vector3d::UnitZ()),
+                                      cylinder(1, 4, {90, 0, 0}, Vector3d::UnitX())};
+  const auto found = find_occluders(parts, 3);
+  ASSERT_EQ(found.size(), 4U);
+  ASSERT_EQ(found[0].size(), 2U);
+  EXPECT_EQ(found[0][0].radius, 0.5) << "the nearest first";
+  EXPECT_EQ(found[0][1].radius, 1);
+  EXPECT_TRUE(found[3].empty()) << "far from all others";
+  EXPECT_EQ(find_occluders(parts, 1)[0].size(), 1U);
+}
+
+}  // namespace
+}  // namespace twrench::picture

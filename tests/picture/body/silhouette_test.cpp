@@ -1,0 +1,179 @@
+#include "picture/body/silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
+
+#include "picture/body/gap_closing.h"
+#include "picture/body/meshes.h"
+#include "picture/t_wrench.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const glm::vec3 viewpoints[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
+
+std::vector<std::pair<const char*, Mesh>> meshes() {
+  return {{"cylinder", part_mesh(cylinder(1, 8, {0, 0, 0}, Vector3d(1, 1, 0)), 0.01)},
+          {"box", part_mesh({body::Box{{2, 3, 4}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
+          {"ellipsoid",
+           part_mesh({body::Ellipsoid{{1, 2, 3}}, 1, {0, 0, 0}, Matrix3d::Identity()}, 0.01)},
+          {"wrench", body_mesh(close_gaps(t_wrench().body.parts), 0.01)}};
+}
+
+// An edge of a closed mesh lies between a front-facing and a back-facing triangle, or it is not on
+// the silhouette: so the silhouette has no ends.
+TEST(Silhouette, IsClosedLoops) {
+  for (const auto& [name, mesh] : meshes()) {
+    Silhouette outline(mesh);
+    for (const glm::vec3& eye : viewpoints) {
+      outline.find(eye, 30);
+      ASSERT_GT(outline.edge_quads().size(), 12u) << name;
+      ASSERT_EQ(6 * outline.edge_quads().size(), 4 * outline.indices().size()) << name;
+      std::map<std::tuple<float, float, float>, int> ends;
+      for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+        ++ends[{corner.position.x, corner.position.y, corner.position.z}];
+      }
+      for (const auto& [place, count] : ends) EXPECT_EQ(count % 4, 0) << name;
+    }
+  }
+}
+
+TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
+  constexpr float radius = 2;
+  const body::Part sphere{
+      body::Ellipsoid{{radius, radius, radius}}, 1, {0, 0, 0}, Matrix3d::Identity()};
+  Silhouette outline(part_mesh(sphere, 0.001));
+  for (const glm::vec3& eye : viewpoints) {
+    outline.find(eye, 30);
+    const float distance = glm::length(eye);
+    for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+      // At most half the size of a facet off the circle.
+      EXPECT_NEAR(glm::dot(corner.position, eye) / distance, radius * radius / distance, 0.13F);
+      EXPECT_NEAR(glm::dot(corner.normal, corner.position), radius, 1e-4F);
+    }
+  }
+}
+
+TEST(Silhouette, MovesItsVerticesAndLessThoseNearIt) {
+  for (const auto& [name, mesh] : meshes()) {
+    Silhouette outline(mesh);
+    for (const glm::vec3& eye : viewpoints) {
+      outline.find(eye, 30);
+      ASSERT_EQ(outline.shifts().size(), mesh.vertices.size());
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const bool is_on_it =
+            std::ranges::any_of(outline.edge_quads(),
+                                [&, &at = mesh.vertices[i].position](const EdgeQuadVertex& corner) {
+                                  return corner.position == at;
+                                });
+        if (is_on_it) {
+          ASSERT_EQ(outline.shifts()[i].offset, -1) << name << ' ' << i;
+        } else {
+          ASSERT_GE(outline.shifts()[i].offset, -1) << name << ' ' << i;
+          ASSERT_LE(outline.shifts()[i].offset, 0) << name << ' ' << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(Silhouette, MovesNoOthersWherePixelsAreSmall) {
+  Silhouette outline(part_mesh(cylinder(2, 8, {0, 0, 0}, Vector3d(0, 1, 0)), 0.01));
+  outline.find(viewpoints[0], 1e6F);
+  const auto moved =
+      std::ranges::count_if(outline.shifts(), [](const Shift& s) { return s.offset != 0; });
+  const auto on_it = std::ranges::count(outline.shifts(), -1, &Shift::offset);
+  EXPECT_GT(moved, 0);
+  EXPECT_EQ(moved, on_it);
+}
+
+TEST(Silhouette, FinsHaveAnInnerAndAnOuterSide) {
+  Silhouette outline(meshes().front().second);
+  outline.find(viewpoints[0], 30);
+  for (std::size_t i = 0; i < outline.indices().size(); i += 6) {
+    float sum = 0;
+    for (std::size_t k = i; k < i + 6; ++k)
+      sum += outline.edge_quads()[outline.indices()[k]].shift.offset;
+    EXPECT_EQ(sum, 0);
+  }
+}
+
+Mesh mesh_of_triangles(body::TriangleMesh triangles, double shell = 0) {
+  return part_mesh(part_of(std::move(triangles), shell), 0);
+}
+
+// Where normals say nothing of the outline, its edges do: seen head-on, the corners of a box are
+// moved along both edges.
+TEST(Silhouette, OfABoxOfTrianglesIsMovedByAsMuchAtItsCorners) {
+  Silhouette outline(mesh_of_triangles(box_of_triangles({2, 2, 0.5})));
+  outline.find({0, 0, 100}, 30);
+  EXPECT_EQ(outline.indices().size(), 6U * 4);
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    EXPECT_EQ(corner.normal, glm::vec3(0, 0, 1)) << "that of the face which one sees";
+    EXPECT_NEAR(corner.shift.direction.x, corner.position.x, 0.01F);
+    EXPECT_NEAR(corner.shift.direction.y, corner.position.y, 0.01F);
+  }
+}
+
+/// An open box: a bottom and four walls with an inside, which another box hollows out.
+body::TriangleMesh bowl() {
+  body::TriangleMesh mesh = box_of_triangles({4, 4, 2});
+  const body::TriangleMesh hollow = box_of_triangles({3, 3, 2});
+  // Both lids are left out, and a rim joins their corners, 4 to 7 of each.
+  std::erase_if(mesh.triangles, [](const auto& t) { return t[0] >= 4 && t[1] >= 4 && t[2] >= 4; });
+  for (const auto& v : hollow.vertices)
+    mesh.vertices.emplace_back(v.x(), v.y(), v.z() > 0 ? 1 : -0.5);
+  for (const auto& [a, b, c] : hollow.triangles) {
+    if (a < 4 || b < 4 || c < 4) mesh.triangles.push_back({a + 8, c + 8, b + 8});
+  }
+  for (const auto& [a, b] : {std::pair(4U, 5U), {5U, 7U}, {7U, 6U}, {6U, 4U}}) {
+    mesh.triangles.push_back({a, b, b + 8});
+    mesh.triangles.push_back({a, b + 8, a + 8});
+  }
+  return mesh;
+}
+
+TEST(Silhouette, LeavesOutEdgesInHollows) {
+  Silhouette outline(mesh_of_triangles(bowl()));
+  const glm::vec3 eye(9, 0.1F, 9);
+  outline.find(eye, 30);
+  int inside = 0;
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    EXPECT_GT(corner.position.z, -1.01F);
+    if (corner.lift == 0 && corner.position.z == -0.5F) ++inside;
+  }
+  EXPECT_EQ(inside, 0) << "the corners where the walls' insides meet the bottom";
+  EXPECT_GT(outline.indices().size(), 0U);
+}
+
+// Of a box one sees three faces: between them each fades out over the other, by half a pixel.
+TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
+  Silhouette outline(mesh_of_triangles(box_of_triangles({2, 2, 2})));
+  outline.find({9, 8, 7}, 30);
+  EXPECT_EQ(outline.indices().size(), 6U * (6 + 2 * 3));
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    if (corner.lift == 0) continue;
+    EXPECT_GE(corner.shift.offset, 0);
+    EXPECT_EQ(corner.transparency, 0.5F + 0.5F * corner.shift.offset);
+  }
+}
+
+TEST(Silhouette, OfAWallIsItsBorder) {
+  Silhouette outline(mesh_of_triangles({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}, 0.1));
+  for (const float side : {1.0F, -1.0F}) {
+    outline.find({0, 0, side * 20}, 30);
+    EXPECT_EQ(outline.indices().size(), 6U * 3);
+    for (const EdgeQuadVertex& corner : outline.edge_quads()) EXPECT_EQ(corner.normal.z, side);
+  }
+}
+
+}  // namespace
+}  // namespace twrench::picture

@@ -1,0 +1,321 @@
+#include "picture/compose/layout.h"
+
+#include <gmock/gmock.h>
+#include <twrench/base/error.h>
+
+#include <functional>
+
+#include "picture/t_wrench.h"
+#include "scene/names.h"
+
+namespace twrench::picture {
+namespace {
+
+/// Picture sides, combined with each other: from 1:1024 to 1024:1.
+constexpr int sides[]{16,  17,   20,   24,   33,   48,   64,   72,   90,   100,  135,
+                      164, 180,  240,  270,  300,  360,  480,  540,  600,  728,  854,
+                      996, 1000, 1080, 1280, 1600, 1920, 2160, 2400, 3840, 8192, 16384};
+
+bool overlap(const image::Area& a, const image::Area& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+bool inside(const image::Area& a, const image::Area& b) {
+  return a.width > 0 && a.height > 0 && a.x >= b.x && a.y >= b.y &&
+         a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
+}
+
+std::vector<Layout::Pane> all_panes(const Layout& layout) {
+  std::vector<Layout::Pane> panes = layout.panes;
+  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    if (pane) panes.push_back(*pane);
+  }
+  return panes;
+}
+
+std::string text(const image::Area& a) {
+  return std::to_string(a.x) + "," + std::to_string(a.y) + " " + std::to_string(a.width) + "x" +
+         std::to_string(a.height);
+}
+
+std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view) {
+  std::vector<image::Area> areas = layout.legends;
+  for (const auto& area :
+       {layout.title, layout.readouts, layout.description, layout.components, layout.curve,
+        layout.forces, layout.tilt, layout.moments, layout.torques}) {
+    if (area) areas.push_back(*area);
+  }
+  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    if (pane && pane->heading) areas.push_back(*pane->heading);
+  }
+  if (view == scene::View::wrench) {
+    for (const auto& inset : {layout.momentum, layout.poinsot}) {
+      if (inset) areas.push_back(inset->area);
+    }
+  }
+  return areas;
+}
+
+/// All areas that must not overlap: text, insets, and the focus of each view.
+std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
+  std::vector<image::Area> areas = words_and_insets(layout, view);
+  for (const Layout::Pane& pane : layout.panes) areas.push_back(pane.focus);
+  if (view != scene::View::wrench) {
+    for (const auto& pane : {layout.momentum, layout.poinsot}) {
+      if (pane) areas.push_back(pane->focus);
+    }
+  }
+  return areas;
+}
+
+/// For each size, with all optional items and with each selection of them.
+void for_each_layout(scene::View view, int compared,
+                     const std::function<void(const scene::Scene&, const Layout&)>& check) {
+  constexpr scene::Feature features[]{scene::Feature::poinsot,    scene::Feature::sphere,
+                                      scene::Feature::components, scene::Feature::curve,
+                                      scene::Feature::hud,        scene::Feature::forces};
+  scene::Scene scene = t_wrench();
+  scene.overlay.view = view;
+  scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
+  for (unsigned choice = 0; choice < 64; ++choice) {
+    scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
+    for (unsigned i = 0; i < 6; ++i) {
+      if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
+    }
+    if (scene.overlay.shows(scene::Feature::forces)) {
+      scene.overlay.show.insert({scene::Feature::tilt, scene::Feature::moments});
+      scene.camera.frame = scene::Frame::rotating;
+    }
+    for (const int width : sides) {
+      for (const int height : sides) {
+        scene.film.width = width;
+        scene.film.height = height;
+        check(scene, compute_layout(scene));
+        if (testing::Test::HasFailure()) return;  // one failure is enough
+      }
+    }
+  }
+}
+
+std::string text(const scene::Scene& scene) {
+  std::string shown;
+  for (const scene::Feature feature : scene.overlay.show) shown += " " + scene::name_of(feature);
+  return std::to_string(scene.film.width) + "x" + std::to_string(scene.film.height) + shown;
+}
+
+class LayoutOf : public testing::TestWithParam<std::pair<scene::View, int>> {
+ protected:
+  static void check_each(const std::function<void(const scene::Scene&, const Layout&)>& check) {
+    for_each_layout(GetParam().first, GetParam().second, check);
+  }
+};
+
+TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
+  check_each([](const scene::Scene& scene, const Layout& layout) {
+    const auto [width, height] = std::pair(scene.film.width, scene.film.height);
+    for (const image::Area& area : words_and_insets(layout, scene.overlay.view)) {
+      EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << text(scene);
+      EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << text(scene);
+      EXPECT_LE(area.x + area.width, 0.95 * width) << text(area) << " of " << text(scene);
+      EXPECT_LE(area.y + area.height, 0.95 * height) << text(area) << " of " << text(scene);
+    }
+  });
+}
+
+TEST_P(LayoutOf, CoversNothing) {
+  check_each([](const scene::Scene& scene, const Layout& layout) {
+    const image::Area picture{0, 0, scene.film.width, scene.film.height};
+    const std::vector<image::Area> areas = all_areas(layout, scene.overlay.view);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " of " << text(scene);
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_FALSE(overlap(areas[i], areas[j]))
+            << text(areas[i]) << " and " << text(areas[j]) << " of " << text(scene);
+      }
+    }
+  });
+}
+
+TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
+  check_each([](const scene::Scene& scene, const Layout& layout) {
+    long long pixels = 0;
+    for (const auto& [area, focus, named, heading] : all_panes(layout)) {
+      EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
+      EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
+          << text(focus) << " of " << text(scene);
+    }
+    for (const Layout::Pane& pane : layout.panes) {
+      pixels += static_cast<long long>(pane.area.width) * pane.area.height;
+    }
+    if (scene.overlay.view == scene::View::wrench) {
+      EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height)
+          << text(scene);
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, LayoutOf,
+    testing::Values(std::pair(scene::View::wrench, 0), std::pair(scene::View::wrench, 1),
+                    std::pair(scene::View::wrench, 2), std::pair(scene::View::wrench, 3),
+                    std::pair(scene::View::wrench, 4), std::pair(scene::View::momentum, 0),
+                    std::pair(scene::View::poinsot, 0), std::pair(scene::View::quad, 0)));
+
+TEST(Layout, GivesTheBareBodyTheWholePicture) {
+  for (const int width : sides) {
+    for (const int height : sides) {
+      scene::Scene scene = t_wrench(width, height);
+      scene.overlay.show = {scene::Feature::floor, scene::Feature::trail, scene::Feature::momentum};
+      const Layout layout = compute_layout(scene);
+      ASSERT_EQ(layout.panes.size(), 1U);
+      EXPECT_EQ(layout.panes[0].area, (image::Area{0, 0, width, height}));
+      EXPECT_EQ(layout.panes[0].focus, (image::Area{0, 0, width, height}));
+    }
+  }
+}
+
+TEST(Layout, DropsInTheStatedOrder) {
+  std::size_t before = 6;
+  std::set<std::size_t> counts;
+  for (int height = 1080; height >= 20; height -= 4) {
+    scene::Scene scene = t_wrench(height * 16 / 9, height);
+    scene.overlay.show.insert({scene::Feature::poinsot, scene::Feature::components});
+    const Layout layout = compute_layout(scene);
+    const std::vector<bool> kept{layout.title.has_value(),    layout.readouts.has_value(),
+                                 layout.curve.has_value(),    layout.components.has_value(),
+                                 layout.momentum.has_value(), layout.poinsot.has_value()};
+    EXPECT_TRUE(std::ranges::is_sorted(kept, std::greater())) << height;
+    const auto count = static_cast<std::size_t>(std::ranges::count(kept, true));
+    EXPECT_LE(count, before) << "what has found no room finds none in a smaller picture: "
+                             << height;
+    before = count;
+    counts.insert(count);
+  }
+  EXPECT_THAT(counts, testing::IsSupersetOf({6U, 4U, 3U, 2U, 0U}));
+}
+
+TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
+  for (const auto& [width, height] :
+       {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}, {1440, 1080}, {2560, 1080}}) {
+    const Layout layout = compute_layout(t_wrench(width, height));
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
+    EXPECT_FALSE(layout.compact);
+    const image::Area& focus = layout.panes[0].focus;
+    EXPECT_GE(std::min(focus.width, focus.height), 0.5 * std::min(width, height)) << width;
+  }
+}
+
+TEST(Layout, LeavesTheBodyOfAWideFilmItsFullHeight) {
+  const image::Area focus = compute_layout(t_wrench(1920, 1080)).panes[0].focus;
+  EXPECT_EQ(focus.height, 972) << "what is 5 % away from the edges";
+  EXPECT_GE(focus.width, 1080);
+}
+
+TEST(Layout, GivesAViewOfItsOwnMostOfThePictureAndADescription) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}}) {
+    for (const scene::View view : {scene::View::momentum, scene::View::poinsot}) {
+      scene::Scene scene = t_wrench(width, height);
+      scene.overlay.view = view;
+      const Layout layout = compute_layout(scene);
+      EXPECT_TRUE(layout.description) << width;
+      const image::Area focus = (layout.momentum ? layout.momentum : layout.poinsot)->focus;
+      EXPECT_GE(std::min(focus.width, focus.height), 0.55 * std::min(width, height)) << width;
+    }
+  }
+  EXPECT_FALSE(compute_layout(t_wrench(1920, 1080)).description);
+}
+
+TEST(Layout, ReservesTwoLinesForATitleThatIsTooLongForOne) {
+  scene::Scene scene = t_wrench(1920, 1080);
+  scene.title = "Short";
+  const int one = compute_layout(scene).title->height;
+  scene.title = "A title that does not fit into the column";
+  EXPECT_EQ(compute_layout(scene).title->height, 2 * one);
+}
+
+TEST(Layout, ReservesALineForTheMethodOnlyIfItIsShown) {
+  scene::Scene scene = t_wrench(1920, 1080);
+  const int without = compute_layout(scene).title->height;
+  scene.overlay.show.insert(scene::Feature::method);
+  EXPECT_GT(compute_layout(scene).title->height, without);
+}
+
+TEST(Layout, KeepsTheComponentsOfAComparisonInThreeRows) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1280, 720}, {1080, 1920}}) {
+    scene::Scene scene = t_wrench(width, height);
+    scene.overlay.show.erase(scene::Feature::curve);
+    scene.overlay.show.insert(scene::Feature::components);
+    scene.overlay.compare = {"rk4", "exact"};
+    const Layout layout = compute_layout(scene);
+    ASSERT_TRUE(layout.components) << width;
+    EXPECT_FALSE(is_strip(*layout.components)) << width;
+  }
+}
+
+TEST(Layout, GivesTheViewsOfALongPictureItsWholeBreadth) {
+  for (const auto& [width, height] :
+       {std::pair(1600, 300), {3840, 600}, {16384, 164}, {300, 1600}, {200, 1600}}) {
+    const Layout layout = compute_layout(t_wrench(width, height));
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
+    const int breadth = std::min(width, height);
+    for (const Layout::Pane& pane : {layout.panes[0], *layout.momentum}) {
+      EXPECT_GE(std::min(pane.focus.width, pane.focus.height), 0.85 * breadth) << width;
+    }
+  }
+}
+
+TEST(Layout, NamesNothingWhereANameWouldHideIt) {
+  EXPECT_TRUE(compute_layout(t_wrench(320, 180)).panes[0].named);
+  EXPECT_FALSE(compute_layout(t_wrench(32, 18)).panes[0].named);
+}
+
+TEST(Layout, SetsTheWordsOfSmallPicturesNoSmallerThanCanBeRead) {
+  EXPECT_TRUE(compute_layout(t_wrench(320, 180)).title);
+  EXPECT_TRUE(compute_layout(t_wrench(320, 180)).readouts);
+  EXPECT_GE(compute_layout(t_wrench(320, 180)).text.caption, 9);
+  EXPECT_DOUBLE_EQ(compute_layout(t_wrench(3840, 2160)).text.title,
+                   2 * compute_layout(t_wrench(1920, 1080)).text.title);
+}
+
+TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
+  scene::Scene scene = t_wrench(640, 360);
+  scene.overlay.compare = {"rk4", "exact"};
+  for (const scene::View view : {scene::View::momentum, scene::View::poinsot, scene::View::quad}) {
+    scene.overlay.view = view;
+    EXPECT_THROW(compute_layout(scene), InvalidArgument);
+  }
+}
+
+TEST(Layout, GivesTiltAndMomentsThePlaceOfTheCurve) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1280, 720}}) {
+    scene::Scene scene = t_wrench(width, height);
+    const Layout before = compute_layout(scene);
+    scene.overlay.show.insert(scene::Feature::tilt);
+    Layout layout = compute_layout(scene);
+    EXPECT_EQ(layout.tilt, before.curve);
+    EXPECT_FALSE(layout.curve || layout.moments);
+    EXPECT_EQ(layout.panes[0].focus, before.panes[0].focus);
+    scene.overlay.show.insert(scene::Feature::moments);
+    layout = compute_layout(scene);
+    EXPECT_TRUE(layout.tilt && layout.moments) << width;
+    EXPECT_TRUE(inside(*layout.tilt, *before.curve) && inside(*layout.moments, *before.curve));
+    scene.overlay.show.erase(scene::Feature::sphere);
+    const Layout alone = compute_layout(scene);
+    EXPECT_GE(alone.tilt->height, layout.tilt->height) << "in the place of the sphere too";
+  }
+}
+
+TEST(Layout, GivesTheLegendOfTheForcesARowBelowTheBody) {
+  scene::Scene scene = t_wrench(1280, 720);
+  const Layout before = compute_layout(scene);
+  scene.overlay.show.insert(scene::Feature::forces);
+  const Layout layout = compute_layout(scene);
+  ASSERT_TRUE(layout.forces);
+  EXPECT_TRUE(inside(*layout.forces, before.panes[0].focus));
+  EXPECT_LT(layout.panes[0].focus.y + layout.panes[0].focus.height, layout.forces->y);
+  scene.overlay.compare = {"rk4", "exact"};
+  EXPECT_FALSE(compute_layout(scene).forces);
+}
+
+}  // namespace
+}  // namespace twrench::picture

@@ -1,0 +1,96 @@
+#include "picture/look/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/color_vision.h"
+
+namespace twrench::picture {
+namespace {
+
+/// From the theme's darkest to its brightest background, with the floor's light.
+std::vector<scene::Color> own_grounds(const ThemeStyle& style) {
+  const scene::Color& below = style.backdrop.below;
+  const scene::Color light = style.floor ? style.floor->light : scene::Color{0, 0, 0};
+  return {style.backdrop.above,
+          below,
+          {std::min(255, below.red + light.red), std::min(255, below.green + light.green),
+           std::min(255, below.blue + light.blue)}};
+}
+
+/// With what a user may choose, or composite a transparent video over.
+std::vector<scene::Color> any_ground(const ThemeStyle& style) {
+  std::vector<scene::Color> grounds = own_grounds(style);
+  grounds.insert(grounds.end(),
+                 {{255, 255, 255}, {0, 0, 0}, {128, 128, 128}, {138, 43, 226}, {255, 255, 0}});
+  return grounds;
+}
+
+/// The panel composited over a background.
+scene::Color panel_on(const OverlayColors& colors, const scene::Color& ground) {
+  const auto over = [&](int panel, int behind) {
+    return static_cast<int>(
+        std::lround(colors.panel_opacity * panel + (1 - colors.panel_opacity) * behind));
+  };
+  return {over(colors.panel.red, ground.red), over(colors.panel.green, ground.green),
+          over(colors.panel.blue, ground.blue)};
+}
+
+/// The colours of what has a name or a trail.
+std::vector<scene::Color> named(const OverlayColors& c) {
+  return {c.axis[0], c.axis[1], c.axis[2], c.momentum, c.omega, c.trail};
+}
+
+class ThemeTest : public testing::TestWithParam<scene::Theme> {
+ protected:
+  const ThemeStyle& style = style_of(GetParam());
+  const OverlayColors& colors = style.overlay;
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, ThemeTest,
+                         testing::Values(scene::Theme::studio, scene::Theme::paper,
+                                         scene::Theme::space));
+
+TEST_P(ThemeTest, HasTextThatCanBeReadOnAPanelOverAnything) {
+  for (const scene::Color& ground : own_grounds(style)) {
+    for (const scene::Color& text : {colors.text, colors.dim}) {
+      EXPECT_GE(contrast(text, ground), 4.5)
+          << scene::to_string(text) << " on " << scene::to_string(ground);
+    }
+  }
+  std::vector<scene::Color> texts = named(colors);
+  texts.insert(texts.end(), {colors.text, colors.dim});
+  texts.insert(texts.end(), colors.curve.begin(), colors.curve.end());  // their names
+  for (const scene::Color& ground : any_ground(style)) {
+    for (const scene::Color& text : texts) {
+      EXPECT_GE(contrast(text, panel_on(colors, ground)), 4.5)
+          << scene::to_string(text) << " on a panel on " << scene::to_string(ground);
+    }
+  }
+}
+
+TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
+  std::vector<scene::Color> told = named(colors);
+  told.push_back(colors.plane);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GE(distance(told[i], told[j]), 20)
+          << scene::to_string(told[i]) << " " << scene::to_string(told[j]);
+    }
+  }
+  for (std::size_t i = 0; i < 9; ++i) {
+    for (std::size_t j = i - i % 3; j < i; ++j) {
+      EXPECT_GE(distance(colors.curve[i], colors.curve[j]), 20) << "curves " << i << " and " << j;
+    }
+  }
+}
+
+TEST(Contrast, IsThatOfTheStandard) {
+  EXPECT_NEAR(contrast({255, 255, 255}, {0, 0, 0}), 21, 1e-9);
+  EXPECT_NEAR(contrast({255, 255, 255}, {119, 119, 119}), 4.48, 0.005);
+}
+
+}  // namespace
+}  // namespace twrench::picture

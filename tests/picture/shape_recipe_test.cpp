@@ -1,0 +1,183 @@
+// "Add a shape" of CONTRIBUTING.md, for every shape that there is. A shape without an example here
+// does not compile; one that a place of the recipe forgot does not compile there, or fails here.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <variant>
+
+#include "picture/body/bounding_radius.h"
+#include "picture/body/mesh.h"
+#include "picture/body/occluders.h"
+#include "picture/overlay/trail_point.h"
+#include "scene/scene_json.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Vector3d;
+
+/// One of each, with no two measures alike.
+template <typename T>
+T example();
+template <>
+body::Cylinder example() {
+  return {1.5, 4.0};
+}
+template <>
+body::Box example() {
+  return {{2.0, 3.0, 5.0}};
+}
+template <>
+body::Ellipsoid example() {
+  return {{1.0, 2.0, 3.5}};
+}
+template <>
+body::Cone example() {
+  return {2.0, 5.0, 0.7};
+}
+template <>
+body::Torus example() {
+  return {3.0, 0.8};
+}
+template <>
+body::Capsule example() {
+  return {0.9, 4.0};
+}
+template <>
+body::Tube example() {
+  return {2.0, 1.2, 5.0};
+}
+
+template <>
+body::Mesh example() {
+  return body::make_mesh({{{-1, -2, -1}, {3, -1, -1}, {0, 3, -1}, {0, 0, 4}},
+                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                          {}});
+}
+
+template <typename Variant>
+struct AlternativesOf;
+template <typename... T>
+struct AlternativesOf<std::variant<T...>> {
+  using Types = testing::Types<T...>;
+};
+
+template <typename T>
+class ShapeRecipe : public testing::Test {
+ protected:
+  const body::Part part{example<T>(), 2.0, Vector3d(3, -1, 2), body::frame_with_z_along({1, 2, 2})};
+};
+TYPED_TEST_SUITE(ShapeRecipe, AlternativesOf<body::Shape>::Types);
+
+std::string toml_of(const nlohmann::ordered_json& part) {
+  std::string text = "[[part]]\n";
+  for (const auto& [key, value] : part.items()) text += key + " = " + value.dump() + "\n";
+  return text;
+}
+
+/// The part as a scene's JSON tells it.
+nlohmann::ordered_json json_of(const body::Part& part) {
+  scene::Scene scene;
+  scene.body.parts = {part};
+  return scene::scene_json(scene)["part"][0];
+}
+
+template <typename T>
+constexpr bool has_file_of_its_own = std::is_same_v<T, body::Mesh>;
+
+TYPED_TEST(ShapeRecipe, IsReadFromAFileAsItIsWritten) {
+  if constexpr (has_file_of_its_own<TypeParam>) GTEST_SKIP();
+  const auto json = json_of(this->part);
+  const scene::Scene scene = scene::parse_scene(toml_of(json), "recipe.toml");
+  ASSERT_EQ(scene.body.parts.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<TypeParam>(scene.body.parts[0].shape));
+  EXPECT_NEAR(body::volume(scene.body.parts[0].shape), body::volume(this->part.shape), 1e-12);
+  EXPECT_EQ(json_of(scene.body.parts[0])["shape"], json["shape"]);
+}
+
+TYPED_TEST(ShapeRecipe, IsDescribedInTheDocument) {
+  if constexpr (has_file_of_its_own<TypeParam>) GTEST_SKIP();
+  std::ifstream file(TWRENCH_TESTS_DIR "/../docs/scene-files.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string name = json_of(this->part)["shape"];
+  EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
+}
+
+/// What the picture's mesh holds, by the divergence theorem: its volume, and from it the moments.
+struct Solid {
+  double volume = 0;
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();  ///< the integral of x x^T
+};
+
+Solid solid_of(const Mesh& mesh, const Vector3d& centre) {
+  Solid solid;
+  const auto corner = [&](std::size_t index) -> Vector3d {
+    const glm::vec3& p = mesh.vertices[mesh.indices[index]].position;
+    return Vector3d(p.x, p.y, p.z) - centre;
+  };
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Vector3d a = corner(i), b = corner(i + 1), c = corner(i + 2), sum = a + b + c;
+    const double tetrahedron = a.dot(b.cross(c)) / 6;
+    solid.volume += tetrahedron;
+    solid.squares +=
+        tetrahedron / 20 *
+        (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  return solid;
+}
+
+// The solid that is drawn is the one that turns: the bevels of edges, narrow here, are the
+// difference.
+TYPED_TEST(ShapeRecipe, IsDrawnAsTheSolidThatItsNumbersTellOf) {
+  const Vector3d centre =
+      this->part.position + this->part.body_from_part * body::centroid(this->part.shape);
+  const Solid solid = solid_of(part_mesh(this->part, 1e-4), centre);
+  EXPECT_NEAR(solid.volume / body::volume(this->part.shape), 1, 0.01);
+  const Eigen::Matrix3d& R = this->part.body_from_part;
+  const Eigen::Matrix3d own = R.transpose() * solid.squares * R;
+  const Vector3d moments = Vector3d::Constant(own.trace()) - own.diagonal();
+  const Vector3d expected =
+      body::central_inertia(this->part.shape, body::volume(this->part.shape)).diagonal();
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(moments[axis] / expected[axis], 1, 0.02) << axis;
+}
+
+TYPED_TEST(ShapeRecipe, LiesInItsBounds) {
+  double farthest = 0, farthest_of_all = 0;
+  for (const Vertex& vertex : part_mesh(this->part, 1e-4).vertices) {
+    const Vector3d point(vertex.position.x, vertex.position.y, vertex.position.z);
+    farthest = std::max(farthest, (point - this->part.position).norm());
+    farthest_of_all = std::max(farthest_of_all, point.norm());
+  }
+  const double bound = body::bounding_radius(this->part.shape);
+  EXPECT_LE(farthest, bound * (1 + 1e-6));
+  EXPECT_GE(farthest, bound * 0.96);
+  EXPECT_LE(farthest_of_all,
+            bounding_radius(std::span<const body::Part>(&this->part, 1)) * (1 + 1e-6));
+}
+
+// What shades other parts in its stead, and the end that draws a trail, lie about it.
+TYPED_TEST(ShapeRecipe, HasACapsuleAndAnEnd) {
+  const double bound = body::bounding_radius(this->part.shape);
+  const std::vector<Capsule> capsules = capsules_of(this->part);
+  EXPECT_FALSE(capsules.empty());
+  for (const Capsule& capsule : capsules) {
+    EXPECT_GT(capsule.radius, 0);
+    for (const Vector3d& end : {capsule.from, capsule.to}) {
+      EXPECT_LE((end - this->part.position).norm(), bound);
+    }
+  }
+  scene::Scene scene;
+  scene.body.parts = {this->part};
+  const double distance = trail_point(scene).norm();
+  EXPECT_GT(distance, 0.3 * bound);
+  EXPECT_LT(distance, 1.2 * bound);
+}
+
+}  // namespace
+}  // namespace twrench::picture

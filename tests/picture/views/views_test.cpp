@@ -1,0 +1,192 @@
+// The contents of the views, compared with the mechanics they show.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "picture/body/bounding_radius.h"
+#include "picture/overlay/body_overlay.h"
+#include "picture/overlay/trail_point.h"
+#include "picture/t_wrench.h"
+#include "picture/views/body_view.h"
+#include "picture/views/momentum_view.h"
+#include "picture/views/poinsot_view.h"
+#include "picture/views/shown.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const Layout::Pane whole_pane{{0, 0, 320, 180}, {0, 0, 320, 180}};
+
+scene::Scene with(std::set<scene::Feature> features, int width = 320, int height = 180) {
+  scene::Scene scene = t_wrench(width, height);
+  scene.look.transparent = true;
+  scene.overlay.show = std::move(features);
+  return scene;
+}
+
+TEST(TrailPoint, IsOutsideTheTipOfTheLegSoFarThatItsTrailPassesOverTheRim) {
+  const Vector3d point = trail_point(t_wrench());
+  EXPECT_LT((point - Vector3d(4.24, 0, 0)).norm(), 1e-12);
+  const Vector3d rim(4, 1, 0);
+  EXPECT_GT(point.norm(), rim.norm() + 0.1) << "with half the trail's width";
+}
+
+TEST(TrailPoint, IsTheScenesFromTheCentreOfMass) {
+  scene::Scene scene = t_wrench();
+  for (body::Part& part : scene.body.parts) part.position += Vector3d(5, 6, 7);
+  scene.overlay.trail_point = Vector3d(5, 7, 7);
+  EXPECT_LT((trail_point(scene) - Vector3d(0, 1, 0)).norm(), 1e-12);
+}
+
+TEST(TrailPoint, ExistsWhereAllEndsAreAlike) {
+  scene::Scene scene = t_wrench();
+  scene.body.parts = {{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
+  EXPECT_NEAR(trail_point(scene).norm(), 1.06, 1e-12);
+}
+
+TEST(BodyOverlay, KeepsTheTipOfOmegaOnTheInvariablePlane) {
+  scene::Scene scene =
+      with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
+  const timeline::Timeline timeline(scene, {0, 100, 300, 500, 900});
+  const double radius = bounding_radius(scene::visible_parts(scene.body));
+  const BodyOverlay overlay(scene, timeline.solutions()[0].body, radius);
+  const Vector3d up = timeline.solutions()[0].body.momentum().normalized();
+  EXPECT_GT(overlay.plane_height(), radius) << "outside the body";
+  EXPECT_GT(overlay.momentum_tip().dot(up), overlay.plane_height()) << "pierced by L";
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
+    EXPECT_NEAR(overlay.omega_tip(sample).dot(up), overlay.plane_height(), 1e-6 * radius);
+    EXPECT_LT(overlay.omega_tip(sample).cross(sample.X * sample.omega).norm(), 1e-12 * radius);
+  }
+}
+
+TEST(BodyOverlay, BoundsALongOmega) {
+  scene::Scene scene =
+      with({scene::Feature::momentum, scene::Feature::omega, scene::Feature::plane});
+  scene.body = {{}, Vector3d(0.01, 1, 1.005).asDiagonal()};
+  scene.motion.omega = {20, 1, 0};
+  scene.motion.duration = 1;
+  const timeline::Timeline timeline(scene, {0, 5});
+  const BodyOverlay overlay(scene, timeline.solutions()[0].body, 3);
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    EXPECT_LT(overlay.omega_tip(timeline.frame_state(i).solutions[0].sample).norm(), 4.6);
+  }
+}
+
+TEST(Views, PutTheMomentumOnItsSphereAndLevel) {
+  scene::Scene scene = with({});
+  const timeline::Timeline timeline(scene, {0, 200, 400});
+  const MomentumView view(scene, timeline.solutions(), 0, whole_pane);
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
+    const Vector3d place = view.place_of(sample);
+    EXPECT_NEAR(place.norm(), 1, 1e-9);
+    // The wrench's axis of least moment, y, points up, and the intermediate one, x, towards the
+    // viewer.
+    EXPECT_GT(place.y() * sample.omega.y(), 0);
+    EXPECT_GT(place.z() * sample.omega.x(), 0);
+  }
+}
+
+TEST(Views, ShowTheSpheresAxesWholeInPanesOfAnyShape) {
+  scene::Scene scene = with({scene::Feature::labels});
+  for (const double orbit : {0.0, 0.4}) {
+    scene.camera.orbit = orbit;
+    const timeline::Timeline timeline(scene, {0, 300, 600});
+    for (const auto& [width, height] : {std::pair(20, 180), {100, 180}, {170, 180}, {320, 60}}) {
+      const image::Area all{0, 0, width, height};
+      const MomentumView view(scene, timeline.solutions(), 0, {all, all});
+      for (std::size_t i = 0; i < timeline.size(); ++i) {
+        EXPECT_EQ(shown_by(view, timeline.frame_state(i)).labels.size(), 4U)
+            << width << "x" << height;
+      }
+    }
+  }
+}
+
+TEST(Views, RollTheEllipsoidOnThePlane) {
+  scene::Scene scene = with({});
+  scene.motion.omega = {1, 0.2, -0.1};
+  const timeline::Timeline timeline(scene, {0, 77, 200, 400, 901});
+  const PoinsotView view(scene, timeline.solutions(), 0, whole_pane);
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    const motion::Sample sample = timeline.frame_state(i).solutions[0].sample;
+    const Vector3d contact = view.contact(sample);
+    const Matrix3d unit_from_view = view.ellipsoid(sample.X).inverse();
+    EXPECT_NEAR(contact.y(), 1, 1e-7) << "on the plane";
+    EXPECT_NEAR((unit_from_view * contact).norm(), 1, 1e-7) << "on the ellipsoid";
+    const Vector3d normal = unit_from_view.transpose() * (unit_from_view * contact);
+    EXPECT_LT(normal.normalized().cross(Vector3d::UnitY()).norm(), 1e-7) << "touching";
+  }
+  // Without slipping: the body's point at the contact is at rest.
+  const motion::ExactMotion motion(timeline.solutions()[0].body);
+  const double t = 7, h = 1e-4;
+  const motion::Sample now = motion.at(t);
+  const Vector3d point = view.ellipsoid(now.X).inverse() * view.contact(now);
+  const Vector3d moved =
+      (view.ellipsoid(motion.at(t + h).X) - view.ellipsoid(motion.at(t - h).X)) * point / (2 * h);
+  EXPECT_LT(moved.norm(), 1e-6);
+}
+
+TEST(Views, KeepTheArrowsInViewOfACameraThatGoesAround) {
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels}, 180, 180);
+  scene.camera.orbit = 1;
+  const timeline::Timeline timeline(scene, {0});
+  const Layout::Pane square{{0, 0, 180, 180}, {0, 0, 180, 180}};
+  const BodyView view(scene, timeline.solutions(), 0, square);
+  const double distance = view.camera(0).distance;
+  for (int i = 0; i < 30; ++i) {
+    timeline::FrameState state = timeline.frame_state(0);
+    state.video_time = 0.2 * i;
+    EXPECT_EQ(shown_by(view, state).labels.size(), 1) << state.video_time;
+    EXPECT_EQ(view.camera(state.video_time).distance, distance) << "no breathing";
+  }
+}
+
+TEST(Views, ShowEachTakeItsOwn) {
+  scene::Scene scene = with({scene::Feature::omega, scene::Feature::labels});
+  scene.overlay.compare = {"exact", "lie-euler"};
+  const timeline::Timeline timeline(scene, {600});
+  const timeline::FrameState state = timeline.frame_state(0);
+  const BodyView one(scene, timeline.solutions(), 0, whole_pane);
+  const BodyView other(scene, timeline.solutions(), 1, whole_pane);
+  EXPECT_GT((shown_by(one, state).labels.at(0).anchor - shown_by(other, state).labels.at(0).anchor)
+                .norm(),
+            2);
+}
+
+TEST(Views, HaveASteadyRotationAtRestInTheRotatingFrame) {
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels});
+  scene.motion.omega = {1, 0, 0};
+  scene.camera.frame = scene::Frame::rotating;
+  const timeline::Timeline timeline(scene, {0, 77});
+  const BodyView view(scene, timeline.solutions(), 0, whole_pane);
+  const timeline::FrameState state = timeline.frame_state(1);
+  const Vector3d point(1, -2, 0.5);
+  const Vector2d pixel =
+      pixel_of(view.camera_in_space(state), whole_pane.area, state.solutions[0].sample.X * point);
+  EXPECT_LT((pixel - pixel_of(view.camera(0), whole_pane.area, point)).norm(), 1e-6);
+  const auto start = shown_by(view, timeline.frame_state(0)).labels,
+             later = shown_by(view, state).labels;
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_LT((start[0].anchor - later[0].anchor).norm(), 1e-6) << "L is the frame's axis";
+}
+
+TEST(Views, KeepTheArrowsInViewInATurningFrame) {
+  scene::Scene scene = with({scene::Feature::momentum, scene::Feature::labels});
+  scene.camera.frame = scene::Frame::body;
+  const timeline::Timeline timeline(scene, {0, 60, 118, 180, 236, 300, 700});
+  const BodyView view(scene, timeline.solutions(), 0, whole_pane);
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    EXPECT_EQ(shown_by(view, timeline.frame_state(i)).labels.size(), 1U) << i;
+  }
+}
+
+}  // namespace
+}  // namespace twrench::picture
