@@ -30,15 +30,21 @@ clang_version() {
 # The sources that the page needs. bindings.cpp is compiled with them, as are those beside it.
 core_sources() {
   printf 'src/%s.cpp\n' base/{error,nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
-    motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,stability,stepper} \
-    motion/{taylor,trajectory} study/flip_search
-  printf 'web/core/%s.cpp\n' bindings platform recorded_run
+    body/{extent,triangle_mesh} \
+    motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
+    motion/{stability,stepper,taylor,trajectory} study/flip_search \
+    scene/{color,limits,names,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
+    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} picture/look/{emphasis,force_style,material,studio,theme} \
+    picture/compose/{camera_path,label} \
+    picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point} \
+    picture/views/{body_view,momentum_view,poinsot_view,principal_frame,solution_view,view}
+  printf 'web/core/%s.cpp\n' bindings pictures platform recorded_run stars surfaces
 }
 
 # build_core: build/page/core.wasm, unless it is newer than all that it is made of.
 build_core() {
   local newer
-  newer=$(find src/{base,math,body,motion,study} include web/core scripts/page.sh \
+  newer=$(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core scripts/page.sh \
     -newer "$out/core.wasm" -type f ! -name '*.js' -print -quit 2>/dev/null || echo all)
   [[ -n $newer ]] || return 0
   local version
@@ -46,7 +52,7 @@ build_core() {
   say "compiling the motion to WebAssembly with Clang $version"
   # Headers alone, from a folder that has those of the system beside none of the C library's.
   mkdir -p "$out/include"
-  ln -sfn /usr/include/{boost,fmt} "$out/include"
+  ln -sfn /usr/include/{boost,fmt,glm} "$out/include"
   # What cannot fail needs no message, and Boost's draw in the locales.
   local errors
   printf -v errors -- '-DBOOST_MATH_%s_ERROR_POLICY=ignore_error ' DOMAIN POLE OVERFLOW EVALUATION \

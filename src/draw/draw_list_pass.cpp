@@ -55,13 +55,13 @@ void DrawListPass::draw_ghosts(const DrawList& list) const {
 }
 
 void DrawListPass::draw_opaque(const DrawList& list) const {
-  draw(list, list.indices(), {.writes_depth = true});
+  draw(list, list.items().faces, {.writes_depth = true});
   draw(list, list.outlines().faces, {.faces = Faces::far});
 }
 
 void DrawListPass::draw_edge_quads(const DrawList& list) const {
   draw(list, list.outlines().edge_quads, {});
-  draw(list, list.edge_quad_indices(), {});
+  draw(list, list.items().edge_quads, {});
 }
 
 void DrawListPass::draw_each(const DrawList& list, const std::vector<std::uint32_t>& indices,

@@ -24,7 +24,7 @@ class DrawListPass {
 
   /// Draws translucent items, such as lines and glass: opaque items hide them, and they blend in
   /// order.
-  void draw_translucent(const picture::DrawList& list) const { draw(list, list.indices(), {}); }
+  void draw_translucent(const picture::DrawList& list) const { draw(list, list.items().faces, {}); }
 
  private:
   enum class Faces { all, near, far };

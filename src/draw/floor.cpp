@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "image/dither.h"
+#include "picture/body/floor_plane.h"
 #include "picture/space/screen_area.h"
 
 namespace twrench::draw {
@@ -25,8 +26,6 @@ constexpr int most_columns = 4096;  // twice as many may be drawn by any OpenGL
 // Subtracted from the shadow, of 255: too little to be seen, but the shadow then ends, and what
 // lies beyond need not be composited.
 constexpr float least_shadow = 2;
-constexpr double floor_gap =
-    0.06;                     // between the floor and the space that the body sweeps, in radii
 constexpr double pool = 0.8;  // in radii: half its width, where the light has fallen to a quarter
 constexpr double pool_depth = 2;  // times its width, away from the eye, as a gleam is drawn out
 constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
@@ -101,7 +100,7 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const picture::FloorSty
       inner_{pane.x > picture.x, pane.x + pane.width<picture.x + picture.width, pane.y> picture.y,
              pane.y + pane.height < picture.y + picture.height},
       radius_(radius),
-      height_(-(1 + floor_gap) * radius),
+      height_(picture::floor_height(radius)),
       columns_(std::clamp(rows_of_grid * pane.width / pane.height, 1,
                           std::min(pane.width, most_columns))),
       rows_(std::min(rows_of_grid, pane.height)),
@@ -111,16 +110,9 @@ Floor::Floor(const gl::Functions& gl, gl::ReadMode mode, const picture::FloorSty
 /// Returns the matrix that maps (column, row, 1) on a grid over the pane to (x, z, 1) / w: the
 /// visible point of the floor in radii, with w > 0 in front of the eye.
 Matrix3d Floor::floor_from_grid(const Camera& camera, int width, int height) const {
-  const Eigen::Matrix4d clip_from_space = camera.projection * camera.view;
-  Matrix3d clip_from_floor;
-  int row = 0;
-  for (const int i : {0, 1, 3}) {
-    clip_from_floor.row(row++) << radius_ * clip_from_space(i, 0), radius_ * clip_from_space(i, 2),
-        height_ * clip_from_space(i, 1) + clip_from_space(i, 3);
-  }
   Matrix3d device_from_grid;
   device_from_grid << 2.0 / width, 0, -1, 0, -2.0 / height, 1, 0, 0, 1;
-  return clip_from_floor.inverse() * device_from_grid;
+  return picture::floor_from_device(camera, radius_) * device_from_grid;
 }
 
 /// The opacity of the floor at a position in the pane, given as fractions of its width and height.

@@ -45,7 +45,7 @@ export class App {
     this.player = new Player(this.store, () => this.draw());
     const { store, player } = this,
       invalidate = () => player.invalidate();
-    this.pictures = new Pictures(store, data, player, this.runs);
+    this.pictures = new Pictures(store, data, player, this.runs, core);
     this.transport = new Transport(store, player, () => this.model);
     this.timeline = new Timeline(byId('timeline'), store, {
       invalidate,
@@ -156,7 +156,7 @@ export class App {
     setThemeColors(this.themeName);
     this.runs.prepare(state, this.model);
     if (this.runs.advance(state.t)) this.player.invalidate();
-    this.#drawPanels(state, theme, this.pictures.draw(this.model, theme));
+    this.#drawPanels(state, theme, this.pictures.draw(this.model, this.themeName, theme));
   }
 
   /** @param {State} state @param {any} theme @param {number[]} X */
@@ -198,7 +198,7 @@ export class App {
       before = store.state;
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };
     try {
-      return this.pictures.png(this.model, this.data.themes[this.themeName], width, height);
+      return this.pictures.png(this.model, this.themeName, this.data.themes[this.themeName], width, height);
     } finally {
       store.state = before;
     }

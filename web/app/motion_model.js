@@ -1,26 +1,10 @@
 // The motion that is shown, with what the views need of it, computed once.
-import {
-  add,
-  clamp,
-  column,
-  diagonal,
-  dot,
-  identity,
-  norm,
-  normalized,
-  product,
-  rotation,
-  scale,
-  times,
-  transposed,
-} from '../math/linear.js';
+import { add, clamp, column, norm, scale, transposed } from '../math/linear.js';
 import { brief } from '../words/words.js';
 
 /** @typedef {import("../core/core.js").Core} Core */
 /** @typedef {import("../core/core.js").Sample} Sample */
 
-const pointsOfCurve = 240,
-  familySize = 4;
 const radiansOfTrail = 12; // how far the body rotates in the time that a trail covers
 const along = 1 - 1e-9;
 
@@ -29,7 +13,6 @@ const along = 1 - 1e-9;
  * largest component positive, so that they are left-handed as often as not.
  * @typedef {object} PrincipalFrame
  * @property {number[]} axes body_from_own
- * @property {number[]} colors Indices of the colours of the overlay's axes.
  * @property {string[]} names
  * @property {number[]} moments
  */
@@ -44,17 +27,9 @@ function principalFrame(axes, moments) {
   const positive = columns.map((axis, i) => (axis[largest[i]] < 0 ? scale(-1, axis) : axis));
   return {
     axes: transposed(positive.flat()),
-    colors: own ? largest : [0, 1, 2],
     names: own ? largest.map((i) => 'xyz'[i]) : ['I₁', 'I₂', 'I₃'],
     moments,
   };
-}
-
-/** The points of a curve, 3 numbers each. @param {Float64Array} flat */
-function pointsOf(flat) {
-  const points = [];
-  for (let i = 0; i < flat.length; i += 3) points.push([flat[i], flat[i + 1], flat[i + 2]]);
-  return points;
 }
 
 export class MotionModel {
@@ -69,67 +44,11 @@ export class MotionModel {
     const { facts } = this.motion;
     this.facts = facts;
     this.momentum = norm(facts.momentum);
-    this.up = normalized(facts.momentum);
     this.atRest = this.momentum === 0;
     this.principal = principalFrame(facts.axes, facts.moments);
     this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
     const rate = norm(omega);
     this.trailLength = trailLength ?? (rate > 0 ? radiansOfTrail / rate : 1);
-    this.inverseInertia = product(
-      product(facts.axes, diagonal(facts.moments.map((moment) => 1 / moment))),
-      transposed(facts.axes),
-    );
-    /** @type {number} omega along L, rad/s: the distance of the invariable plane. */
-    this.height = this.atRest ? 1 : dot(omega, this.up);
-    const own = this.atRest ? null : this.motion.energyCurve(pointsOfCurve);
-    /** The curve of the momentum's direction, body axes; null for a sphere and at rest. */
-    this.level = own && pointsOf(own);
-    this.separatrix = (this.motion.separatrix(pointsOfCurve) ?? []).map(pointsOf);
-    this.family = this.motion.energyCurves(familySize, pointsOfCurve).map(pointsOf);
-    this.annulus = this.#herpolhodeAnnulus();
-    this.steady = this.#steadyRotation();
-  }
-
-  /** How far omega's tip is from L on the invariable plane, in units of the plane's distance. */
-  #herpolhodeAnnulus() {
-    if (!this.level) return { inner: 0, outer: 0 };
-    const radii = this.level.map((mu) => {
-      const omega = this.omegaOf(mu);
-      return Math.sqrt(Math.max(dot(omega, omega) / this.height ** 2 - 1, 0));
-    });
-    return { inner: Math.min(...radii), outer: Math.max(...radii) };
-  }
-
-  /** The rotation about L that the body would have if it rotated about the axis nearest to L, rad/s. */
-  #steadyRotation() {
-    const { axes, moments } = this.facts;
-    const m = times(transposed(axes), times(this.inertia, this.omega)).map(Math.abs);
-    return this.atRest ? [0, 0, 0] : scale(this.momentum / moments[m.indexOf(Math.max(...m))], this.up);
-  }
-
-  /**
-   * The attitude of a frame of reference, space_from_frame.
-   * @param {import("./state.js").FrameName} name @param {Sample} sample
-   */
-  frameAt(name, sample) {
-    if (name === 'body') return sample.X;
-    if (name === 'rotating') return rotation(scale(sample.t, this.steady));
-    return identity;
-  }
-
-  /** The angular velocity of that frame in space, rad/s. @param {import('./state.js').FrameName} name @param {Sample} sample */
-  frameOmega(name, sample) {
-    return name === 'body' ? times(sample.X, sample.omega) : this.steady;
-  }
-
-  /** The direction of the momentum in body axes, of length 1 unless the method has left it. @param {number[]} omega */
-  muOf(omega) {
-    return this.atRest ? [0, 0, 0] : scale(1 / this.momentum, times(this.inertia, omega));
-  }
-
-  /** The angular velocity with the same |L| whose momentum has that direction. @param {number[]} mu unit vector */
-  omegaOf(mu) {
-    return times(this.inverseInertia, scale(this.momentum, mu));
   }
 
   /** Flips up to the time t, from 0. @param {number} t */

@@ -1,5 +1,6 @@
 // What the three views show: the body, the momentum sphere and Poinsot's construction, and what can be
 // done to them by hand.
+import { Pictures as CorePictures } from '../core/pictures.js';
 import { BodyView } from '../views/body_view.js';
 import { PoinsotView } from '../views/poinsot_view.js';
 import { SphereView } from '../views/sphere_view.js';
@@ -7,7 +8,7 @@ import { makeTurnable, turnByKey } from '../views/turning.js';
 import { pngOf } from '../picture/png.js';
 import { boxSurface } from '../picture/surface.js';
 import { byId } from './dom.js';
-import { listed, trailTimes } from './motion_model.js';
+import { trailTimes } from './motion_model.js';
 import { framesPerSecond } from './player.js';
 
 /** @typedef {import('./motion_model.js').MotionModel} MotionModel */
@@ -15,27 +16,26 @@ import { framesPerSecond } from './player.js';
 
 const pointsOfHerpolhode = 1200,
   widestTurn = 0.35; // rad between two of them
-const shutter = 0.25; // half of half the time between two frames, as in the film
 const stepOfStart = 0.02; // rad by an arrow key
 
 export class Pictures {
   /**
    * @param {import('./state.js').Store} store @param {import('./page_data.js').PageData} data
    * @param {import('./player.js').Player} player @param {import('./runs.js').Runs} runs
+   * @param {import('../core/core.js').Core} core
    */
-  constructor(store, data, player, runs) {
+  constructor(store, data, player, runs, core) {
     this.store = store;
     this.data = data;
     this.player = player;
     this.runs = runs;
-    /** @type {{model: MotionModel, page: number, samples: import('../core/core.js').Sample[]} | null} */
-    this.rolled = null;
     /** @type {{moments: number[], surface: import('../picture/surface.js').Surface} | null} */
     this.box = null;
     const invalidate = () => player.invalidate();
-    this.bodyView = new BodyView(byId('body'), invalidate, data.scene.camera);
-    this.sphereView = new SphereView(byId('sphere'), invalidate);
-    this.poinsotView = new PoinsotView(byId('poinsot'), invalidate, data.scene.camera.azimuth);
+    const shown = new CorePictures(core);
+    this.bodyView = new BodyView(byId('body'), invalidate, core, shown, data.scene.camera);
+    this.sphereView = new SphereView(byId('sphere'), invalidate, shown);
+    this.poinsotView = new PoinsotView(byId('poinsot'), invalidate, shown);
     this.bodyView.moved = () => {
       const { azimuth, elevation, zoom } = this.bodyView.view;
       store.set({ view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4))) });
@@ -51,13 +51,15 @@ export class Pictures {
   #makeStartDraggable() {
     const view = this.sphereView;
     makeTurnable(view, (event) =>
-      view.isAtStart(view.placeOf(event)) ? (moved) => this.#startAt(view.muAt(view.placeOf(moved))) : null,
+      view.isAtStart(view.placeOf(event))
+        ? (moved) => this.#startWith(view.omegaAt(view.placeOf(moved)))
+        : null,
     );
   }
 
-  /** Has the motion start with the momentum in that direction, body axes. @param {number[]} mu */
-  #startAt(mu) {
-    if (this.model) this.store.set({ omega: this.model.omegaOf(mu) });
+  /** @param {number[] | null} omega body axes, rad/s */
+  #startWith(omega) {
+    if (omega) this.store.set({ omega });
   }
 
   /** @param {import('../views/canvas_view.js').CanvasView} view @param {KeyboardEvent} event */
@@ -66,7 +68,7 @@ export class Pictures {
     /** @type {Record<string, number[]>} */
     const ways = { ArrowRight: [step, 0], ArrowLeft: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
     const way = view === this.sphereView ? ways[event.key] : undefined;
-    if (way) this.#startAt(this.sphereView.muMoved(way[0], way[1]));
+    if (way) this.#startWith(this.sphereView.omegaMoved(way));
     else if (event.key === ' ') this.player.play(!this.player.playing);
     else if (!turnByKey(view, event)) return;
     event.preventDefault();
@@ -81,41 +83,52 @@ export class Pictures {
   /** The trail of the exact motion, or of a method, that ends at t. @param {MotionModel} model @param {{samples: (times: number[]) => import("../core/core.js").Samples}} source */
   #trail(model, source) {
     const { t } = this.store.state;
-    return listed(source.samples(trailTimes(t, model.trailLength, Math.hypot(...model.omega))));
+    return source.samples(trailTimes(t, model.trailLength, Math.hypot(...model.omega)));
   }
 
-  /** What the body view shows. @param {MotionModel} model */
-  #bodyPicture(model) {
-    const { state } = this.store;
-    const trails = this.runs.runners.length
-      ? this.runs.runners.map((runner) => this.#trail(model, runner))
-      : [this.#trail(model, model.motion)];
+  /** What the views depend on beside the motion. @param {MotionModel} model @param {string} theme */
+  #settings(model, theme) {
+    const { state } = this.store,
+      { scene } = this.data,
+      [trailX, trailY, trailZ] = this.#surface.trail_point,
+      { azimuth, elevation, distance, field_of_view: fieldOfView } = scene.camera;
+    // The part of the herpolhode around t, of as many turns as can be told apart.
+    const span = Math.min(
+      scene.motion.duration,
+      (pointsOfHerpolhode * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300),
+    );
+    const curveBegin = span * Math.floor(state.t / span);
     return {
-      model,
-      instants: trails.map((trail) => ({ sample: trail[trail.length - 1], trail })),
-      ghost: state.compare === 'ghost',
+      width: 1,
+      height: 1,
+      thinnest: 1,
+      theme,
       frame: state.frame,
-      halfOpen: this.player.playing ? (shutter * state.speed) / framesPerSecond : 0,
-      shown: Object.fromEntries(state.show.map((feature) => [feature, true])),
+      show: state.show,
+      azimuth,
+      elevation,
+      distance,
+      fieldOfView,
+      interval: this.player.playing ? state.speed / framesPerSecond : 0,
+      radius: this.#surface.radius,
+      trailLength: model.trailLength,
+      trailX,
+      trailY,
+      trailZ,
+      curveBegin,
+      curveEnd: curveBegin + span,
     };
   }
 
-  /** Samples for the herpolhode, around t. @param {MotionModel} model */
-  #herpolhode(model) {
-    const { t } = this.store.state;
-    const span = Math.min(
-      this.data.scene.motion.duration,
-      (pointsOfHerpolhode * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300),
-    );
-    const page = Math.floor(t / span);
-    if (this.rolled?.model !== model || this.rolled.page !== page) {
-      const times = Float64Array.from(
-        { length: pointsOfHerpolhode + 1 },
-        (_, i) => span * (page + i / pointsOfHerpolhode),
-      );
-      this.rolled = { model, page, samples: listed(model.motion.samples(times)) };
-    }
-    return this.rolled.samples;
+  /** What the body view shows. @param {MotionModel} model @param {string} theme */
+  #bodyPicture(model, theme) {
+    const sources = this.runs.runners.length ? this.runs.runners : [model.motion];
+    return {
+      model,
+      instants: sources.map((source) => this.#trail(model, source)),
+      ghost: this.store.state.compare === 'ghost',
+      settings: this.#settings(model, theme),
+    };
   }
 
   /** The surface of the body that is chosen. */
@@ -128,34 +141,34 @@ export class Pictures {
 
   /**
    * Draws the three views.
-   * @param {MotionModel} model @param {any} theme
+   * @param {MotionModel} model @param {string} name of the theme @param {any} theme
    * @returns {number[]} the attitude that is shown
    */
-  draw(model, theme) {
-    this.model = model;
-    const picture = this.#bodyPicture(model),
-      trails = picture.instants.map(({ trail }) => trail),
+  draw(model, name, theme) {
+    const picture = this.#bodyPicture(model, name),
+      { settings, instants } = picture,
       colors = theme.overlay;
     this.bodyView.setBody(this.#surface, theme);
     this.bodyView.draw(picture);
-    this.sphereView.draw({ model, trails, colors });
-    this.poinsotView.draw({ model, trail: trails[0], herpolhode: this.#herpolhode(model), colors });
-    return picture.instants[0].sample.X;
+    this.sphereView.draw({ model, settings, instants, colors });
+    this.poinsotView.draw({ model, settings, instant: instants[0], colors });
+    return [...instants[0].X.slice(-9)];
   }
 
   /**
    * The body as a PNG of any size.
-   * @param {MotionModel} model @param {any} theme @param {number} width @param {number} height in pixels
+   * @param {MotionModel} model @param {string} name of the theme @param {any} theme
+   * @param {number} width @param {number} height in pixels
    * @returns {Promise<Blob>}
    */
-  png(model, theme, width, height) {
+  png(model, name, theme, width, height) {
     const { gl, canvas } = this.bodyView,
       size = [canvas.width, canvas.height],
       pixels = new Uint8Array(4 * width * height);
     [canvas.width, canvas.height] = [width, height];
     while (this.runs.advance(this.store.state.t));
     this.bodyView.setBody(this.#surface, theme);
-    this.bodyView.draw(this.#bodyPicture(model));
+    this.bodyView.draw(this.#bodyPicture(model, name));
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     [canvas.width, canvas.height] = size;
     this.player.invalidate();

@@ -7,48 +7,27 @@
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/method.h>
-#include <twrench/motion/polhode.h>
 #include <twrench/motion/stability.h>
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "recorded_run.h"
+#include "scratch.h"
 
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using namespace twrench;
-
-std::vector<double> numbers;
-
-/// Writes results to the scratch area, one after another.
-class Results {
- public:
-  explicit Results(std::size_t count) {
-    if (numbers.size() < count) numbers.resize(count);
-  }
-  Results& operator<<(double x) {
-    numbers[next_++] = x;
-    return *this;
-  }
-  Results& operator<<(const Vector3d& v) { return *this << v[0] << v[1] << v[2]; }
-  Results& operator<<(const Matrix3d& m) {
-    for (int row = 0; row < 3; ++row) *this << Vector3d(m.row(row).transpose());
-    return *this;
-  }
-
- private:
-  std::size_t next_ = 0;
-};
-
-Vector3d vector_at(std::size_t i) { return Vector3d(&numbers[i]); }
-Matrix3d matrix_at(std::size_t i) { return Eigen::Map<const RowMajor>(&numbers[i]); }
+using page::matrix_at;
+using page::Motion;
+using page::numbers;
+using page::Results;
+using page::RowMajor;
+using page::vector_at;
 
 /// Replaces the times at the beginning by the samples: all X, then all omega.
 void write_samples(const std::vector<motion::Sample>& samples) {
@@ -90,29 +69,6 @@ std::vector<body::Part> parts_at_beginning(std::size_t count) {
     parts.push_back({shape_at(p), p[14], Vector3d(p + 15), Eigen::Map<const RowMajor>(p + 18)});
   }
   return parts;
-}
-
-/// A body and its exact motion.
-struct Motion {
-  motion::FreeBody body;
-  motion::ExactMotion exact{body};
-  double initial_energy = motion::energy(body.inertia(), body.omega());
-};
-
-/// The level of the motion in principal axes.
-std::optional<motion::EnergyLevel> level_of(const Motion& motion) {
-  const auto& [moments, axes] = motion.body.principal();
-  const Vector3d mu = (axes.transpose() * motion.body.momentum()).stableNormalized();
-  if (mu.isZero(0)) return std::nullopt;
-  return motion::level_through(moments, mu);
-}
-
-void write_level(Results& results, const motion::EnergyLevel& level, const Matrix3d& axes,
-                 std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const double phi = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    results << Vector3d(axes * level.at(phi));
-  }
 }
 
 }  // namespace
@@ -188,38 +144,6 @@ extern "C" {
     columns[4 * n + i] = (sample.X - exact[i].X).norm();
   }
   std::ranges::copy(columns, numbers.begin());
-}
-
-[[clang::export_name("energy_curve")]] bool energy_curve(const Motion* motion, std::size_t count) {
-  const auto level = level_of(*motion);
-  if (!level) return false;
-  Results results(3 * count);
-  write_level(results, *level, motion->body.principal().axes, count);
-  return true;
-}
-
-[[clang::export_name("energy_curves")]] std::size_t energy_curves(const Motion* motion, int curves,
-                                                                  std::size_t count) {
-  const auto& [moments, axes] = motion->body.principal();
-  const auto levels = motion::level_family(moments, curves);
-  Results results(3 * count * levels.size());
-  for (const motion::EnergyLevel& level : levels) write_level(results, level, axes, count);
-  return levels.size();
-}
-
-[[clang::export_name("separatrix_curves")]] bool separatrix_curves(const Motion* motion,
-                                                                   std::size_t count) {
-  const auto& [moments, axes] = motion->body.principal();
-  const auto circles = motion::separatrix(moments);
-  if (!circles) return false;
-  Results results(6 * count);
-  for (const Vector3d& u : *circles) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double phi = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-      results << Vector3d(axes * (std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * u));
-    }
-  }
-  return true;
 }
 
 using twrench::page::RecordedRun;

@@ -19,7 +19,7 @@ export const vector = (numbers, from) => [numbers[from], numbers[from + 1], numb
 export const matrix = (numbers, from) => [...numbers.subarray(from, from + 9)];
 
 /** Something in C++ that is made again when the instance was replaced. */
-class Held {
+export class Held {
   /** @param {Instance} instance @param {() => number} make @param {string} free */
   constructor(instance, make, free) {
     this.instance = instance;
@@ -168,46 +168,6 @@ export class Motion {
     if (!Number.isSafeInteger(n)) return null;
     while (first + n * interval >= t) --n;
     return first + n * interval;
-  }
-
-  /**
-   * The closed curve of constant energy on the sphere |mu| = 1 of the momentum's directions, body
-   * axes: `count` points, 3 numbers each. omega = I^-1 (|L| mu) makes it the polhode. Null for a
-   * sphere, where every mu is at rest.
-   * @param {number} count
-   * @returns {Float64Array | null}
-   */
-  energyCurve(count) {
-    return this.#curve('energy_curve', 3 * count, count);
-  }
-
-  /**
-   * `curves` such curves around each end of the axes of least and greatest moment, evenly spaced.
-   * @param {number} curves @param {number} count points of each
-   * @returns {Float64Array[]}
-   */
-  energyCurves(curves, count) {
-    const { instance } = this.core;
-    const found = instance.call('energy_curves', this.held.get(), curves, count);
-    const points = instance.scratch(3 * count * found).slice();
-    return Array.from({ length: found }, (_, i) => points.slice(3 * count * i, 3 * count * (i + 1)));
-  }
-
-  /**
-   * The two great circles of the separatrix, `count` points each; null for a symmetric body.
-   * @param {number} count
-   * @returns {[Float64Array, Float64Array] | null}
-   */
-  separatrix(count) {
-    const points = this.#curve('separatrix_curves', 6 * count, count);
-    return points && [points.slice(0, 3 * count), points.slice(3 * count)];
-  }
-
-  /** @param {string} name @param {number} size @param {number} count */
-  #curve(name, size, count) {
-    const { instance } = this.core;
-    if (!instance.call(name, this.held.get(), count)) return null;
-    return instance.scratch(size).slice();
   }
 
   /**

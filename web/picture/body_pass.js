@@ -1,6 +1,5 @@
-// Draws the body in stage coordinates: the camera's axes, with the body's centre at the origin and its
-// bounding radius scaled to 1. As src/draw/body_pass.cpp, but for a framebuffer with several
-// samples a pixel, so that edges need no quads of their own.
+// Draws the body. As src/draw/body_pass.cpp, but for a framebuffer with several samples a pixel, so
+// that edges need no quads of their own.
 import body_frag from '../../shaders/body.frag';
 import body_vert from '../../shaders/body.vert';
 import brush from '../../shaders/brush.glsl';
@@ -18,7 +17,7 @@ import tone from '../../shaders/tone.glsl';
 import unmarked from '../../shaders/unmarked.glsl';
 import unoccluded_frag from '../../shaders/unoccluded.glsl';
 import unoccluded_vert from '../../shaders/unoccluded.vert';
-import { add, cofactors, product, scale, times } from '../math/linear.js';
+import { CoreSurface } from '../core/surface.js';
 import { Program, setAttributes } from './program.js';
 
 /** @typedef {import("./surface.js").Surface} Surface */
@@ -26,7 +25,7 @@ import { Program, setAttributes } from './program.js';
  * As GLSL, see src/page/theme_json.h; whether vertices have colours, and the colour of what it reflects.
  * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material
  */
-/** @typedef {import("../math/camera.js").Camera} Camera */
+/** @typedef {import("../core/pictures.js").Camera} Camera */
 /** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
 // Attributes that only edge quads need, and the colours of vertices.
@@ -69,13 +68,15 @@ const bool is_of_one_material = ${ofOneMaterial};
 
 export class BodyPass {
   /**
-   * @param {WebGL2RenderingContext} gl @param {Surface} surface
+   * @param {WebGL2RenderingContext} gl @param {import("../core/core.js").Core} core
+   * @param {Surface} surface
    * @param {Material[]} materials of a theme, to which parts refer by their index
    */
-  constructor(gl, surface, materials) {
+  constructor(gl, core, surface, materials) {
     this.gl = gl;
     this.surface = surface;
-    this.materials = materials;
+    const tints = surface.parts.map(({ material, tint }) => tint ?? materials[material].tint);
+    this.own = new CoreSurface(core, surface, tints);
     this.ofOneMaterial = materials.length === 1 && !materials[0].colored;
     this.programs = materials.map((material) => programOf(gl, surface, material, this.ofOneMaterial));
     this.array = gl.createVertexArray();
@@ -107,9 +108,8 @@ export class BodyPass {
    * @param {Camera} camera @param {number[]} X @param {Size} size
    */
   draw(camera, X, size) {
-    this.#begin(camera, X, 0, size);
     this.gl.frontFace(this.gl.CCW);
-    this.#drawParts(camera, X, true);
+    this.#drawParts(this.own.uniforms(camera, X, false), size);
   }
 
   /**
@@ -123,109 +123,73 @@ export class BodyPass {
     this.draw(camera, X, size);
     gl.colorMask(true, true, true, true);
     gl.depthFunc(gl.LEQUAL);
-    this.#begin(camera, X, 0, size);
     gl.blendColor(0, 0, 0, opacity);
-    gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
-    this.#drawParts(camera, X, true);
+    this.#drawParts(this.own.uniforms(camera, X, false), size, [
+      gl.CONSTANT_ALPHA,
+      gl.ONE_MINUS_CONSTANT_ALPHA,
+    ]);
     gl.depthFunc(gl.LESS);
   }
 
   /**
-   * Draws the body's image in a horizontal mirror.
-   * @param {Camera} camera @param {number[]} X @param {number} height of the mirror, y in space, cm
-   * @param {Size} size
+   * Draws the body's image in the floor.
+   * @param {Camera} camera @param {number[]} X @param {Size} size
    */
-  drawMirrored(camera, X, height, size) {
-    this.#begin(camera, X, height, size);
+  drawMirrored(camera, X, size) {
     this.gl.frontFace(this.gl.CW); // a mirror reverses the winding
-    this.#drawParts(camera, X, false);
+    this.#drawParts(this.own.uniforms(camera, X, true), size);
     this.gl.frontFace(this.gl.CCW);
   }
 
-  /** @param {Camera} camera @param {number[]} X @param {number} mirrorHeight 0 for no mirror @param {Size} size */
-  #begin(camera, X, mirrorHeight, { width, height }) {
-    const { gl } = this;
-    const { radius } = this.surface;
-    const seen = seenFromStage(camera, mirrorHeight / radius);
-    const cameraFromBody = product(camera.attitude, X);
-    const eye = add(times(seen.turn, [0, 0, camera.distance / radius]), seen.shift);
+  /**
+   * @param {import("../core/surface.js").BodyUniforms} uniforms @param {Size} size
+   * @param {[number, number]} [blending]
+   */
+  #drawParts(uniforms, { width, height }, blending = [this.gl.ONE, this.gl.ONE_MINUS_SRC_ALPHA]) {
+    const { gl, surface } = this;
     for (const program of this.programs) {
       program.use();
-      program.set('eye', eye);
-      program.setMatrix('clip_from_stage', clipFromStage(camera, radius, seen));
-      program.setMatrix('stage_from_body', scale9(1 / radius, cameraFromBody));
-      program.setMatrix('stage_normal_from_body', cofactors(cameraFromBody));
+      program.set('eye', uniforms.eye);
+      program.setColumns('clip_from_stage', uniforms.clip_from_stage);
+      program.setColumns('stage_from_body', uniforms.stage_from_body);
+      program.setColumns('stage_normal_from_body', uniforms.stage_normal_from_body);
       program.set('picture', [width / 2, height / 2, 0.5]);
     }
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  }
-
-  /** @param {Camera} camera @param {number[]} X @param {boolean} lifts whether parts are lifted over those that they touch */
-  #drawParts(camera, X, lifts) {
-    const { gl, surface } = this;
-    const stageFromBody = scale9(1 / surface.radius, product(camera.attitude, X));
+    gl.blendFunc(...blending);
     gl.bindVertexArray(this.array);
     let begin = 0;
     const drawTo = (
       /** @type {Program} */ program,
       /** @type {number} */ end,
-      /** @type {number[]} */ axis,
+      /** @type {ArrayLike<number>} */ axis,
     ) => {
       if (end > begin) {
-        program.set('side_axis', scale(surface.radius, times(stageFromBody, axis)));
+        program.set('side_axis', axis);
         gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
       }
       begin = end;
     };
-    for (const part of surface.parts) {
-      const program = this.programs[part.material];
+    surface.parts.forEach((part, i) => {
+      const program = this.programs[part.material],
+        own = uniforms.parts[i];
       program.use();
-      this.#setOccluders(program, part.occluders, stageFromBody, lifts);
-      program.set('part_lift', lifts && part.occluders.some(({ meets }) => meets) ? 1 : 0);
-      program.set('part_radii', part.radii);
-      program.set('across_from_body', part.across);
+      if (own.occluders_from.length > 0) {
+        program.set('occluders_from', own.occluders_from);
+        program.set('occluders_to', own.occluders_to);
+        if (!this.ofOneMaterial) program.set('occluder_tints', own.occluder_tints);
+      }
+      program.set('part_lift', own.part_lift[0]);
+      program.set('part_radii', own.part_radii);
+      program.set('across_from_body', own.across_from_body);
       drawTo(program, part.side_begin, [0, 0, 0]);
-      drawTo(program, part.end, part.axis);
-    }
+      drawTo(program, part.end, own.side_axis);
+    });
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
     gl.bindVertexArray(null);
-  }
-
-  /** @param {Program} program @param {import("./surface.js").Capsule[]} capsules @param {number[]} stageFromBody @param {boolean} lifts */
-  #setOccluders(program, capsules, stageFromBody, lifts) {
-    const count = Math.max(...this.surface.parts.map((part) => part.occluders.length));
-    if (count === 0) return;
-    const from = [],
-      to = [];
-    for (let i = 0; i < count; ++i) {
-      const capsule = capsules[i];
-      // Unused ones are too small and far away to be visible.
-      from.push(
-        ...(capsule
-          ? [...times(stageFromBody, capsule.from), capsule.radius / this.surface.radius]
-          : [0, 0, -1e4, 1e-6]),
-      );
-      to.push(
-        ...(capsule
-          ? [...times(stageFromBody, capsule.to), lifts && capsule.meets ? 1 : 0]
-          : [0, 1, -1e4, 0]),
-      );
-    }
-    program.set('occluders_from', from);
-    program.set('occluders_to', to);
-    if (this.ofOneMaterial) return;
-    const tint = (/** @type {number} */ i) => (capsules[i] ? this.#tint(capsules[i].part) : [1, 1, 1]);
-    program.set('occluder_tints', Array.from({ length: count }, (_, i) => [...tint(i), 1]).flat());
-  }
-
-  /** The colour of the light that a part reflects. @param {number} part */
-  #tint(part) {
-    const { material, tint } = this.surface.parts[part];
-    return tint ?? this.materials[material].tint;
   }
 
   free() {
@@ -235,36 +199,6 @@ export class BodyPass {
     gl.deleteBuffer(this.indices);
     gl.deleteBuffer(this.colors);
     for (const { program } of this.programs) gl.deleteProgram(program);
+    this.own.release();
   }
-}
-
-/** @type {(s: number, m: number[]) => number[]} */
-const scale9 = (s, m) => m.map((x) => s * x);
-
-/**
- * The stage as it is seen in a mirror at that height, in stage units; as it is for the height 0.
- * @param {Camera} camera @param {number} height
- */
-function seenFromStage(camera, height) {
-  if (height === 0) return { turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], shift: [0, 0, 0] };
-  const up = [camera.attitude[1], camera.attitude[4], camera.attitude[7]];
-  const turn = [];
-  for (let i = 0; i < 3; ++i) {
-    for (let k = 0; k < 3; ++k) turn.push((i === k ? 1 : 0) - 2 * up[i] * up[k]);
-  }
-  return { turn, shift: scale(2 * height, up) };
-}
-
-/** @param {Camera} camera @param {number} radius @param {{turn: number[], shift: number[]}} seen */
-function clipFromStage(camera, radius, { turn, shift }) {
-  const p = camera.projection;
-  const result = [];
-  for (let row = 0; row < 16; row += 4) {
-    const r = [radius * p[row], radius * p[row + 1], radius * p[row + 2]];
-    for (let i = 0; i < 3; ++i) result.push(r[0] * turn[i] + r[1] * turn[3 + i] + r[2] * turn[6 + i]);
-    result.push(
-      r[0] * shift[0] + r[1] * shift[1] + r[2] * shift[2] + p[row + 3] - camera.distance * p[row + 2],
-    );
-  }
-  return result;
 }

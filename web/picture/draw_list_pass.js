@@ -1,10 +1,10 @@
 // Renders draw lists as premultiplied colour: src/draw/draw_list_pass.cpp.
 import draw_list_frag from '../../shaders/draw_list.frag';
 import draw_list_vert from '../../shaders/draw_list.vert';
-import { floatsOfVertex } from './draw_list.js';
 import { Program, setAttributes } from './program.js';
 
-/** @typedef {import("./draw_list.js").DrawList} DrawList */
+/** @typedef {import("../core/pictures.js").DrawList} DrawList */
+/** @typedef {import("../core/pictures.js").Contents} Contents */
 /**
  * How triangles are drawn: which faces; whether they write depth; whether only what is hidden is
  * drawn; what is added to z in clip space.
@@ -30,41 +30,52 @@ export class DrawListPass {
     gl.bindVertexArray(null);
   }
 
-  /** Draws faintly what the body, the only thing drawn so far, hides. @param {DrawList} list */
-  drawGhosts(list) {
-    /** @type {Mode[]} */
-    const modes = [{ faces: 'near', hidden: true, opacity: faintest }];
+  /** Draws all, for a view without a body. @param {Contents} contents */
+  draw(contents) {
+    this.drawOpaque(contents);
+    this.drawTranslucent(contents);
+  }
+
+  /** Draws faintly what the body, the only thing drawn so far, hides. @param {Contents} contents */
+  drawGhosts({ opaque: list, clipZNearer }) {
+    this.#draw(list, list.ghosts.faces, [{ faces: 'near', hidden: true, opacity: faintest }]);
+    this.#draw(list, list.ghosts.edgeQuads, [{ hidden: true, opacity: faintest }]);
+    // Moved towards the eye by less and less, so that it adds up to more and more in front.
     const shown = (/** @type {number} */ step) => faintest + ((1 - faintest) * step) / (steps + 1);
+    /** @type {Mode[]} */
+    const fade = [];
     for (let step = 1; step <= steps; ++step) {
-      modes.push({
+      fade.push({
         faces: 'near',
         opacity: (shown(step) - shown(step - 1)) / (1 - shown(step - 1)),
-        clipZ: list.clipZNearer * deepest * ((steps + 1 - step) / steps),
+        clipZ: clipZNearer * deepest * ((steps + 1 - step) / steps),
       });
     }
-    this.#draw(list, list.ghosts, modes);
+    this.#draw(list, list.ghosts.faces, fade);
   }
 
-  /** @param {DrawList} list */
-  drawOpaque(list) {
-    this.#draw(list, list.faces, [{ writesDepth: true }]);
-    this.#draw(list, list.outlines, [{ faces: 'far' }]);
+  /** @param {Contents} contents */
+  drawOpaque({ opaque: list }) {
+    this.#draw(list, list.items.faces, [{ writesDepth: true }]);
+    this.#draw(list, list.outlines.faces, [{ faces: 'far' }]);
+    this.#draw(list, list.outlines.edgeQuads, [{}]);
+    this.#draw(list, list.items.edgeQuads, [{}]);
   }
 
-  /** @param {DrawList} list */
-  drawTranslucent(list) {
-    this.#draw(list, list.faces, [{}]);
+  /** @param {Contents} contents */
+  drawTranslucent({ translucent: list }) {
+    this.#draw(list, list.items.faces, [{}]);
   }
 
-  /** @param {DrawList} list @param {number[]} indices @param {Mode[]} modes */
+  /** @param {DrawList} list @param {Uint32Array} indices @param {Mode[]} modes */
   #draw(list, indices, modes) {
     if (indices.length === 0) return;
     const { gl, program } = this;
     program.use();
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
-    gl.bufferData(gl.ARRAY_BUFFER, list.vertices.subarray(0, list.count * floatsOfVertex), gl.STREAM_DRAW);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(indices), gl.STREAM_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, list.vertices, gl.STREAM_DRAW);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STREAM_DRAW);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);

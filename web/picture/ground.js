@@ -3,12 +3,11 @@
 import fullscreen_vert from './fullscreen.vert';
 import ground_frag from './ground.frag';
 import soften_frag from './soften.frag';
-import { clamp, inverse, scale, subtract, times } from '../math/linear.js';
-import { clipFromSpace } from '../math/camera.js';
+import { clamp } from '../math/linear.js';
 import { Program } from './program.js';
 import { SoftTarget } from './soft_target.js';
 
-/** @typedef {import("../math/camera.js").Camera} Camera */
+/** @typedef {import("../core/pictures.js").Camera} Camera */
 /**
  * A theme's ground, as page_json writes it; colours are sRGB from 0 to 255.
  * @typedef {object} GroundStyle
@@ -16,9 +15,7 @@ import { SoftTarget } from './soft_target.js';
  * @property {{light: number[], shadow: number, reflection: number, clouds: number} | null} floor
  */
 
-const floorGap = 0.06; // between the floor and the space that the body sweeps, in radii
 const mostColumns = 2048, // of a texture: every WebGL 2 has as many
-  mostBalls = 64,
   gridRows = 180;
 
 export class Ground {
@@ -33,14 +30,6 @@ export class Ground {
   }
 
   /**
-   * The floor's height y in space, cm, below a body of that bounding radius.
-   * @param {number} radius
-   */
-  static height(radius) {
-    return -(1 + floorGap) * radius;
-  }
-
-  /**
    * Draws the body's reflection for the next draw().
    * @param {import("./body_pass.js").BodyPass} body @param {Camera} camera @param {number[]} X
    * @param {number} aspect
@@ -49,7 +38,7 @@ export class Ground {
     const { gl } = this;
     const width = clamp(Math.round(gridRows * aspect), 1, mostColumns);
     this.sharp.begin(width, gridRows);
-    body.drawMirrored(camera, X, Ground.height(body.surface.radius), { width, height: gridRows });
+    body.drawMirrored(camera, X, { width, height: gridRows });
     this.soft.begin(width, gridRows);
     this.soften.use();
     this.soften.setTexture('sharp', 0);
@@ -60,10 +49,10 @@ export class Ground {
 
   /**
    * @param {GroundStyle} style @param {Camera} camera @param {number[]} X space_from_body
-   * @param {import("./surface.js").Surface} surface
+   * @param {import("./body_pass.js").BodyPass} body
    * @param {{width: number, height: number, inner: number[], floor: boolean, turned: boolean}} pane
    */
-  draw(style, camera, X, surface, { width, height, inner, floor, turned }) {
+  draw(style, camera, X, body, { width, height, inner, floor, turned }) {
     const { gl, program } = this;
     program.use();
     program.set('above', style.backdrop.above);
@@ -80,28 +69,20 @@ export class Ground {
         style.floor.reflection,
         turned ? style.floor.clouds : 0,
       ]);
-      this.#setFloor(camera, X, surface);
+      this.#setFloor(body.own.floor(camera, X));
     }
     gl.bindTexture(gl.TEXTURE_2D, this.soft.texture);
     this.#drawTriangle();
   }
 
-  /** @param {Camera} camera @param {number[]} X @param {import("./surface.js").Surface} surface */
-  #setFloor(camera, X, { radius, balls }) {
+  /** @param {{floor_from_place: Float32Array, right_and_height: Float32Array, balls: Float32Array}} uniforms */
+  #setFloor(uniforms) {
     const { gl, program } = this;
-    const m = clipFromSpace(camera),
-      height = Ground.height(radius);
-    const row = (/** @type {number} */ i) => [radius * m[i], radius * m[i + 2], height * m[i + 1] + m[i + 3]];
-    program.setMatrix('floor_from_place', inverse([...row(0), ...row(4), ...row(12)]));
-    const { attitude } = camera;
-    const across = Math.hypot(attitude[0], attitude[2]);
-    program.set('right_and_height', [attitude[0] / across, attitude[2] / across, height / radius, 0]);
-    const shown = balls.slice(0, mostBalls).flatMap((ball) => {
-      const centre = scale(1 / radius, subtract(times(X, ball.centre), [0, height, 0]));
-      return [...centre, ball.radius / radius];
-    });
-    program.set('balls', shown.length > 4 ? shown : [...shown, 0, -1, 0, 0, 0, -1, 0, 0].slice(0, 8));
-    gl.uniform1i(gl.getUniformLocation(program.program, 'ball_count'), shown.length / 4);
+    const { length } = uniforms.balls;
+    program.setColumns('floor_from_place', uniforms.floor_from_place);
+    program.set('right_and_height', uniforms.right_and_height);
+    program.set('balls', length > 4 ? uniforms.balls : [...uniforms.balls, 0, -1, 0, 0, 0, -1, 0, 0].slice(0, 8));
+    gl.uniform1i(gl.getUniformLocation(program.program, 'ball_count'), length / 4);
     program.setTexture('reflection', 0);
   }
 

@@ -78,11 +78,16 @@ export class Program {
     this.gl.uniform1i(this.#at(name), unit);
   }
 
-  /** Sets a matrix of 9 or 16 numbers, row by row. @param {string} name @param {ArrayLike<number>} m */
-  setMatrix(name, m) {
+  /** Sets a matrix of 9 or 16 numbers, column by column. @param {string} name @param {Float32Array} m */
+  setColumns(name, m) {
     const { gl } = this;
-    if (m.length === 9) gl.uniformMatrix3fv(this.#at(name), true, Float32Array.from(m));
-    else gl.uniformMatrix4fv(this.#at(name), true, Float32Array.from(m));
+    if (m.length === 9) gl.uniformMatrix3fv(this.#at(name), false, m);
+    else gl.uniformMatrix4fv(this.#at(name), false, m);
+  }
+
+  /** Sets a matrix of 9 numbers, row by row. @param {string} name @param {ArrayLike<number>} m */
+  setRows(name, m) {
+    this.gl.uniformMatrix3fv(this.#at(name), true, Float32Array.from(m));
   }
 }
 

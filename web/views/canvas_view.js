@@ -2,11 +2,10 @@
 // can be turned and zoomed by mouse, touch, pen and keyboard, and names of things in space.
 import { byId } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
-import { clipFromSpace, directionOf, transformed } from '../math/camera.js';
 import { word } from '../words/words.js';
 
-/** @typedef {import("../math/camera.js").Camera} Camera */
-/** A name beside the end of something in space. @typedef {{text: string, tip: ArrayLike<number>, color: number[]}} Label */
+/** @typedef {import("../core/pictures.js").Label} Label */
+/** @typedef {import("../core/pictures.js").Viewpoint} Viewpoint */
 
 /** @param {number[]} color sRGB, 0 to 255 */
 export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
@@ -15,7 +14,8 @@ export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
 export const pixelsOfUnit = () =>
   (devicePixelRatio * parseFloat(getComputedStyle(document.documentElement).fontSize)) / 15;
 
-const mostElevation = Math.PI / 2 - 0.001;
+const mostElevation = Math.PI / 2 - 0.001,
+  gapOfName = 13; // points from the end of a thing to the middle of its name
 
 /** How many canvases have lost their graphics. */
 let canvasesLost = 0;
@@ -81,12 +81,27 @@ export class CanvasView {
     return this.canvas.width / Math.max(1, this.canvas.height);
   }
 
-  /** From the origin to the eye. */
-  direction() {
-    return directionOf(
-      this.home.azimuth + this.view.azimuth,
-      clamp(this.home.elevation + this.view.elevation, -mostElevation, mostElevation),
-    );
+  /** The settings for the canvas as it is. @param {import("../core/pictures.js").Settings} settings */
+  sized(settings) {
+    const { width, height } = this.canvas;
+    return { ...settings, width, height, thinnest: pixelsOfUnit() };
+  }
+
+  /** Fills the canvas with a colour. @param {number[]} color sRGB, 0 to 255 */
+  clear([red, green, blue]) {
+    const { gl, canvas } = this;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(red / 255, green / 255, blue / 255, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** @returns {Viewpoint} */
+  get viewpoint() {
+    return {
+      azimuth: this.home.azimuth + this.view.azimuth,
+      elevation: clamp(this.home.elevation + this.view.elevation, -mostElevation, mostElevation),
+      zoom: this.view.zoom,
+    };
   }
 
   /** Turns the view, angles in rad. @param {number} azimuth @param {number} elevation */
@@ -125,33 +140,22 @@ export class CanvasView {
   }
 
   /**
-   * Shows the names at the tips, outwards from the origin.
-   * @param {Label[]} labels @param {Camera} camera
-   * @param {{left: number, width: number}} [pane] in shares of the canvas
+   * Shows names beside what they name.
+   * @param {Label[]} labels @param {{left: number, width: number}} [pane] in shares of the canvas
    * @param {number} [first] How many names there are already.
    * @returns {number} How many names there are now.
    */
-  showNames(labels, camera, pane = { left: 0, width: 1 }, first = 0) {
-    const clip = clipFromSpace(camera);
-    const width = this.canvas.clientWidth * pane.width,
-      height = this.canvas.clientHeight;
+  showNames(labels, pane = { left: 0, width: 1 }, first = 0) {
+    const { clientWidth, clientHeight } = this.canvas,
+      pointsOfPixel = clientWidth / this.canvas.width;
     let shown = first;
-    const centre = transformed(clip, [0, 0, 0]);
-    for (const { text, tip, color } of labels) {
-      const at = transformed(clip, tip);
-      const x = at[0] / at[3],
-        y = at[1] / at[3];
-      if (at[3] <= 0 || Math.abs(x) > 1 || Math.abs(y) > 1) continue;
-      const dx = (x - centre[0] / centre[3]) * width,
-        dy = (centre[1] / centre[3] - y) * height;
-      const length = Math.max(Math.hypot(dx, dy), 1);
+    for (const { text, anchor, away, color } of labels) {
       const span = this.#name(shown++);
       span.textContent = text;
       span.style.color = css(color);
-      const left =
-        this.canvas.clientWidth * pane.left +
-        clamp((0.5 + 0.5 * x) * width + (13 * dx) / length, 10, width - 10);
-      const top = clamp((0.5 - 0.5 * y) * height + (13 * dy) / length, 12, height - 12);
+      const [x, y] = anchor.map((place, i) => pointsOfPixel * place + gapOfName * away[i]);
+      const left = clientWidth * pane.left + clamp(x, 10, clientWidth * pane.width - 10);
+      const top = clamp(y, 12, clientHeight - 12);
       span.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
     }
     return shown;

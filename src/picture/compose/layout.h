@@ -26,6 +26,8 @@ struct Layout {
     bool named = true;  ///< Whether there is room for labels.
     /// A line that says what an inset shows.
     std::optional<image::Area> heading = std::nullopt;
+    /// Width in pixels of the thinnest line that is drawn.
+    double thinnest = 1;
   };
 
   /// Text sizes in px per em.

@@ -107,9 +107,7 @@ class DrawList {
 
   /// Return the triangles of all items.
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& indices() const { return items_.faces; }
-  /// Returns the indices of the edge quads of arrows.
-  const std::vector<std::uint32_t>& edge_quad_indices() const { return items_.edge_quads; }
+  const Triangles& items() const { return items_; }
   /// Returns arrows slightly larger than the arrows: their far sides are the arrows' outlines.
   const Triangles& outlines() const { return outlines_; }
   /// Returns plainer arrows of few triangles, for what is hidden of them.

@@ -26,21 +26,27 @@ double tolerance(const Camera& camera, int height) {
 }  // namespace
 
 BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
-                   std::size_t solution, const Layout::Pane& pane)
+                   std::size_t solution, const Layout::Pane& pane, double radius)
     : View(pane),
       solution_(solution),
       motion_(solutions[solution].body),
       frame_(scene.camera.frame),
-      radius_(bounding_radius(scene::visible_parts(scene.body))),
+      radius_(radius),
       overlay_(scene, solutions[solution].body, radius_),
       forces_(forces_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
-      framing_(framing_of(scene, solutions[solution])),
-      body_(body_model(scene, tolerance(camera(0), pane.area.height), radius_)) {
+      framing_(framing_of(scene, solutions[solution])) {
+  if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(scene);
+}
+
+BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                   std::size_t solution, const Layout::Pane& pane)
+    : BodyView(scene, solutions, solution, pane,
+               bounding_radius(scene::visible_parts(scene.body))) {
+  body_ = body_model(scene, tolerance(camera(0), pane.area.height), radius_);
   if (scene.look.motion_blur > 1) {
     sampling_.emplace(scene::visible_parts(scene.body), body_.mesh, radius_);
   }
-  if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(scene);
 }
 
 /// Adds the floor or, for a camera that goes along with a turning frame, the stars.
@@ -69,18 +75,20 @@ Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution
   return framing_along(scene, aspect, overlay_.bounding_radius(), points);
 }
 
-Camera BodyView::camera(double video_time) const {
-  Framing framing = framing_;
-  framing.direction = direction_of(path_.azimuth + path_.orbit * video_time, path_.elevation);
-  return widened(frame_sphere(framing), pane().focus, pane().area);
+Viewpoint BodyView::viewpoint(double video_time) const {
+  return {path_.azimuth + path_.orbit * video_time, path_.elevation};
+}
+
+Camera BodyView::camera_from(const Viewpoint& from) const {
+  return widened(frame_sphere(seen_from(framing_, from)), pane().focus, pane().area);
 }
 
 motion::RotatingFrame BodyView::frame_at(const motion::Sample& sample) const {
   return timeline::reference_frame(frame_, motion_, sample);
 }
 
-Camera BodyView::camera_in_space(const timeline::FrameState& state) const {
-  return carried(camera(state.video_time), frame_at(state.solutions[solution_].sample).attitude);
+Camera BodyView::in_space(const Camera& camera, const timeline::FrameState& state) const {
+  return carried(camera, frame_at(state.solutions[solution_].sample).attitude);
 }
 
 /// Returns the state with its earlier and blurred poses as they were in the frame, which has turned

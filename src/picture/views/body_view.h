@@ -25,8 +25,13 @@ class BodyView final : public View {
   BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
            std::size_t solution, const Layout::Pane& pane);
 
-  Camera camera(double video_time) const override;
-  Camera camera_in_space(const timeline::FrameState& state) const override;
+  /// The same without a surface, for a body of that bounding radius in cm.
+  BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+           std::size_t solution, const Layout::Pane& pane, double radius);
+
+  Viewpoint viewpoint(double video_time) const override;
+  Camera camera_from(const Viewpoint& from) const override;
+  Camera in_space(const Camera& camera, const timeline::FrameState& state) const override;
   void add(const timeline::FrameState& state, ViewContents& contents) const override;
 
   const BodyModel& body() const { return body_; }
@@ -49,7 +54,7 @@ class BodyView final : public View {
   std::optional<ForceArrows> forces_;
   scene::CameraPath path_;
   Framing framing_;  ///< Chosen so that the overlay is in view too; its direction moves.
-  BodyModel body_;
+  BodyModel body_{};
   std::optional<BlurSampling> sampling_;
   std::optional<Floor> floor_;       ///< For a camera at rest in space; otherwise
   std::optional<FixedStars> stars_;  ///< these show how the world turns.

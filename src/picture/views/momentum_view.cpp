@@ -20,7 +20,7 @@ constexpr double named = 1.12;  // times that, the position of an axis' name
 
 /// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
 /// the intermediate one towards the viewer.
-Matrix3d view_from_body(const Matrix3d& axes) {
+Matrix3d picture_axes(const Matrix3d& axes) {
   Matrix3d m;
   m << axes.col(0).cross(axes.col(1)).transpose(), axes.col(0).transpose(), axes.col(1).transpose();
   return m;
@@ -39,7 +39,7 @@ MomentumView::MomentumView(const scene::Scene& scene,
                            const std::vector<timeline::Solution>& solutions, std::size_t solution,
                            const Layout::Pane& pane)
     : SolutionView(scene, solutions, solution, pane),
-      view_from_own_(view_from_body(frame_.axes) * frame_.axes) {
+      view_from_own_(picture_axes(frame_.axes) * frame_.axes) {
   const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
   std::vector<Vector3d> tips;
   for (int i = 0; i < 3; ++i) tips.emplace_back(named * axis_end * view_from_own_.col(i));
@@ -97,7 +97,9 @@ void MomentumView::add_sphere(ViewContents& contents) const {
   add_separatrix(list);
 }
 
-void MomentumView::add_momentum(const timeline::SolutionState& instant, DrawList& list) const {
+void MomentumView::add_momentum(const timeline::SolutionState& instant, const std::string& name,
+                                const scene::Color& color, ViewContents& contents) const {
+  DrawList& list = contents.translucent;
   const auto fading = [&](const Vector3d& point, double opacity) {
     return opacity * shown(point, point, list.eye());
   };
@@ -106,19 +108,17 @@ void MomentumView::add_momentum(const timeline::SolutionState& instant, DrawList
     if (!shows_trail_) break;
     const double age = instant.trail_age(sample, trail_length_);
     const Vector3d point = lifted * place_of(sample);
-    line.push_back({point,
-                    (3.2 - 2 * age) * hairline(),
-                    {colors_.momentum, fading(point, std::pow(1 - age, 1.2))}});
+    line.push_back(
+        {point, (3.2 - 2 * age) * hairline(), {color, fading(point, std::pow(1 - age, 1.2))}});
   }
   list.line_on_halo(line, colors_.panel);
   const Vector3d now = place_of(instant.sample);
-  const Ink ink{colors_.momentum, 0.8};
-  list.line(
-      std::array<DrawList::Point, 2>{{{Vector3d::Zero(), hairline(), {ink.color, 0.15}},
-                                      {now, 1.5 * hairline(), {ink.color, fading(now, 0.7)}}}});
+  list.line(std::array<DrawList::Point, 2>{{{Vector3d::Zero(), hairline(), {color, 0.15}},
+                                            {now, 1.5 * hairline(), {color, fading(now, 0.7)}}}});
   const double clear = 0.45 + 0.55 * fading(now, 1);  // remains visible on the far side
   list.dot(now, 5.2 * hairline(), {colors_.panel, 0.9 * clear});
-  list.dot(now, 4.0 * hairline(), {colors_.momentum, clear});
+  list.dot(now, 4.0 * hairline(), {color, clear});
+  add_label(contents, name, now, color);
 }
 
 void MomentumView::add_still(ViewContents& contents) const {
@@ -127,16 +127,15 @@ void MomentumView::add_still(ViewContents& contents) const {
 
 void MomentumView::add(const timeline::FrameState& state, ViewContents& contents) const {
   if (path_.orbit != 0) add_sphere(contents);
-  if (!at_rest()) add_momentum(state_in(state), contents.translucent);
-  add_labels(state, contents);
+  add_axis_labels(contents);
+  if (!at_rest()) add_momentum(state_in(state), "L", colors_.momentum, contents);
 }
 
-void MomentumView::add_labels(const timeline::FrameState& state, ViewContents& contents) const {
+void MomentumView::add_axis_labels(ViewContents& contents) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3d tip = axis_end * view_from_own_.col(static_cast<Eigen::Index>(i));
     add_label(contents, frame_.names[i], tip, frame_.colors[i]);
   }
-  if (!at_rest()) add_label(contents, "L", place_of(state_in(state).sample), colors_.momentum);
 }
 
 }  // namespace twrench::picture

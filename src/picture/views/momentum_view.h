@@ -19,6 +19,16 @@ class MomentumView : public SolutionView {
   /// The momentum and its trail.
   void add(const timeline::FrameState& state, ViewContents& contents) const override;
 
+  /// Adds the momentum at an instant of a motion of this body, with its trail and its name.
+  void add_momentum(const timeline::SolutionState& instant, const std::string& name,
+                    const scene::Color& color, ViewContents& contents) const;
+
+  /// Adds the names of the axes.
+  void add_axis_labels(ViewContents& contents) const;
+
+  /// Returns the rotation from body axes to the picture's coordinates.
+  Eigen::Matrix3d view_from_body() const { return view_from_own_ * frame_.axes.transpose(); }
+
   /// Returns the position of a sample's momentum, on the unit sphere unless the method has left it.
   Eigen::Vector3d place_of(const motion::Sample& sample) const;
 
@@ -27,8 +37,6 @@ class MomentumView : public SolutionView {
   void add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
                  DrawList& list) const;
   void add_separatrix(DrawList& list) const;
-  void add_momentum(const timeline::SolutionState& instant, DrawList& list) const;
-  void add_labels(const timeline::FrameState& state, ViewContents& contents) const;
   template <typename Place>
   void add_curve(Place place, double width, const Ink& ink, DrawList& list) const;
 

@@ -19,23 +19,30 @@ SolutionView::SolutionView(const scene::Scene& scene,
       orbit_(scene.camera.orbit * scene.motion.duration / scene.film.speed) {}
 
 void SolutionView::frame(double azimuth, double elevation, double radius,
-                         std::span<const Eigen::Vector3d> points) {
-  constexpr double field_of_view = 0.5;
-  const double aspect = static_cast<double>(pane().focus.width) / pane().focus.height;
-  azimuth_ = azimuth;
-  elevation_ = elevation;
-  framing_ = fitted({{0, 0, 1}, field_of_view, aspect, radius},
-                    directions_along(azimuth, elevation, orbit_), points);
+                         std::vector<Eigen::Vector3d> points) {
+  radius_ = radius;
+  points_ = std::move(points);
+  set_home(azimuth, elevation);
 }
 
-Camera SolutionView::camera(double video_time) const {
-  Framing framing = framing_;
-  framing.direction = direction_of(azimuth_ + path_.orbit * video_time, elevation_);
-  return widened(frame_sphere(framing), pane().focus, pane().area);
+void SolutionView::set_home(double azimuth, double elevation) {
+  constexpr double field_of_view = 0.5;
+  const double aspect = static_cast<double>(pane().focus.width) / pane().focus.height;
+  home_ = {azimuth, elevation};
+  framing_ = fitted({{0, 0, 1}, field_of_view, aspect, radius_},
+                    directions_along(azimuth, elevation, orbit_), points_);
+}
+
+Viewpoint SolutionView::viewpoint(double video_time) const {
+  return {home_.azimuth + path_.orbit * video_time, home_.elevation};
+}
+
+Camera SolutionView::camera_from(const Viewpoint& from) const {
+  return widened(frame_sphere(seen_from(framing_, from)), pane().focus, pane().area);
 }
 
 double SolutionView::hairline() const {
-  return std::max(1.0, 0.0022 * std::min(pane().area.width, pane().area.height));
+  return std::max(pane().thinnest, 0.0022 * std::min(pane().area.width, pane().area.height));
 }
 
 void SolutionView::add_label(ViewContents& contents, const std::string& text,

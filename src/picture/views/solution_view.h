@@ -9,7 +9,11 @@ namespace twrench::picture {
 /// What the views that show one motion in its body's principal axes have in common.
 class SolutionView : public View {
  public:
-  Camera camera(double video_time) const override;
+  Viewpoint viewpoint(double video_time) const override;
+  Camera camera_from(const Viewpoint& from) const override;
+
+  /// Frames the contents anew, as they are seen from there at the start.
+  void set_home(double azimuth, double elevation);
 
  protected:
   /// Shows solutions[solution] in `pane`.
@@ -21,8 +25,7 @@ class SolutionView : public View {
 
   /// Frames the sphere of that radius about the centre and the points. The camera starts at
   /// `azimuth` and goes around as the scene's does; angles in rad.
-  void frame(double azimuth, double elevation, double radius,
-             std::span<const Eigen::Vector3d> points);
+  void frame(double azimuth, double elevation, double radius, std::vector<Eigen::Vector3d> points);
 
   const timeline::SolutionState& state_in(const timeline::FrameState& frame) const {
     return frame.solutions[solution_];
@@ -44,8 +47,10 @@ class SolutionView : public View {
 
  private:
   std::size_t solution_;
-  double orbit_;  ///< rad, of the camera in the whole video.
-  double azimuth_ = 0, elevation_ = 0;
+  double orbit_;      ///< rad, of the camera in the whole video.
+  Viewpoint home_{};  ///< At the start of the video.
+  double radius_ = 0;
+  std::vector<Eigen::Vector3d> points_;
   Framing framing_{};
 };
 

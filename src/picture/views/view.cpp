@@ -11,4 +11,11 @@ void ViewContents::begin(const Camera& camera_in_space, const image::Area& pane)
   labels.clear();
 }
 
+Framing seen_from(Framing framing, const Viewpoint& from) {
+  framing.direction = direction_of(from.azimuth, from.elevation);
+  framing.distance /= from.zoom;
+  framing.centre *= from.zoom;
+  return framing;
+}
+
 }  // namespace twrench::picture

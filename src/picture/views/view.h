@@ -33,6 +33,17 @@ struct ViewContents {
   }
 };
 
+/// Where a view is seen from.
+struct Viewpoint {
+  /// Direction of the eye, in rad; see direction_of().
+  double azimuth, elevation;
+  /// How many times as large things are as the view frames them.
+  double zoom = 1;
+};
+
+/// Returns a view's framing as it is seen from there.
+Framing seen_from(Framing framing, const Viewpoint& from);
+
 /// A view of objects in space. It computes what is to be seen, and draws nothing.
 class View {
  public:
@@ -43,11 +54,19 @@ class View {
 
   /// Returns the camera at `video_time` seconds of video, since it may move, for coordinates in the
   /// view's own frame.
-  virtual Camera camera(double video_time) const = 0;
+  Camera camera(double video_time) const { return camera_from(viewpoint(video_time)); }
 
-  /// Returns the camera for coordinates in space.
-  virtual Camera camera_in_space(const timeline::FrameState& state) const {
-    return camera(state.video_time);
+  /// Returns the same for coordinates in space.
+  Camera camera_in_space(const timeline::FrameState& state) const {
+    return in_space(camera(state.video_time), state);
+  }
+
+  virtual Viewpoint viewpoint(double video_time) const = 0;
+  virtual Camera camera_from(const Viewpoint& from) const = 0;
+
+  /// Returns the camera for coordinates in space of one for those in the view's own frame.
+  virtual Camera in_space(const Camera& camera, const timeline::FrameState& /*state*/) const {
+    return camera;
   }
 
   /// Adds what is the same in every frame to `contents`, which show nothing yet.

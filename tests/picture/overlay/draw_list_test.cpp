@@ -124,7 +124,7 @@ TEST_F(DrawListTest, FacesOfArrowsAreAnticlockwiseFromOutside) {
   for (const double sign : {1.0, -1.0}) {
     list.begin(camera(), list_pane);
     list.arrow(Vector3d::Zero(), sign * 0.1 * list.eye().normalized(), 0.3, red);
-    const auto& faces = list.indices();
+    const auto& faces = list.items().faces;
     double seen = 0;
     for (std::size_t i = 0; i < faces.size(); i += 3) {
       seen += turn(list, faces, i) > 0 ? 1 : 0;
@@ -152,7 +152,7 @@ TEST_F(DrawListTest, ArrowsHaveAnOutlineOfTheOppositeLightness) {
       to = std::max(to, place.y());
     }
   };
-  extend(list.indices(), lowest, highest);
+  extend(list.items().faces, lowest, highest);
   extend(list.outlines().faces, low, high);
   EXPECT_LT(low, lowest - 0.9);
   EXPECT_GT(high, highest + 0.9);
@@ -198,20 +198,20 @@ TEST_F(DrawListTest, BreaksALineBehindTheEye) {
                                             {{1, 0, 0}, 2, red},
                                             {{1, 1, 0}, 2, red}}});
   EXPECT_EQ(list.vertices().size(), 16);
-  EXPECT_EQ(list.indices().size(), 36);
+  EXPECT_EQ(list.items().faces.size(), 36);
 }
 
 TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {
   const Eigen::Matrix3d radii = Vector3d(1, 0.5, 0.7).asDiagonal();
   list.ellipsoid(radii, red, 1);
-  ASSERT_GT(list.indices().size(), 300);
+  ASSERT_GT(list.items().faces.size(), 300);
   const auto& v = list.vertices();
   int facets = 0;
-  for (std::size_t i = 0; i < list.indices().size(); i += 3) {
-    if (v[list.indices()[i]].edge.z < 1e5F) continue;  // of the edge quad along the silhouette
+  for (std::size_t i = 0; i < list.items().faces.size(); i += 3) {
+    if (v[list.items().faces[i]].edge.z < 1e5F) continue;  // of the edge quad along the silhouette
     ++facets;
-    const Vector2d a = pixel(v[list.indices()[i]]), b = pixel(v[list.indices()[i + 1]]),
-                   c = pixel(v[list.indices()[i + 2]]);
+    const Vector2d a = pixel(v[list.items().faces[i]]), b = pixel(v[list.items().faces[i + 1]]),
+                   c = pixel(v[list.items().faces[i + 2]]);
     const Vector2d ab = b - a, ac = c - a;
     // The silhouette is shrunk by 0.75 pixels, and may thus come inside the previous ring.
     const double tucked = 0.75 * std::max(ab.norm(), ac.norm());

@@ -28,7 +28,7 @@ std::size_t drawn(const scene::Scene& scene, int frame) {
   DrawList list;
   list.begin(frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 10}), {0, 0, 640, 480});
   arrows_of(scene, timeline).draw(timeline.frame_state(0).solutions[0], list);
-  return list.indices().size() / 3;
+  return list.items().faces.size() / 3;
 }
 
 TEST(ForceArrows, StartAtTheEndsOfTheWrenchsRods) {

@@ -1,0 +1,250 @@
+/**
+ * What the views show: the film's own views, of a motion that is under way. Pictures are of the C++ in
+ * src/picture; here is how its memory is read.
+ */
+/** @typedef {import('./core.js').Core} Core */
+/** @typedef {import('./core.js').Samples} Samples */
+/** @typedef {import('./instance.js').Instance} Instance */
+/** @typedef {import('./motion.js').Motion} Motion */
+
+/** From where a view is seen; angles in rad. @typedef {{azimuth: number, elevation: number, zoom: number}} Viewpoint */
+/** Triangles as indices of vertices. @typedef {{faces: Uint32Array, edgeQuads: Uint32Array}} Triangles */
+/** As src/picture/overlay/draw_list.h says. @typedef {{vertices: Float32Array, items: Triangles, outlines: Triangles, ghosts: Triangles}} DrawList */
+/** In pixels of the pane from its top left; `away` is where there is room. @typedef {{text: string, anchor: number[], away: number[], color: number[]}} Label */
+
+/**
+ * Matrices row by row, for column vectors in OpenGL's conventions.
+ * @typedef {object} Camera
+ * @property {number[]} attitude camera_from_space, 9 numbers
+ * @property {number} distance From the origin to the eye, cm.
+ * @property {number[]} projection clip_from_camera, 16 numbers
+ */
+
+/**
+ * What is to be drawn. The lists lie in the core's memory until another view is asked for. Each use of
+ * an array looks there anew, because the memory moves as it grows.
+ * @typedef {object} Contents
+ * @property {Camera} camera
+ * @property {number} clipZNearer What brings an item nearer by the picture's height, in clip space.
+ * @property {DrawList} opaque
+ * @property {DrawList} translucent
+ * @property {Label[]} labels
+ */
+
+/**
+ * What a picture depends on beside the motion and the viewpoint. What is left out is 0.
+ * @typedef {object} Settings
+ * @property {number} width Of the pane in pixels.
+ * @property {number} height
+ * @property {number} thinnest Width in pixels of the thinnest line.
+ * @property {string} theme
+ * @property {string} frame In which the camera stands.
+ * @property {readonly string[]} show The features that are shown.
+ * @property {number} azimuth Of the camera for which the picture is framed, rad.
+ * @property {number} elevation
+ * @property {number} distance In units of the one at which things just fit.
+ * @property {number} fieldOfView rad
+ * @property {number} interval Seconds of motion in the time of one frame.
+ * @property {number} radius Bounding radius of the body, cm.
+ * @property {number} trailLength s
+ * @property {number} trailX The point of the body that draws the trail, cm.
+ * @property {number} trailY
+ * @property {number} trailZ
+ * @property {number} curveBegin Times of the herpolhode that is drawn, s.
+ * @property {number} curveEnd
+ */
+
+const floatsOfVertex = 11,
+  numbersOfLabel = 8;
+
+/** Reads results one after another. */
+class Reader {
+  /** @param {Instance} instance @param {Float64Array} numbers */
+  constructor(instance, numbers) {
+    this.instance = instance;
+    this.numbers = numbers;
+    this.next = 0;
+  }
+
+  number() {
+    return this.numbers[this.next++];
+  }
+
+  /** @param {number} count */
+  several(count) {
+    return Array.from({ length: count }, () => this.number());
+  }
+
+  /** @returns {Camera} */
+  camera() {
+    return { attitude: this.several(9), distance: this.number(), projection: this.several(16) };
+  }
+
+  /** @returns {Triangles} */
+  triangles() {
+    const { exports } = this.instance,
+      [faces, faceCount, edgeQuads, edgeQuadCount] = this.several(4);
+    return {
+      get faces() {
+        return new Uint32Array(exports.memory.buffer, faces, faceCount);
+      },
+      get edgeQuads() {
+        return new Uint32Array(exports.memory.buffer, edgeQuads, edgeQuadCount);
+      },
+    };
+  }
+
+  /** @returns {DrawList} */
+  list() {
+    const { exports } = this.instance,
+      [begin, count] = this.several(2);
+    return {
+      get vertices() {
+        return new Float32Array(exports.memory.buffer, begin, floatsOfVertex * count);
+      },
+      items: this.triangles(),
+      outlines: this.triangles(),
+      ghosts: this.triangles(),
+    };
+  }
+}
+
+export class Pictures {
+  /** @param {Core} core */
+  constructor({ instance }) {
+    this.instance = instance;
+    const lines = instance.text(instance.call('picture_names')).split('\n');
+    const [settings, themes, frames, features] = lines.map((line) => line.trim().split(' '));
+    this.names = { settings, themes, frames, features };
+  }
+
+  /** @param {Settings} settings */
+  #settings(settings) {
+    /** @type {Record<string, any>} */
+    const numbers = {
+      ...settings,
+      theme: this.names.themes.indexOf(settings.theme),
+      frame: this.names.frames.indexOf(settings.frame),
+      show: settings.show.reduce((bits, name) => bits | (1 << this.names.features.indexOf(name)), 0),
+    };
+    return this.names.settings.map((name) => numbers[name]);
+  }
+
+  /**
+   * Hands over the settings and motions at one time, each with its trail.
+   * @param {Settings} settings @param {Samples[]} instants
+   */
+  #hand(settings, instants = []) {
+    const numbers = this.#settings(settings);
+    const count = instants.reduce((sum, { t }) => sum + 1 + 13 * t.length, numbers.length);
+    const scratch = this.instance.scratch(count);
+    scratch.set(numbers);
+    let at = numbers.length;
+    for (const { t, X, omega } of instants) {
+      scratch[at++] = t.length;
+      for (const values of [t, X, omega]) {
+        scratch.set(values, at);
+        at += values.length;
+      }
+    }
+  }
+
+  #reader() {
+    const { byteOffset } = this.instance.scratch(64);
+    return new Reader(this.instance, new Float64Array(this.instance.exports.memory.buffer, byteOffset));
+  }
+
+  /** @returns {Contents} */
+  #contents() {
+    const { instance } = this,
+      reader = this.#reader();
+    const camera = reader.camera();
+    const clipZNearer = reader.number(),
+      opaque = reader.list(),
+      translucent = reader.list(),
+      labels = Array.from({ length: reader.number() }, () => {
+        const n = reader.several(numbersOfLabel);
+        return { text: instance.text(n[7]), anchor: n.slice(0, 2), away: n.slice(2, 4), color: n.slice(4, 7) };
+      });
+    return { camera, clipZNearer, opaque, translucent, labels };
+  }
+
+  /**
+   * Calls a function of the core with what a view depends on.
+   * @param {string} name @param {Motion} motion @param {Settings} settings @param {Samples[]} instants
+   * @param {number[]} rest
+   */
+  #call(name, motion, settings, instants, ...rest) {
+    const pointer = motion.held.get();
+    this.#hand(settings, instants);
+    this.instance.call(name, pointer, ...rest);
+  }
+
+  /** The body with its arrows. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples} instant */
+  body(motion, settings, { azimuth, elevation, zoom }, instant) {
+    this.#call('show_body', motion, settings, [instant], azimuth, elevation, zoom);
+    return this.#contents();
+  }
+
+  /** The stars of a theme: direction, brightness and tint of each. @param {Motion} motion @param {Settings} settings @param {number} count of those in the scene's own picture */
+  stars(motion, settings, count) {
+    const pointer = motion.held.get();
+    this.#hand(settings);
+    return floatsAt(this.instance, this.instance.call('theme_stars', pointer, count));
+  }
+
+  /** The momentum sphere. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples[]} instants One, or two to compare. */
+  sphere(motion, settings, { azimuth, elevation, zoom }, instants) {
+    this.#call('show_sphere', motion, settings, instants, instants.length, azimuth, elevation, zoom);
+    return this.#contents();
+  }
+
+  /** Poinsot's construction. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples} instant */
+  poinsot(motion, settings, { azimuth, elevation, zoom }, instant) {
+    this.#call('show_poinsot', motion, settings, [instant], azimuth, elevation, zoom);
+    return this.#contents();
+  }
+
+  /**
+   * Results that are numbers.
+   * @param {number} count @param {string} name @param {Motion} motion @param {Settings} settings @param {number[]} rest
+   */
+  #numbers(count, name, motion, settings, ...rest) {
+    this.#call(name, motion, settings, [], ...rest);
+    return [...this.instance.scratch(count)];
+  }
+
+  /** The direction from which a view shows a motion best. @param {"sphere" | "poinsot"} view @param {Motion} motion @param {Settings} settings */
+  home(view, motion, settings) {
+    const [azimuth, elevation] = this.#numbers(2, `${view}_home`, motion, settings);
+    return { azimuth, elevation };
+  }
+
+  /** Where the start of the motion is on the sphere, in pixels. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from */
+  start(motion, settings, { azimuth, elevation, zoom }) {
+    return this.#numbers(2, 'sphere_start', motion, settings, azimuth, elevation, zoom);
+  }
+
+  /**
+   * The omega with which the motion starts at a place in the picture of the sphere.
+   * @param {Motion} motion @param {Settings} settings @param {Viewpoint} from
+   * @param {number[]} place -1 to 1 across and up
+   */
+  omegaAt(motion, settings, { azimuth, elevation, zoom }, [x, y]) {
+    return this.#numbers(3, 'sphere_omega_at', motion, settings, azimuth, elevation, zoom, x, y);
+  }
+
+  /**
+   * The omega with which it starts that far, in rad, from where it does.
+   * @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {number[]} way across and up
+   */
+  omegaMoved(motion, settings, { azimuth, elevation, zoom }, [right, up]) {
+    return this.#numbers(3, 'sphere_omega_moved', motion, settings, azimuth, elevation, zoom, right, up);
+  }
+}
+
+/** Floats that C++ left at an address, and their number in the scratch area. @param {Instance} instance @param {number} begin */
+export function floatsAt(instance, begin) {
+  const [count] = instance.scratch(1);
+  return new Float32Array(instance.exports.memory.buffer, begin, count);
+}

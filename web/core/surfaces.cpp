@@ -1,0 +1,151 @@
+// The values of the uniforms with which the page draws a body and the floor below it.
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "picture/body/body_uniforms.h"
+#include "picture/body/floor_plane.h"
+#include "picture/body/shadow_balls.h"
+#include "picture/space/glm_from_eigen.h"
+#include "scratch.h"
+
+namespace twrench::page {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using picture::Ball;
+using picture::BodyModel;
+using picture::Camera;
+using picture::Capsule;
+using picture::PartModel;
+
+/// A body as the page knows it: the mesh and the materials of the model are JavaScript's.
+struct Surface {
+  BodyModel body;
+  std::vector<Ball> balls;  ///< That cast its shadow.
+};
+
+/// What is handed over, as the numbers of the shaders.
+std::vector<float> uniforms;
+
+void add(const glm::vec3& v) { uniforms.insert(uniforms.end(), {v.x, v.y, v.z}); }
+void add(const glm::vec4& v) { uniforms.insert(uniforms.end(), {v.x, v.y, v.z, v.w}); }
+template <typename Matrix>
+void add_columns(const Matrix& m) {
+  for (int i = 0; i < Matrix::length(); ++i) add(m[i]);
+}
+
+const float* written() {
+  Results(1) << static_cast<double>(uniforms.size());
+  return uniforms.data();
+}
+
+/// Reads a camera: its attitude, camera_from_space, the distance and the projection.
+Camera read_camera(Arguments& arguments) {
+  Camera camera;
+  camera.view.topLeftCorner<3, 3>() = arguments.matrix();
+  camera.distance = arguments.number();
+  camera.view(2, 3) = -camera.distance;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) camera.projection(row, column) = arguments.number();
+  }
+  return camera;
+}
+
+PartModel read_part(Arguments& arguments) {
+  PartModel part{};
+  part.radii = picture::glm_from_eigen(arguments.vector());
+  part.side_axis = arguments.vector();
+  for (glm::vec4& row : part.across_from_body) {
+    for (int i = 0; i < 4; ++i) row[i] = static_cast<float>(arguments.number());
+  }
+  part.mean_color = picture::glm_from_eigen(arguments.vector());  // or that of its material
+  const std::size_t occluders = arguments.count();
+  for (std::size_t i = 0; i < occluders; ++i) {
+    Capsule capsule{};
+    capsule.from = arguments.vector();
+    capsule.to = arguments.vector();
+    capsule.radius = arguments.number();
+    capsule.meets = arguments.number() != 0;
+    capsule.part = arguments.count();
+    part.occluders.push_back(capsule);
+  }
+  return part;
+}
+
+}  // namespace
+}  // namespace twrench::page
+
+extern "C" {
+
+using namespace twrench;
+using namespace twrench::page;
+
+/// The body whose bounding radius, parts and balls are in the scratch area.
+[[clang::export_name("surface_new")]] Surface* surface_new() {
+  Arguments arguments;
+  auto* surface = new Surface{};
+  surface->body.radius = arguments.number();
+  const std::size_t parts = arguments.count();
+  for (std::size_t i = 0; i < parts; ++i) surface->body.parts.push_back(read_part(arguments));
+  const std::size_t balls = arguments.count();
+  for (std::size_t i = 0; i < balls; ++i) {
+    const Vector3d centre = arguments.vector();
+    surface->balls.push_back({centre, arguments.number()});
+  }
+  return surface;
+}
+
+[[clang::export_name("surface_free")]] void surface_free(const Surface* surface) { delete surface; }
+
+/// The uniforms of a body with the camera and the attitude X in the scratch area, or of its image
+/// in the floor: those of all parts, then those of each.
+[[clang::export_name("surface_uniforms")]] const float* surface_uniforms(const Surface* surface,
+                                                                         bool mirrored) {
+  Arguments arguments;
+  const Camera camera = read_camera(arguments);
+  const Matrix3d X = arguments.matrix();
+  const auto& [body, balls] = *surface;
+  const picture::StageUniforms stage =
+      mirrored ? picture::mirrored_stage_uniforms(camera, X, body.radius,
+                                                  picture::floor_height(body.radius))
+               : picture::stage_uniforms(camera, X, body.radius);
+  uniforms.clear();
+  add(stage.eye);
+  add_columns(stage.clip_from_stage);
+  add_columns(stage.stage_from_body);
+  add_columns(stage.stage_normal_from_body);
+  for (const PartModel& part : body.parts) {
+    uniforms.push_back(!mirrored && part.meets_others() ? 1 : 0);
+    add(part.radii);
+    add(picture::side_axis_in_stage(body, part, camera, X));
+    for (const glm::vec4& row : part.across_from_body) add(row);
+    const auto [from, to, tint] = picture::occluder_uniforms(body, part, camera, X, !mirrored);
+    for (const auto* values : {&from, &to, &tint}) {
+      for (const glm::vec4& value : *values) add(value);
+    }
+  }
+  return written();
+}
+
+/// The uniforms of the floor below it: floor_from_place, right_and_height, and the balls.
+[[clang::export_name("floor_uniforms")]] const float* floor_uniforms(const Surface* surface) {
+  Arguments arguments;
+  const Camera camera = read_camera(arguments);
+  const Matrix3d X = arguments.matrix();
+  const double radius = surface->body.radius;
+  const double height = picture::floor_height(radius);
+  uniforms.clear();
+  add_columns(picture::glm_from_eigen(picture::floor_from_device(camera, radius)));
+  const Eigen::Vector2d right(camera.view(0, 0), camera.view(0, 2));
+  add(glm::vec4(right.x() / right.norm(), right.y() / right.norm(), height / radius, 0));
+  for (const Ball& ball : surface->balls) {
+    const Vector3d centre = (X * ball.centre - Vector3d(0, height, 0)) / radius;
+    add(glm::vec4(picture::glm_from_eigen(centre), ball.radius / radius));
+  }
+  return written();
+}
+
+}  // extern "C"
