@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "option_values.h"
 
 namespace twrench::torture {

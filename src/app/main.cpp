@@ -1,15 +1,23 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
-#include "app/output.h"
-#include "app/process.h"
-#include "app/report.h"
-#include "app/usage.h"
+#include "app/commands/commands.h"
+#include "app/options/usage.h"
+#include "app/terminal/error_report.h"
+#include "app/terminal/output.h"
+#include "app/terminal/process.h"
 
 namespace {
+
+/// Returns whether the command that was given draws frames.
+bool draws(const CLI::App& app) {
+  return std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
+    return command->get_option_no_throw("--jobs") != nullptr;
+  });
+}
 
 /// Runs the given command, or prints the requested help or version.
 void parse(CLI::App& app, std::vector<std::string> words) try {
@@ -31,7 +39,7 @@ twrench::app::ExitCode run(int argc, char** argv) {
     parse(app, twrench::app::words_for_parser(argc, argv));
     return code;
   } catch (...) {
-    return twrench::app::report_current_exception(app);
+    return twrench::app::report_current_exception(draws(app));
   }
 }
 

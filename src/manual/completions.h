@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_model.h"
+#include "app/options/command_model.h"
 
 namespace twrench::manual {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/commands.h"
-#include "app/version.h"
+#include "app/commands/commands.h"
+#include "app/terminal/version.h"
 #include "manual/completions.h"
 #include "manual/man_pages.h"
 #include "system/file.h"

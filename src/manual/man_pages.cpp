@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/scene_options.h"
+#include "app/options/scene_options.h"
 #include "scene/fields.h"
 
 namespace twrench::manual {

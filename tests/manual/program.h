@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/command_model.h"
-#include "app/commands.h"
+#include "app/commands/commands.h"
+#include "app/options/command_model.h"
 #include "system/file.h"
 
 namespace twrench::manual {

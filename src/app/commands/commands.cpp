@@ -1,0 +1,61 @@
+#include "app/commands/commands.h"
+
+#include <twrench/base/nearest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/options/help.h"
+#include "app/options/usage.h"
+#include "app/terminal/version.h"
+
+namespace twrench::app {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0         success\n"
+    "  1         compare: the images differ; study, check: a bound was exceeded\n"
+    "  2         invalid option or scene\n"
+    "  3         no usable OpenGL context\n"
+    "  4         ffmpeg (or gnuplot, for plots) is missing or failed\n"
+    "  5         a file could not be read or written\n"
+    "  70        internal error: a bug in twrench, or out of memory\n"
+    "  130, 143  interrupted; all files written are complete";
+
+}  // namespace
+
+void add_commands(CLI::App& app, ExitCode& code) {
+  set_help_format(app);  // before the commands, which inherit it
+  app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.footer(exit_codes);
+  app.require_subcommand(1);
+  add_render(app);
+  add_simulate(app);
+  add_export(app);
+  add_page(app);
+  add_report(app);
+  add_plot(app);
+  add_inertia(app);
+  add_study(app, code);
+  add_encode(app);
+  add_compare(app, code);
+  add_check(app, code);
+  add_doctor(app, code);
+  add_methods(app);
+  add_scenes(app);
+  add_cases(app);
+  add_help(app);
+  refuse_empty_values(app);
+}
+
+void require_known_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with("-") || std::ranges::find(names, word) != names.end()) return;
+  throw unknown_name("command", word, names);
+}
+
+}  // namespace twrench::app

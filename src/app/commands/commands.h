@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "app/options/command_line.h"
+#include "app/terminal/exit_code.h"
+
+namespace twrench::app {
+
+/// What the program does, for its help.
+inline constexpr const char* about = "Turn a rigid body's equations of motion into a film";
+
+// Each adds one command, whose callback does the work and throws an Error on failure.
+void add_render(CLI::App& app);
+void add_simulate(CLI::App& app);
+void add_export(CLI::App& app);
+void add_page(CLI::App& app);
+void add_report(CLI::App& app);
+void add_plot(CLI::App& app);
+void add_inertia(CLI::App& app);
+void add_study(CLI::App& app, ExitCode& code);
+void add_encode(CLI::App& app);
+void add_compare(CLI::App& app, ExitCode& code);
+void add_check(CLI::App& app, ExitCode& code);
+void add_doctor(CLI::App& app, ExitCode& code);
+void add_methods(CLI::App& app);
+void add_cases(CLI::App& app);
+void add_scenes(CLI::App& app);
+
+/// Adds all commands and what they have in common.
+void add_commands(CLI::App& app, ExitCode& code);
+
+/// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a
+/// command.
+void require_known_command(const CLI::App& app, const std::string& word);
+
+}  // namespace twrench::app

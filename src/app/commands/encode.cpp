@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/options/arguments.h"
+#include "app/options/video_options.h"
+#include "app/terminal/progress.h"
+#include "scene/limits.h"
+#include "video/encode_frames.h"
+#include "video/frame_range.h"
+
+namespace twrench::app {
+namespace {
+
+struct EncodeOptions {
+  std::string folder;
+  VideoOptions film;
+  bool allow_missing = false;
+  bool overwrite = false;
+  std::string width;
+  std::string progress = "auto";
+
+  /// Throws InvalidArgument.
+  video::VideoOutput video_output() const;
+};
+
+video::VideoOutput EncodeOptions::video_output() const {
+  const video::Container container = film.container(film.output);
+  video::VideoOutput video{film.output, container, overwrite, film.chapters_in(container), {}};
+  if (width.empty()) return video;
+  if (!video::is_animated_image(container)) {
+    throw InvalidArgument("--width", "only GIF and WebP are scaled",
+                          "leave it out, or render frames of that --size");
+  }
+  video.width = parse_whole(width, "--width", scene::limits::pixels);
+  return video;
+}
+
+void encode(const EncodeOptions& options) {
+  options.film.require_free_output(options.progress);
+  const video::VideoOutput output = options.video_output();
+  Progress progress(options.progress);
+  const std::vector<int> left_out = video::encode_frames(
+      options.folder, output,
+      options.allow_missing ? video::Missing::leave_out : video::Missing::refuse,
+      [&](int done, int total) { progress.update(done, total); });
+  progress.finish();
+  if (left_out.empty()) return;
+  progress.warn(fmt::format("{}: the video lacks the missing frames {}", options.film.output,
+                            video::brief_frame_range(left_out)));
+}
+
+}  // namespace
+
+void add_encode(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("encode", "Encode a video from frames rendered earlier");
+  command->footer("Example: twrench encode out/dzhanibekov -o flip.mp4");
+  const auto options = std::make_shared<EncodeOptions>();
+  command
+      ->add_option("FRAMES_DIR", options->folder,
+                   "folder with frames and their manifest.json, or the manifests of all shards")
+      ->required();
+  options->film.add_to(*command, "");
+  command->add_option("--width", options->width, "width of a GIF or WebP in pixels")
+      ->type_name("N")
+      ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation));
+  command->add_flag("--allow-missing", options->allow_missing,
+                    "encode the frames that exist even if some are missing");
+  command->add_flag("--overwrite", options->overwrite,
+                    "replace an existing video of something else");
+  add_progress_option(*command, options->progress);
+  command->callback(
+      [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });
+}
+
+}  // namespace twrench::app

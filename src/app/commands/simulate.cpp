@@ -1,0 +1,56 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/options/arguments.h"
+#include "app/options/scene_options.h"
+#include "app/reports/trajectory_output.h"
+#include "scene/limits.h"
+
+namespace twrench::app {
+namespace {
+
+struct SimulateOptions {
+  explicit SimulateOptions(CLI::App& command) : scene(command) { scene.add_motion_options(); }
+
+  SceneOptions scene;
+  std::string times;
+  std::string format = "csv";
+  std::string output = "-";
+};
+
+std::vector<double> times_asked_for(const SimulateOptions& options) {
+  std::vector<double> times = parse_numbers(options.times, "--times");
+  for (const double t : times)
+    scene::limits::check({-scene::limits::duration.high, scene::limits::duration.high}, "--times",
+                         t);
+  return times;
+}
+
+void simulate(const SimulateOptions& options) {
+  options.scene.require_not_input(options.output);
+  const scene::Scene scene = options.scene.scene();
+  const std::vector<double> times =
+      options.times.empty() ? std::vector<double>() : times_asked_for(options);
+  Output output(options.output);
+  write_trajectory(output, scene, options.format, times);
+  output.finish();
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("simulate", "Compute the trajectory and write it as CSV or JSON");
+  command->footer(std::string(about_defaults) +
+                  "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
+  const auto options = std::make_shared<SimulateOptions>(*command);
+  command->add_option("--times", options->times, "sample at exactly these times, s")
+      ->type_name("T1,T2,...")
+      ->default_str("every 1/fps");
+  add_format_option(*command, options->format, {"csv", "json"});
+  add_output_option(*command, options->output);
+  command->callback([options] { simulate(*options); });
+}
+
+}  // namespace twrench::app

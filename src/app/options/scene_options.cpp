@@ -1,0 +1,273 @@
+#include "app/options/scene_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "app/options/arguments.h"
+#include "app/terminal/message.h"
+#include "scene/fields.h"
+#include "scene/languages.h"
+#include "scene/limits.h"
+#include "scene/names.h"
+#include "scene/natural_times.h"
+#include "system/file.h"
+
+namespace twrench::app {
+namespace {
+
+constexpr int most_scenes = 16;
+
+/// The numbers of a vector as a JSON array.
+template <typename Vector>
+nlohmann::ordered_json array_of(const Vector& v) {
+  return std::vector<double>(v.begin(), v.end());
+}
+
+/// Converts the text of an option to the form of a field.
+nlohmann::ordered_json parse_value(scene::Field::Kind kind, const std::string& text,
+                                   const std::string& option) {
+  using Kind = scene::Field::Kind;
+  switch (kind) {
+    case Kind::number:
+    case Kind::integer:
+      return parse_number(text, option);
+    case Kind::vector:
+      return array_of(parse_vector(text, option));
+    case Kind::size:
+      return array_of(parse_size(text, option));
+    case Kind::text:
+      return text;
+    case Kind::texts:
+      return parse_words(text);
+    case Kind::vectors: {
+      nlohmann::ordered_json vectors = nlohmann::ordered_json::array();
+      for (const auto& v : parse_vectors(text, option)) vectors.push_back(array_of(v));
+      return vectors;
+    }
+  }
+  return {};
+}
+
+/// The default of a field as help shows it.
+std::string default_text(const scene::Field& field) {
+  if (!field.otherwise.empty()) return field.otherwise;
+  const nlohmann::ordered_json value = field.get(scene::Scene());
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return fmt::format("{}", value.get<double>());
+  return fmt::format("{}", fmt::join(value.get<std::vector<double>>(),
+                                     field.kind == scene::Field::Kind::size ? "x" : ","));
+}
+
+/// Whether a field changes the motion or when it is sampled, rather than only the picture.
+bool determines_motion(const scene::Field& field) {
+  return field.table == "motion" || field.key == "fps" || field.key == "speed";
+}
+
+}  // namespace
+
+void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia, bool as_json) {
+  constexpr double round_off = 1e-12;
+  const Eigen::Vector3d moments = body::principal_axes(inertia).moments;
+  if (2.0 * moments[2] <= moments.sum() * (1.0 + round_off)) return;
+  warn(fmt::format("{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them; one exceeds "
+                   "the sum of the "
+                   "other two",
+                   of, moments[0], moments[1], moments[2]),
+       as_json);
+}
+
+std::string help_of(const scene::Field& field) {
+  return field.key == "method" ? field.help + " (see twrench methods)" : field.help;
+}
+
+SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::string> without)
+    : command_(command), names_(std::move(without)), mesh_(command) {
+  command
+      .add_option("SCENE", names_,
+                  ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb) or built-in scene (see twrench "
+                  "scenes)")
+      ->expected(1, count == Count::one ? 1 : most_scenes)
+      ->default_str(fmt::format("{}", fmt::join(names_, " ")));
+}
+
+CLI::Option* SceneOptions::add(const std::string& name, const std::string& value,
+                               const std::string& help, Override apply) {
+  const auto remember = [this, apply = std::move(apply)](const std::string& text) {
+    overrides_.emplace_back([=](scene::Scene& scene) { apply(scene, text); });
+  };
+  return command_.add_option_function<std::string>(name, remember, help)->type_name(value);
+}
+
+void SceneOptions::add_field(const scene::Field& field) {
+  std::string name = "--" + field.key;
+  std::ranges::replace(name, '_', '-');
+  add(name, field.placeholder, help_of(field),
+      [&field, name](scene::Scene& scene, const std::string& text) {
+        field.set(scene, parse_value(field.kind, text, name), name);
+      })
+      ->default_str(default_text(field));
+}
+
+void SceneOptions::add_flag(const std::string& name, const std::string& help,
+                            std::function<void(scene::Scene&)> apply) {
+  command_.add_flag_callback(
+      name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help);
+}
+
+void SceneOptions::add_inertia_option() {
+  add("--inertia", inertia_placeholder,
+      fmt::format("replace the body, its title and its times by {}, g cm^2", inertia_help),
+      [](scene::Scene& scene, const std::string& text) {
+        scene::Body body;
+        body.inertia = parse_inertia(text, "--inertia");
+        body.drawn_as = scene.body.drawn_as;
+        scene::replace_body(scene, std::move(body));
+      });
+}
+
+void SceneOptions::add_motion_options() {
+  for (const scene::Field& field : scene::fields()) {
+    if (determines_motion(field)) add_field(field);
+  }
+  add_inertia_option();
+}
+
+void SceneOptions::add_shape_option() {
+  add("--shape", "NAME",
+      fmt::format("what a body is drawn as that is given by its inertia: {}",
+                  fmt::join(scene::equimomental_names(), ", ")),
+      [](scene::Scene& scene, const std::string& text) {
+        const scene::Equimomental form = scene::equimomental_of(text, "--shape");
+        if (!scene.body.inertia) {
+          throw InvalidArgument("--shape", "the body has parts, which say what it looks like",
+                                "give its moments by --inertia, or leave --shape out");
+        }
+        scene.body.drawn_as = form;
+      })
+      ->default_str("box");
+}
+
+void SceneOptions::add_language_option() {
+  command_
+      .add_option("--language", language_,
+                  fmt::format("language of the captions and the title of a built-in story: {}",
+                              fmt::join(scene::languages(), " or ")))
+      ->type_name("CODE")
+      ->default_str("the scene's");
+}
+
+void SceneOptions::add_look_options() {
+  add_shape_option();
+  static constexpr std::array keys{"size",     "theme",     "material",      "color",
+                                   "metallic", "roughness", "azimuth",       "elevation",
+                                   "distance", "orbit",     "field_of_view", "frame"};
+  for (const scene::Field& field : scene::fields()) {
+    if (std::ranges::find(keys, field.key) != keys.end()) add_field(field);
+  }
+}
+
+void SceneOptions::add_picture_options() {
+  add_language_option();
+  add_shape_option();
+  for (const scene::Field& field : scene::fields()) {
+    if (!determines_motion(field) && field.key != "show") add_field(field);
+  }
+  // Declared in this order, so that --show adds to --bare.
+  add_flag("--bare", "show only the body; --show adds to it",
+           [](scene::Scene& scene) { scene.overlay.show.clear(); });
+  add("--show", "LIST", fmt::format("show also: {}", fmt::join(scene::feature_names(), ", ")),
+      [](scene::Scene& scene, const std::string& text) {
+        for (const std::string& word : parse_words(text)) {
+          scene.overlay.show.insert(scene::feature_of(word, "--show"));
+        }
+      });
+  add("--hide", "LIST", "hide items of the same list",
+      [](scene::Scene& scene, const std::string& text) {
+        for (const std::string& word : parse_words(text)) {
+          scene.overlay.show.erase(scene::feature_of(word, "--hide"));
+        }
+      });
+}
+
+void SceneOptions::require_no_overrides(const std::string& name) const {
+  if (overrides_.empty()) return;
+  throw InvalidArgument(name, "only the values of a scene can be replaced",
+                        "leave the options for those out");
+}
+
+void SceneOptions::require_not_input(const std::filesystem::path& output) const {
+  for (const std::string& name : names_) twrench::system::require_not_input(output, name);
+  for (const Loaded& scene : load()) {
+    for (const std::filesystem::path& file : scene::input_files(scene.overridden)) {
+      twrench::system::require_not_input(output, file);
+    }
+  }
+}
+
+scene::Scene SceneOptions::load(const std::string& name) const {
+  if (!language_.empty()) return scene::load_scene(name, language_, "--language");
+  return mesh::is_mesh_name(name) ? mesh_.scene(name) : scene::load_scene(name);
+}
+
+const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
+  if (!loaded_.empty()) return loaded_;
+  if (std::ranges::none_of(names_, mesh::is_mesh_name)) mesh_.require_none();
+  std::vector<Loaded> all;
+  for (const std::string& name : names_) {
+    Loaded loaded{load(name), {}};
+    scene::Scene& scene = loaded.overridden = loaded.original;
+    for (const auto& override_value : overrides_) {
+      override_value(scene);
+      for (scene::Shot& shot : scene.shots) override_value(shot.scene);
+    }
+    scene::set_natural_times(scene);
+    // Only its motion tells one neutral title from another.
+    const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
+    if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;
+    all.push_back(std::move(loaded));
+  }
+  return loaded_ = std::move(all);
+}
+
+std::vector<std::string> SceneOptions::words(std::size_t index) const {
+  const std::string& name = names_.at(index);
+  std::vector<std::string> words{name};
+  if (!mesh::is_mesh_name(name)) return words;
+  const std::vector<std::string> options = mesh_.given();
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
+}
+
+const scene::Scene& SceneOptions::original() const { return load().front().original; }
+
+void SceneOptions::require_drawable(const scene::Scene& scene) const {
+  if (scene.shots.empty()) return;
+  for (const char* option : {"--omega", "--inertia", "--duration", "--speed"}) {
+    if (command_.count(option) == 0) continue;
+    throw InvalidArgument(option, "each shot of " + scene.name + " has its own",
+                          "change the shots in the scene file, or leave the option out");
+  }
+}
+
+std::vector<scene::Scene> SceneOptions::scenes() const {
+  std::vector<scene::Scene> scenes;
+  for (const Loaded& loaded : load()) scenes.push_back(loaded.overridden);
+  const bool as_json = is_progress_json(command_);
+  // Several scenes with the body of --inertia are one body.
+  const CLI::Option* inertia = command_.get_option_no_throw("--inertia");
+  const bool is_given = inertia != nullptr && inertia->count() > 0;
+  if (is_given) warn_of_unreal_moments("--inertia", *scenes.front().body.inertia, as_json);
+  for (const scene::Scene& scene : scenes) {
+    for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
+    if (scene.body.inertia && !is_given) {
+      warn_of_unreal_moments(scene.name, *scene.body.inertia, as_json);
+    }
+  }
+  return scenes;
+}
+
+}  // namespace twrench::app

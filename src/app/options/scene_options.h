@@ -1,0 +1,125 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/options/command_line.h"
+#include "app/options/mesh_options.h"
+#include "scene/fields.h"
+#include "scene/scene.h"
+#include "system/error.h"
+
+namespace twrench::app {
+
+/// Footer for the help of commands with scene options.
+inline constexpr const char* about_defaults =
+    "Options override the scene; the defaults apply to what neither sets.\n";
+
+/// The placeholder of --inertia in the help, and the description of its value.
+inline constexpr const char* inertia_placeholder = "A,B,C[,D,E,F]";
+inline constexpr const char* inertia_help =
+    "principal moments of inertia about the body's axes, or the matrix entries "
+    "Ixx,Iyy,Izz,Ixy,Ixz,Iyz as in MuJoCo's fullinertia (Ixy is minus the integral of x y dm)";
+
+/// Warns on standard error about an inertia matrix in g cm^2 that no real body has. A principal
+/// moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
+void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia,
+                            bool as_json = false);
+
+/// Returns the help of a field, which names the command that lists its values if there is one.
+std::string help_of(const scene::Field& field);
+
+/// The SCENE argument, one or several, what its file does not say if it is a mesh, and the options
+/// that override its values. Must live as long as the command.
+class SceneOptions {
+ public:
+  /// How many scenes the command accepts.
+  enum class Count { one, several };
+
+  /// `without` are the scenes where none is given.
+  explicit SceneOptions(CLI::App& command, Count count = Count::one,
+                        std::vector<std::string> without = {"dzhanibekov"});
+
+  /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
+  void add_motion_options();
+
+  /// Adds the options for the shape, the colours and the material, the camera and the size of its
+  /// picture.
+  void add_look_options();
+
+  /// Adds an option for each other field of a scene, and --language, --shape, --bare, --show and
+  /// --hide.
+  void add_picture_options();
+
+  /// Adds only --inertia.
+  void add_inertia_option();
+
+  /// Returns the scene with all overrides applied. Throws as load_scene() does, and
+  /// InvalidArgument. Warns on standard error about what was put right in a mesh, and about
+  /// moments that no real body has.
+  scene::Scene scene() const { return scenes().front(); }
+
+  /// Returns the names or files of the scenes as they were given.
+  const std::vector<std::string>& sources() const { return names_; }
+
+  /// Returns the scene without overrides. Throws as load_scene() does.
+  const scene::Scene& original() const;
+
+  /// Returns the name of a scene and, if it is a mesh, its options, as words of a command line.
+  std::vector<std::string> words(std::size_t index) const;
+
+  /// Returns the options for SCENE as a mesh.
+  const MeshOptions& mesh_options() const { return mesh_; }
+
+  /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
+  void require_no_overrides(const std::string& name) const;
+
+  /// Throws OverwriteError where `output` is a scene file that was named, or a mesh or the font of
+  /// such a scene.
+  void require_not_input(const std::filesystem::path& output) const;
+
+  /// Returns all scenes, each as scene() does.
+  std::vector<scene::Scene> scenes() const;
+
+  /// Throws InvalidArgument where the scene has shots and an option is given that sets what each
+  /// shot determines for itself.
+  void require_drawable(const scene::Scene& scene) const;
+
+ private:
+  using Override = std::function<void(scene::Scene&, const std::string& text)>;
+
+  /// Adds an option whose text changes the scene. `apply` throws InvalidArgument about the option's
+  /// name. Set the default_str of the result to the default shown in the help.
+  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
+                   Override apply);
+  /// Adds the option that sets a field, named after its key.
+  void add_field(const scene::Field& field);
+  /// Adds a flag that changes the scene.
+  void add_flag(const std::string& name, const std::string& help,
+                std::function<void(scene::Scene&)> apply);
+
+  /// Adds the option for the language of the text.
+  void add_language_option();
+  /// Adds --shape, the solid that is drawn for a body given by its inertia.
+  void add_shape_option();
+  /// A scene as its file has it, and with the overrides.
+  struct Loaded {
+    scene::Scene original, overridden;
+  };
+
+  /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
+  const std::vector<Loaded>& load() const;
+  scene::Scene load(const std::string& name) const;
+
+  CLI::App& command_;
+  std::vector<std::string> names_;
+  MeshOptions mesh_;
+  /// In the order of the options' definition.
+  std::vector<std::function<void(scene::Scene&)>> overrides_;
+  std::string language_;                ///< Empty for that of each scene.
+  mutable std::vector<Loaded> loaded_;  ///< Set by load().
+};
+
+}  // namespace twrench::app

@@ -1,0 +1,59 @@
+#include "app/options/video_options.h"
+
+#include <twrench/base/error.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+namespace twrench::app {
+
+void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
+  CLI::Option* const file =
+      command
+          .add_option(
+              "-o,--output", output,
+              "video (.mp4, .mov, .mkv, .webm) or animated GIF or WebP for slides (.gif, .webp); "
+              ".mov, .webm, .webp and .gif keep a transparent background; - for standard output")
+          ->type_name("VIDEO")
+          ->default_str(standard);
+  if (standard.empty()) file->required();
+  command.add_option("--container", container_name, "container: mp4, mov, mkv, webm, gif or webp")
+      ->type_name("NAME")
+      ->default_str("from the file name; mp4 for -");
+  command.add_flag("--chapters", chapters,
+                   "make the flips chapters of the video, also in VIDEO's .chapters.vtt; on by "
+                   "default");
+  command.add_flag("--no-chapters", no_chapters, "make no chapters");
+}
+
+video::Container VideoOptions::container(const std::filesystem::path& film) const {
+  if (!container_name.empty()) return video::container_named(container_name);
+  return is_streamed() ? video::Container::mp4 : video::container_of(film);
+}
+
+bool VideoOptions::chapters_in(video::Container in) const {
+  if (chapters && no_chapters) {
+    throw InvalidArgument("--chapters", "it contradicts --no-chapters", "give one of the two");
+  }
+  const bool has_chapters = !video::is_animated_image(in);
+  if (chapters && !has_chapters) {
+    throw InvalidArgument("--chapters", "GIF and WebP have none",
+                          "leave it out, or choose mp4, mov, mkv or webm");
+  }
+  return has_chapters && !no_chapters;
+}
+
+void VideoOptions::require_free_output(const std::string& progress) const {
+  if (!is_streamed()) return;
+  if (::isatty(STDOUT_FILENO) != 0) {
+    throw InvalidArgument("--output -", "standard output is a terminal",
+                          "redirect it to a file or a program: twrench render -o - | ffplay -");
+  }
+  if (progress == "openjd") {
+    throw InvalidArgument("--progress openjd",
+                          "it writes to standard output, which carries the video",
+                          "choose another --progress style, or write the video to a file");
+  }
+}
+
+}  // namespace twrench::app

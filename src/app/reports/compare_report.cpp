@@ -1,0 +1,197 @@
+#include "app/reports/compare_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/reports/xml.h"
+#include "app/terminal/message.h"
+
+namespace twrench::app {
+namespace {
+
+using comparison::Comparison;
+using comparison::FrameResult;
+using comparison::Metric;
+using comparison::Outcome;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array outcomes{Outcome::identical,    Outcome::alike,   Outcome::different,
+                              Outcome::other_format, Outcome::missing, Outcome::extra,
+                              Outcome::unreadable};
+
+/// The name of an outcome in reports for programs.
+std::string_view name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::identical:
+      return "identical";
+    case Outcome::alike:
+      return "alike";
+    case Outcome::different:
+      return "different";
+    case Outcome::other_format:
+      return "other_format";
+    case Outcome::missing:
+      return "missing";
+    case Outcome::extra:
+      return "extra";
+    case Outcome::unreadable:
+      break;
+  }
+  return "unreadable";
+}
+
+/// What is to be said of a frame, after its name.
+std::string finding(const FrameResult& frame, const comparison::Criteria& criteria) {
+  switch (frame.outcome) {
+    case Outcome::missing:
+      return "missing: there is no actual frame";
+    case Outcome::extra:
+      return "extra: there is no expected frame";
+    case Outcome::other_format:
+      return "different: " + frame.formats;
+    case Outcome::unreadable:
+      return std::string("unreadable: ") + frame.failure->what();
+    default:
+      return fmt::format("{}: {}", frame.passed() ? "alike" : "different",
+                         difference_text(frame, criteria));
+  }
+}
+
+std::string_view verdict(const Comparison& comparison) {
+  if (comparison.passed()) return "alike";
+  const bool is_unknown = std::ranges::all_of(comparison.frames, [](const FrameResult& frame) {
+    return frame.passed() || frame.outcome == Outcome::unreadable;
+  });
+  return is_unknown ? "unreadable" : "different";
+}
+
+/// "2 of 959 frames differ, 900 are identical files; not compared: 1 missing"
+std::string summary_line(const Comparison& comparison) {
+  const std::size_t compared = comparison.frames.size() - comparison.count(Outcome::missing) -
+                               comparison.count(Outcome::extra) -
+                               comparison.count(Outcome::unreadable);
+  const std::size_t differ =
+      comparison.count(Outcome::different) + comparison.count(Outcome::other_format);
+  std::string line =
+      fmt::format("{}: {} of {} frames differ, {} are identical files", verdict(comparison), differ,
+                  compared, comparison.count(Outcome::identical));
+  std::string_view before = "; not compared: ";
+  for (const Outcome outcome : {Outcome::missing, Outcome::extra, Outcome::unreadable}) {
+    const std::size_t count = comparison.count(outcome);
+    if (count == 0) continue;
+    line += fmt::format("{}{} {}", before, count, name_of(outcome));
+    before = ", ";
+  }
+  return line + "\n";
+}
+
+/// The text with whatever bytes a file name may have.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json frame_json(const FrameResult& frame) {
+  Json json{{"file", frame.name}, {"outcome", name_of(frame.outcome)}};
+  if (frame.passed() || frame.outcome == Outcome::different) {
+    const image::Difference& d = frame.difference;
+    json["max"] = d.max;
+    json["mean"] = d.mean;
+    json["share"] = d.share;
+    if (frame.similarity) json["ssim"] = *frame.similarity;
+    if (d.area.width > 0) json["area"] = {d.area.x, d.area.y, d.area.width, d.area.height};
+  }
+  if (frame.outcome == Outcome::other_format) json["message"] = frame.formats;
+  if (frame.failure) json["message"] = frame.failure->what();
+  return json;
+}
+
+Json criteria_json(const comparison::Criteria& criteria) {
+  const bool by_share = criteria.metric == Metric::share;
+  Json json{{"metric", by_share ? "share" : "ssim"}, {"threshold", criteria.threshold}};
+  if (by_share) {
+    json["share"] = criteria.share;
+  } else {
+    json["min_ssim"] = criteria.min_similarity;
+  }
+  json["edges"] = criteria.edges;
+  json["ignore"] = Json::array();
+  for (const image::Area& area : criteria.ignored) {
+    json["ignore"].push_back({area.x, area.y, area.width, area.height});
+  }
+  return json;
+}
+
+std::string junit_case(const FrameResult& frame, const Comparison& comparison) {
+  const std::string start =
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                  xml_text(comparison.inputs.actual.string()), xml_text(frame.name));
+  if (frame.passed()) return start + "/>\n";
+  const std::string_view kind = frame.outcome == Outcome::unreadable ? "error" : "failure";
+  return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start, kind,
+                     name_of(frame.outcome), xml_text(finding(frame, comparison.criteria)));
+}
+
+}  // namespace
+
+std::string difference_text(const FrameResult& frame, const comparison::Criteria& criteria) {
+  const image::Difference& d = frame.difference;
+  std::string text = fmt::format("max {:.6g} mean {:.6f} of 255, {:.6f} of the pixels over {}",
+                                 d.max, d.mean, d.share, criteria.threshold);
+  if (frame.similarity) text += fmt::format(", ssim {:.9f}", *frame.similarity);
+  return text;
+}
+
+void write_compare_text(const Comparison& comparison, Output& output) {
+  if (!comparison.inputs.folders) {
+    return output.write(finding(comparison.frames.front(), comparison.criteria) + "\n");
+  }
+  for (const FrameResult& frame : comparison.frames) {
+    if (frame.passed()) continue;
+    const image::Area& area = frame.difference.area;
+    const std::string where =
+        area.width == 0 ? ""
+                        : fmt::format(", in {},{},{}x{}", area.x, area.y, area.width, area.height);
+    output.write(
+        escape(fmt::format("{}: {}{}", frame.name, finding(frame, comparison.criteria), where)) +
+        "\n");
+  }
+  output.write(summary_line(comparison));
+}
+
+void write_compare_json(const Comparison& comparison, Output& output) {
+  Json head{{"expected", comparison.inputs.expected.string()},
+            {"actual", comparison.inputs.actual.string()},
+            {"verdict", verdict(comparison)},
+            {"criteria", criteria_json(comparison.criteria)}};
+  for (const Outcome outcome : outcomes)
+    head["counts"][name_of(outcome)] = comparison.count(outcome);
+  std::string text = dump(head);
+  text.back() = ',';  // The frames follow, a line each: all of them at once could be too long.
+  output.write(text + "\n\"frames\": [\n");
+  for (const FrameResult& frame : comparison.frames) {
+    output.write(dump(frame_json(frame)) + (&frame == &comparison.frames.back() ? "\n" : ",\n"));
+  }
+  output.write("]}\n");
+}
+
+void write_compare_junit(const Comparison& comparison, Output& output) {
+  const std::size_t errors = comparison.count(Outcome::unreadable);
+  const std::size_t passed =
+      comparison.count(Outcome::identical) + comparison.count(Outcome::alike);
+  const std::string counts =
+      fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\"",
+                  xml_text("twrench compare " + comparison.inputs.expected.string() + " " +
+                           comparison.inputs.actual.string()),
+                  comparison.frames.size(), comparison.frames.size() - passed - errors, errors);
+  output.write(
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"
+                  "  <testsuite {0}>\n",
+                  counts));
+  for (const FrameResult& frame : comparison.frames) output.write(junit_case(frame, comparison));
+  output.write("  </testsuite>\n</testsuites>\n");
+}
+
+}  // namespace twrench::app

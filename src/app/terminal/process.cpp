@@ -1,0 +1,121 @@
+#include "app/terminal/process.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "app/terminal/error_report.h"
+#include "app/terminal/exit_code.h"
+#include "system/termination.h"
+
+namespace twrench::app {
+namespace {
+
+/// Opens closed standard streams in a way that still makes their use fail: otherwise a file could
+/// take their descriptor and receive their data.
+void fill_standard_streams() {
+  for (const int descriptor : {0, 1, 2}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // takes the lowest free descriptor
+  }
+}
+
+void write_error(std::string_view text) {
+  // Nothing can be done about a failure.
+  static_cast<void>(::write(STDERR_FILENO, text.data(), text.size()) < 0);
+}
+
+/// Some compilers let noexcept functions call std::terminate without an active exception.
+std::atomic<bool> memory_ran_out = false;
+
+void note_lack_of_memory() {
+  memory_ran_out = true;
+  throw std::bad_alloc();
+}
+
+void write_lack_of_memory() {
+  write_error(
+      "memory: out of memory\n"
+      "  close other programs, or raise the limit on memory (ulimit -v)\n");
+}
+
+/// Writes the reason, if an exception could not reach main().
+void write_reason() {
+  try {
+    if (std::current_exception()) throw;
+    if (memory_ran_out) return write_lack_of_memory();
+    write_error("internal: std::terminate without an exception\n");
+  } catch (const std::bad_alloc&) {
+    write_lack_of_memory();
+  } catch (const std::exception& error) {
+    write_error("internal: ");
+    write_error(error.what());
+    write_error("\n");
+  } catch (...) {
+    write_error("internal: an exception of unknown type\n");
+  }
+}
+
+/// Ends a program that crashes, most likely in the driver of OpenGL, with a message. Calls only
+/// what a handler may call.
+void report_crash(int) {
+  write_error(
+      "twrench: error: internal: it crashed\n"
+      "  if it was drawing, the OpenGL driver may be at fault: see twrench doctor; or it had too "
+      "little memory (ulimit -v)\n");
+  ::_exit(static_cast<int>(ExitCode::internal));
+}
+
+/// Leaves handlers alone that a tool has installed, such as a sanitizer. A stack that overflows
+/// needs another one for the handler.
+void handle_crashes() {
+  static std::array<std::byte, 1 << 14> memory;
+  stack_t stack{};
+  stack.ss_sp = memory.data();
+  stack.ss_size = memory.size();
+  ::sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+    struct sigaction action {};
+    const bool is_free = ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+    action.sa_handler = &report_crash;
+    action.sa_flags = SA_ONSTACK;
+    if (is_free) ::sigaction(signal, &action, nullptr);
+  }
+}
+
+/// Runs before the libraries' static initialisers, which also allocate.
+[[gnu::constructor(101)]] void handle_terminate() {
+  std::set_terminate(&end_at_once);
+  std::set_new_handler(&note_lack_of_memory);
+}
+
+}  // namespace
+
+void prepare_process() {
+  fill_standard_streams();
+  handle_crashes();
+  // A closed pipe, or a file at its size limit, is an error to report, not a reason to be killed.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  // If the parent ignores it, exit statuses of children are lost.
+  static_cast<void>(std::signal(SIGCHLD, SIG_DFL));
+  system::end_on_termination_signals(
+      [](const auto& message) { return static_cast<int>(report_termination(message)); });
+}
+
+void end_at_once() noexcept {
+  system::TerminationMessage unused;
+  system::take_termination_actions(unused);
+  write_error("twrench: error: ");
+  write_reason();
+  ::_exit(static_cast<int>(ExitCode::internal));
+}
+
+}  // namespace twrench::app
