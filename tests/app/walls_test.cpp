@@ -52,9 +52,11 @@ std::vector<Match> matches_in_libraries(const std::regex& pattern) {
 TEST(Walls, NoLibraryNamesAnOption) {
   const std::regex literal("\"([^\"\\\\]|\\\\.)*\"");
   const std::regex option("(^|[^-\\w])--[a-z]");
+  const std::regex style(R"(style=\\"[^"]*)");  // with custom properties of CSS, such as --w
   for (const auto& [file, text] : matches_in_libraries(literal)) {
     if (std::ranges::find(foreign, text) != foreign.end()) continue;
-    EXPECT_FALSE(std::regex_search(text, option)) << file << ": " << text;
+    EXPECT_FALSE(std::regex_search(std::regex_replace(text, style, ""), option))
+        << file << ": " << text;
   }
 }
 

@@ -8,12 +8,12 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
-#include "app/reports/compare_page.h"
-#include "app/reports/compare_report.h"
 #include "app/terminal/message.h"
 #include "app/terminal/output.h"
 #include "app/terminal/progress.h"
 #include "comparison/comparison.h"
+#include "comparison/page.h"
+#include "comparison/report.h"
 #include "comparison/update.h"
 #include "image/png.h"
 #include "scene/limits.h"
@@ -163,12 +163,13 @@ Comparison compare_inputs(const CompareOptions& options, const Inputs& inputs,
 
 void write_findings(const std::string& format, const Comparison& comparison) {
   Output output("-");
+  const auto write = [&](std::string_view text) { output.write(text); };
   if (format == "json") {
-    write_compare_json(comparison, output);
+    comparison::write_json(comparison, write);
   } else if (format == "junit") {
-    write_compare_junit(comparison, output);
+    comparison::write_junit(comparison, write);
   } else {
-    write_compare_text(comparison, output);
+    comparison::write_text(comparison, write);
   }
   output.finish();
 }
@@ -192,7 +193,7 @@ ExitCode compare(const CompareOptions& options) {
   if (!options.report.empty()) page.emplace(options.report);
   const Comparison comparison = compare_inputs(options, inputs, criteria);
   if (page) {
-    write_compare_page(comparison, *page);
+    comparison::write_page(comparison, [&](std::string_view text) { page->write(text); });
     page->finish();
   }
   write_findings(options.format, comparison);

@@ -10,10 +10,10 @@
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/scene_options.h"
-#include "app/terminal/message.h"
 #include "app/terminal/output.h"
 #include "scene/prediction.h"
 #include "system/file.h"
+#include "text/escape.h"
 
 namespace twrench::app {
 namespace {
@@ -73,7 +73,7 @@ std::string text(const Described& described) {
       "principal moments, g cm^2\n  {}"
       "principal axes as columns, in body axes\n{}"
       "a small tilt of its steady rotation\n{}",
-      mesh ? "mesh" : "scene", escape(name), mesh ? mesh_lines(*mesh) : "", mass,
+      mesh ? "mesh" : "scene", text::escape(name), mesh ? mesh_lines(*mesh) : "", mass,
       row(body.centre_of_mass), matrix(body.inertia), row(body.moments), matrix(body.axes),
       predictions(body));
 }

@@ -7,13 +7,13 @@
 #include "app/options/report_commands.h"
 #include "app/options/scene_options.h"
 #include "app/reports/page_html.h"
-#include "app/terminal/message.h"
 #include "app/terminal/output.h"
 #include "app/terminal/version.h"
 #include "plot/gnuplot.h"
 #include "report/html.h"
 #include "report/markdown.h"
 #include "report/results.h"
+#include "text/escape.h"
 
 namespace twrench::app {
 namespace {
@@ -70,10 +70,10 @@ report::Document document_of(const ReportOptions& options,
                              const std::vector<report::Experiment>& experiments) {
   return {experiments.size() > 1 ? "The motion of a free rigid body"
                                  : experiments.front().scene.shown_title(),
-          escape(options.author),
-          escape(options.date),
-          escape(report_command_line(options.command, options.scenes, options.output,
-                                     options.is_static)),
+          text::escape(options.author),
+          text::escape(options.date),
+          text::escape(report_command_line(options.command, options.scenes, options.output,
+                                           options.is_static)),
           std::string("twrench ") + version,
           options.solves_tasks() ? report::report_on_tasks(experiments, task_commands())
                                  : report::report_on_motions(experiments)};

@@ -16,6 +16,7 @@
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
 #include "scene/limits.h"
+#include "text/escape.h"
 
 namespace twrench::app {
 namespace {
@@ -122,7 +123,7 @@ std::string report(const StudyOptions& options, const study::Study& study,
                    const scene::Scene& scene) {
   if (options.format == "csv") return study_csv(study);
   return options.format == "json" ? study_json(study, scene.name)
-                                  : study_text(study, escape(scene.name));
+                                  : study_text(study, text::escape(scene.name));
 }
 
 ExitCode run_study(const StudyOptions& options) {

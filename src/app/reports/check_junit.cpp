@@ -3,31 +3,32 @@
 #include <algorithm>
 
 #include "app/reports/check_report.h"
-#include "app/reports/xml.h"
+#include "text/xml.h"
 
 namespace twrench::app {
 namespace {
 
 std::string bound_case(const CheckedFile& file, const CheckBound& bound) {
   const std::string start =
-      fmt::format("    <testcase classname=\"{}\" name=\"{} {:.6g}{}{}\"", xml_text(file.name),
-                  xml_text(bound.option.substr(2)), bound.most, bound.unit.empty() ? "" : " ",
-                  xml_text(bound.unit));
+      fmt::format("    <testcase classname=\"{}\" name=\"{} {:.6g}{}{}\"",
+                  text::escape_xml(file.name), text::escape_xml(bound.option.substr(2)), bound.most,
+                  bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit));
   if (!bound.is_exceeded()) return start + "/>\n";
   return fmt::format(
       "{}>\n      <failure type=\"exceeded\" message=\"{:.6g}{}{}: {}\"/>\n    </testcase>\n",
-      start, bound.value, bound.unit.empty() ? "" : " ", xml_text(bound.unit),
-      xml_text(verdict(file).text));
+      start, bound.value, bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit),
+      text::escape_xml(verdict(file).text));
 }
 
 /// Without bounds the only case is whether the file follows the motion.
 std::string follows_case(const CheckedFile& file) {
-  const std::string start = fmt::format(
-      "    <testcase classname=\"{}\" name=\"follows the exact motion\"", xml_text(file.name));
+  const std::string start =
+      fmt::format("    <testcase classname=\"{}\" name=\"follows the exact motion\"",
+                  text::escape_xml(file.name));
   if (passes(file)) return start + "/>\n";
   const Verdict found = verdict(file);
   return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start,
-                     name_of(found.finding), xml_text(found.text));
+                     name_of(found.finding), text::escape_xml(found.text));
 }
 
 std::string cases(const CheckedFile& file) {
@@ -48,7 +49,8 @@ std::string suite(const CheckedFile& file) {
   return fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n{}"
       "    <system-out>{}</system-out>\n  </testsuite>\n",
-      xml_text(file.name), tests(file), failures(file), cases(file), xml_text(verdict(file).text));
+      text::escape_xml(file.name), tests(file), failures(file), cases(file),
+      text::escape_xml(verdict(file).text));
 }
 
 }  // namespace

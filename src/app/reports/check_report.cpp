@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "app/terminal/message.h"
 #include "check/units.h"
+#include "text/escape.h"
 
 namespace twrench::app {
 namespace {
@@ -201,16 +201,16 @@ std::string bounds_text(const CheckedFile& file) {
 std::string file_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
-  return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", escape(file.name), judgement.rows,
+  return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", text::escape(file.name), judgement.rows,
                      judgement.first_time, judgement.last_time) +
-         line("read as", escape(reading_text(judgement.convention))) +
+         line("read as", text::escape(reading_text(judgement.convention))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
          line("rate error", size_text(judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement.attitude, degrees(1), "deg")) +
          line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +
          line("amplitude", amplitude_text(judgement)) + flips_text(judgement) +
          line("conditioning", conditioning_text(judgement)) + line("noise", noise_text(judgement)) +
-         bounds_text(file) + line("verdict", escape(verdict(file).text));
+         bounds_text(file) + line("verdict", text::escape(verdict(file).text));
 }
 
 std::string orders_text(const CheckResult& result) {

@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "app/reports/xml.h"
 #include "app/terminal/message.h"
 #include "app/terminal/version.h"
 #include "embedded/page.h"
@@ -15,6 +14,7 @@
 #include "scene/scene_json.h"
 #include "system/base64.h"
 #include "system/file.h"
+#include "text/xml.h"
 
 namespace twrench::app {
 namespace {
@@ -96,7 +96,7 @@ std::string poster_html(const scene::Scene& scene) {
 std::string page_html(const std::string& page_template, const PageScene& scene,
                       const std::string& poster) {
   const scene::Scene& shown = scene.shown;
-  const std::string title = xml_text(shown.shown_title());
+  const std::string title = text::escape_xml(shown.shown_title());
   Filling page(page_template);
   page.put("{{title}}", title);
   page.put("{{title}}", title);

@@ -6,18 +6,15 @@
 #include <string_view>
 #include <type_traits>
 
-namespace twrench::app {
+#include "text/escape.h"
 
-/// Returns the text on one line and safe for a terminal: control characters, invisible characters
-/// that reorder or hide others, and invalid UTF-8 become \n, \x1b, \u202e. The result is for
-/// display, not for parsing: backslashes stay as they are.
-std::string escape(std::string_view text);
+namespace twrench::app {
 
 /// Returns a message argument: text escaped, everything else unchanged.
 template <typename T>
 decltype(auto) escape_if_text(const T& value) {
   if constexpr (std::is_convertible_v<const T&, std::string_view>) {
-    return escape(value);
+    return text::escape(value);
   } else {
     return (value);
   }

@@ -1,4 +1,4 @@
-#include "app/reports/compare_article.h"
+#include "comparison/article.h"
 
 #include <fmt/format.h>
 
@@ -7,18 +7,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/reports/compare_report.h"
-#include "app/reports/xml.h"
+#include "comparison/report.h"
 #include "image/png.h"
 #include "system/base64.h"
 #include "system/file.h"
+#include "text/xml.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 namespace {
 
-using comparison::Comparison;
-using comparison::FrameResult;
-using comparison::Outcome;
 using Bytes = std::vector<std::uint8_t>;
 
 /// The pictures of a frame; empty where there is none.
@@ -53,8 +50,7 @@ Pictures pictures_of(const FrameResult& frame, const Comparison& comparison) {
   if (frame.outcome != Outcome::extra) pictures.expected = read_picture(expected, pictures);
   if (frame.outcome != Outcome::missing) pictures.actual = read_picture(actual, pictures);
   if (frame.outcome == Outcome::different || frame.outcome == Outcome::alike) {
-    comparison::PicturePair pair({pictures.expected, expected.string()},
-                                 {pictures.actual, actual.string()});
+    PicturePair pair({pictures.expected, expected.string()}, {pictures.actual, actual.string()});
     pair.ignore(comparison.criteria.ignored);
     pictures.difference = shown_difference(pair.difference_image(comparison.criteria.edges));
   }
@@ -74,12 +70,12 @@ std::string verdict_of(const FrameResult& frame) {
   }
 }
 
-std::string finding_html(const FrameResult& frame, const comparison::Criteria& criteria) {
-  if (frame.failure) return xml_text(frame.failure->what());
+std::string finding_html(const FrameResult& frame, const Criteria& criteria) {
+  if (frame.failure) return text::escape_xml(frame.failure->what());
   if (frame.outcome == Outcome::missing) return "there is no actual frame";
   if (frame.outcome == Outcome::extra) return "there is no expected frame";
-  if (frame.outcome == Outcome::other_format) return xml_text(frame.formats);
-  return xml_text(difference_text(frame, criteria));
+  if (frame.outcome == Outcome::other_format) return text::escape_xml(frame.formats);
+  return text::escape_xml(difference_text(frame, criteria));
 }
 
 std::string figure(const char* kind, const char* caption, const Bytes& png,
@@ -89,7 +85,7 @@ std::string figure(const char* kind, const char* caption, const Bytes& png,
   return fmt::format(
       "<figure class=\"{0}\" style=\"--part:{1:.6g}\"><img alt=\"{2}: {3}\" decoding=\"async\" "
       "src=\"data:image/png;base64,{4}\"><figcaption class=\"tag\">{3}</figcaption></figure>\n",
-      kind, width, xml_text(frame.name), caption, system::base64(png));
+      kind, width, text::escape_xml(frame.name), caption, system::base64(png));
 }
 
 /// A rectangle around what differs, unless that is most of the picture.
@@ -119,25 +115,26 @@ std::string stage(const FrameResult& frame, const Pictures& pictures) {
     text += fmt::format(
         "<i class=\"line\"></i><input type=\"range\" min=\"0\" max=\"100\" step=\"any\" "
         "value=\"50\" aria-label=\"Where the one picture of {} ends and the other begins\">\n",
-        xml_text(frame.name));
+        text::escape_xml(frame.name));
   }
   return text + "</div></div>\n";
 }
 
 }  // namespace
 
-Article compare_article(const FrameResult& frame, const Comparison& comparison) {
+Article article_of(const FrameResult& frame, const Comparison& comparison) {
   const Pictures pictures = pictures_of(frame, comparison);
-  return {fmt::format("<article>\n<header><h2>{}</h2> <span class=\"verdict{}\">{}</span> "
-                      "<p>{}</p></header>\n{}</article>\n",
-                      xml_text(frame.name), frame.passed() ? " passed" : "", verdict_of(frame),
-                      finding_html(frame, comparison.criteria), stage(frame, pictures)),
-          pictures.size()};
+  return {
+      fmt::format("<article>\n<header><h2>{}</h2> <span class=\"verdict{}\">{}</span> "
+                  "<p>{}</p></header>\n{}</article>\n",
+                  text::escape_xml(frame.name), frame.passed() ? " passed" : "", verdict_of(frame),
+                  finding_html(frame, comparison.criteria), stage(frame, pictures)),
+      pictures.size()};
 }
 
-std::string compare_table_row(const FrameResult& frame, const comparison::Criteria& criteria) {
-  return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", xml_text(frame.name),
+std::string table_row(const FrameResult& frame, const Criteria& criteria) {
+  return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", text::escape_xml(frame.name),
                      verdict_of(frame), finding_html(frame, criteria));
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison

@@ -1,4 +1,4 @@
-#include "app/reports/compare_chart.h"
+#include "comparison/chart.h"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "app/reports/xml.h"
+#include "text/xml.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 namespace {
-
-using comparison::Comparison;
-using comparison::FrameResult;
-using comparison::Metric;
-using comparison::Outcome;
 
 constexpr std::size_t most_bars = 480;
 constexpr double height = 100.0;
@@ -30,12 +25,12 @@ struct Bar {
   double value = 0.0;
 };
 
-double value_of(const FrameResult& frame, const comparison::Criteria& criteria) {
+double value_of(const FrameResult& frame, const Criteria& criteria) {
   if (criteria.metric == Metric::similarity) return 1.0 - frame.similarity.value_or(1.0);
   return frame.difference.share;
 }
 
-void add(const FrameResult& frame, const comparison::Criteria& criteria, Bar& bar) {
+void add(const FrameResult& frame, const Criteria& criteria, Bar& bar) {
   const bool is_compared = frame.passed() || frame.outcome == Outcome::different;
   bar.is_absent |= !is_compared;
   bar.is_over |= is_compared && !frame.passed();
@@ -88,7 +83,7 @@ std::string caption(const Comparison& comparison) {
 
 }  // namespace
 
-std::string compare_chart(const Comparison& comparison) {
+std::string difference_chart(const Comparison& comparison) {
   const std::vector<Bar> bars = bars_of(comparison);
   std::string drawing;
   for (int i = 0; i <= 3; ++i) drawing += line("grid", height / 3 * i, bars.size());
@@ -96,7 +91,7 @@ std::string compare_chart(const Comparison& comparison) {
   drawing += path("within", bars,
                   [](const Bar& bar) { return !bar.is_over && !bar.is_absent && bar.value > 0.0; });
   drawing += path("over", bars, [](const Bar& bar) { return bar.is_over; });
-  const comparison::Criteria& criteria = comparison.criteria;
+  const Criteria& criteria = comparison.criteria;
   const double bound =
       criteria.metric == Metric::share ? criteria.share : 1.0 - criteria.min_similarity;
   if (bound > 0.0) drawing += line("bound", height - on_scale(bound), bars.size());
@@ -106,8 +101,8 @@ std::string compare_chart(const Comparison& comparison) {
       "<ol aria-hidden=\"true\"><li>1<li>10<sup>-2</sup><li>10<sup>-4</sup><li>10<sup>-6</sup></ol>"
       "<svg role=\"img\" aria-label=\"{0}\" viewBox=\"0 0 {1} 100\" preserveAspectRatio=\"none\">\n"
       "{2}</svg><div class=\"ends\"><span>{3}</span><span>{4}</span></div></div></figure>\n",
-      text, bars.size(), drawing, xml_text(comparison.frames.front().name),
-      xml_text(comparison.frames.back().name));
+      text, bars.size(), drawing, text::escape_xml(comparison.frames.front().name),
+      text::escape_xml(comparison.frames.back().name));
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison

@@ -1,4 +1,4 @@
-#include "app/reports/compare_page.h"
+#include "comparison/page.h"
 
 #include <fmt/format.h>
 
@@ -8,18 +8,13 @@
 #include <tuple>
 #include <vector>
 
-#include "app/reports/compare_article.h"
-#include "app/reports/compare_chart.h"
-#include "app/reports/xml.h"
-#include "embedded/compare_page.h"
+#include "comparison/article.h"
+#include "comparison/chart.h"
+#include "embedded/comparison_page.h"
+#include "text/xml.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 namespace {
-
-using comparison::Comparison;
-using comparison::FrameResult;
-using comparison::Metric;
-using comparison::Outcome;
 
 /// Frames that a person looks at one by one, and bytes of PNG files that a browser still loads in a
 /// second. The first frame is shown however large it is.
@@ -80,7 +75,7 @@ std::string title_of(const Comparison& comparison) {
                                 failed == 1 ? "is" : "are");
 }
 
-std::string bound_of(const comparison::Criteria& criteria) {
+std::string bound_of(const Criteria& criteria) {
   if (criteria.metric == Metric::similarity) {
     return fmt::format("The structural similarity must be at least {}.", criteria.min_similarity);
   }
@@ -90,7 +85,7 @@ std::string bound_of(const comparison::Criteria& criteria) {
   return fmt::format("Up to {:.6g} % of the pixels may differ{}.", 100 * criteria.share, beyond);
 }
 
-std::string rules_of(const comparison::Criteria& criteria) {
+std::string rules_of(const Criteria& criteria) {
   std::string text = bound_of(criteria);
   if (criteria.edges > 0) text += fmt::format(" Edges may lie {} px elsewhere.", criteria.edges);
   if (!criteria.ignored.empty()) text += " Not looked at:";
@@ -132,9 +127,10 @@ std::string beginning(const Comparison& comparison) {
       "<title>{0}</title>\n<style>\n{1}</style>\n<header>\n<h1{2}>{0}</h1>\n"
       "<dl class=\"paths\"><dt class=\"expected\">Expected<dd><code>{3}</code>"
       "<dt class=\"actual\">Actual<dd><code>{4}</code></dl>\n<p class=\"soft\">{5}</p>\n{6}",
-      title, embedded::compare_page().at("compare_page.css"),
-      comparison.passed() ? " class=\"passed\"" : "", xml_text(comparison.inputs.expected.string()),
-      xml_text(comparison.inputs.actual.string()), rules_of(comparison.criteria),
+      title, embedded::comparison_page().at("page.css"),
+      comparison.passed() ? " class=\"passed\"" : "",
+      text::escape_xml(comparison.inputs.expected.string()),
+      text::escape_xml(comparison.inputs.actual.string()), rules_of(comparison.criteria),
       counts_of(comparison));
 }
 
@@ -158,51 +154,50 @@ constexpr const char* toolbar = R"(<div class="bar" hidden>
 
 /// Writes the frames with pictures, and returns how many they are.
 std::size_t write_articles(const std::vector<const FrameResult*>& frames,
-                           const Comparison& comparison, Output& page) {
+                           const Comparison& comparison, const Write& write) {
   std::size_t shown = 0, bytes = 0;
   for (; shown < std::min(frames.size(), most_frames); ++shown) {
-    const Article article = compare_article(*frames[shown], comparison);
+    const Article article = article_of(*frames[shown], comparison);
     bytes += article.picture_bytes;
     if (shown > 0 && bytes > most_bytes) break;
-    page.write(article.html);
+    write(article.html);
   }
   return shown;
 }
 
-void write_table(std::span<const FrameResult* const> frames, const comparison::Criteria& criteria,
-                 Output& page) {
-  page.write(
+void write_table(std::span<const FrameResult* const> frames, const Criteria& criteria,
+                 const Write& write) {
+  write(
       fmt::format("<h2>{} more, without pictures</h2>\n<div class=\"tablebox\"><table>\n"
                   "<tr><th>Frame<th>Verdict<th>Finding</tr>\n",
                   frames.size()));
   for (const FrameResult* frame : frames.first(std::min(frames.size(), most_lines))) {
-    page.write(compare_table_row(*frame, criteria));
+    write(table_row(*frame, criteria));
   }
-  page.write("</table></div>\n");
+  write("</table></div>\n");
   if (frames.size() > most_lines) {
-    page.write(fmt::format("<p class=\"soft\">and {} more, which are left out here</p>\n",
-                           frames.size() - most_lines));
+    write(fmt::format("<p class=\"soft\">and {} more, which are left out here</p>\n",
+                      frames.size() - most_lines));
   }
 }
 
 }  // namespace
 
-void write_compare_page(const Comparison& comparison, Output& page) {
+void write_page(const Comparison& comparison, const Write& write) {
   const std::vector<const FrameResult*> frames = worst_first(comparison);
-  page.write(beginning(comparison));
-  if (comparison.frames.size() > 1 && !frames.empty()) page.write(compare_chart(comparison));
-  page.write("</header>\n");
+  write(beginning(comparison));
+  if (comparison.frames.size() > 1 && !frames.empty()) write(difference_chart(comparison));
+  write("</header>\n");
   if (!frames.empty()) {
-    page.write(toolbar);
-    page.write("<main class=\"frames side\" data-zoom=\"fit\">\n");
-    const std::size_t shown = write_articles(frames, comparison, page);
+    write(toolbar);
+    write("<main class=\"frames side\" data-zoom=\"fit\">\n");
+    const std::size_t shown = write_articles(frames, comparison, write);
     if (shown < frames.size()) {
-      write_table(std::span(frames).subspan(shown), comparison.criteria, page);
+      write_table(std::span(frames).subspan(shown), comparison.criteria, write);
     }
-    page.write("</main>\n");
+    write("</main>\n");
   }
-  page.write(fmt::format("<script>\n{}</script>\n</html>\n",
-                         embedded::compare_page().at("compare_page.js")));
+  write(fmt::format("<script>\n{}</script>\n</html>\n", embedded::comparison_page().at("page.js")));
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison

@@ -1,4 +1,4 @@
-#include "app/reports/compare_report.h"
+#include "comparison/report.h"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,12 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "app/reports/xml.h"
-#include "app/terminal/message.h"
+#include "text/escape.h"
+#include "text/xml.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 namespace {
 
-using comparison::Comparison;
-using comparison::FrameResult;
-using comparison::Metric;
-using comparison::Outcome;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array outcomes{Outcome::identical,    Outcome::alike,   Outcome::different,
@@ -44,7 +40,7 @@ std::string_view name_of(Outcome outcome) {
 }
 
 /// What is to be said of a frame, after its name.
-std::string finding(const FrameResult& frame, const comparison::Criteria& criteria) {
+std::string finding(const FrameResult& frame, const Criteria& criteria) {
   switch (frame.outcome) {
     case Outcome::missing:
       return "missing: there is no actual frame";
@@ -108,7 +104,7 @@ Json frame_json(const FrameResult& frame) {
   return json;
 }
 
-Json criteria_json(const comparison::Criteria& criteria) {
+Json criteria_json(const Criteria& criteria) {
   const bool by_share = criteria.metric == Metric::share;
   Json json{{"metric", by_share ? "share" : "ssim"}, {"threshold", criteria.threshold}};
   if (by_share) {
@@ -125,18 +121,18 @@ Json criteria_json(const comparison::Criteria& criteria) {
 }
 
 std::string junit_case(const FrameResult& frame, const Comparison& comparison) {
-  const std::string start =
-      fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
-                  xml_text(comparison.inputs.actual.string()), xml_text(frame.name));
+  const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                                        text::escape_xml(comparison.inputs.actual.string()),
+                                        text::escape_xml(frame.name));
   if (frame.passed()) return start + "/>\n";
   const std::string_view kind = frame.outcome == Outcome::unreadable ? "error" : "failure";
   return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start, kind,
-                     name_of(frame.outcome), xml_text(finding(frame, comparison.criteria)));
+                     name_of(frame.outcome), text::escape_xml(finding(frame, comparison.criteria)));
 }
 
 }  // namespace
 
-std::string difference_text(const FrameResult& frame, const comparison::Criteria& criteria) {
+std::string difference_text(const FrameResult& frame, const Criteria& criteria) {
   const image::Difference& d = frame.difference;
   std::string text = fmt::format("max {:.6g} mean {:.6f} of 255, {:.6f} of the pixels over {}",
                                  d.max, d.mean, d.share, criteria.threshold);
@@ -144,9 +140,9 @@ std::string difference_text(const FrameResult& frame, const comparison::Criteria
   return text;
 }
 
-void write_compare_text(const Comparison& comparison, Output& output) {
+void write_text(const Comparison& comparison, const Write& write) {
   if (!comparison.inputs.folders) {
-    return output.write(finding(comparison.frames.front(), comparison.criteria) + "\n");
+    return write(finding(comparison.frames.front(), comparison.criteria) + "\n");
   }
   for (const FrameResult& frame : comparison.frames) {
     if (frame.passed()) continue;
@@ -154,14 +150,14 @@ void write_compare_text(const Comparison& comparison, Output& output) {
     const std::string where =
         area.width == 0 ? ""
                         : fmt::format(", in {},{},{}x{}", area.x, area.y, area.width, area.height);
-    output.write(
-        escape(fmt::format("{}: {}{}", frame.name, finding(frame, comparison.criteria), where)) +
-        "\n");
+    write(text::escape(
+              fmt::format("{}: {}{}", frame.name, finding(frame, comparison.criteria), where)) +
+          "\n");
   }
-  output.write(summary_line(comparison));
+  write(summary_line(comparison));
 }
 
-void write_compare_json(const Comparison& comparison, Output& output) {
+void write_json(const Comparison& comparison, const Write& write) {
   Json head{{"expected", comparison.inputs.expected.string()},
             {"actual", comparison.inputs.actual.string()},
             {"verdict", verdict(comparison)},
@@ -170,28 +166,28 @@ void write_compare_json(const Comparison& comparison, Output& output) {
     head["counts"][name_of(outcome)] = comparison.count(outcome);
   std::string text = dump(head);
   text.back() = ',';  // The frames follow, a line each: all of them at once could be too long.
-  output.write(text + "\n\"frames\": [\n");
+  write(text + "\n\"frames\": [\n");
   for (const FrameResult& frame : comparison.frames) {
-    output.write(dump(frame_json(frame)) + (&frame == &comparison.frames.back() ? "\n" : ",\n"));
+    write(dump(frame_json(frame)) + (&frame == &comparison.frames.back() ? "\n" : ",\n"));
   }
-  output.write("]}\n");
+  write("]}\n");
 }
 
-void write_compare_junit(const Comparison& comparison, Output& output) {
+void write_junit(const Comparison& comparison, const Write& write) {
   const std::size_t errors = comparison.count(Outcome::unreadable);
   const std::size_t passed =
       comparison.count(Outcome::identical) + comparison.count(Outcome::alike);
   const std::string counts =
       fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\"",
-                  xml_text("twrench compare " + comparison.inputs.expected.string() + " " +
-                           comparison.inputs.actual.string()),
+                  text::escape_xml("twrench compare " + comparison.inputs.expected.string() + " " +
+                                   comparison.inputs.actual.string()),
                   comparison.frames.size(), comparison.frames.size() - passed - errors, errors);
-  output.write(
+  write(
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"
                   "  <testsuite {0}>\n",
                   counts));
-  for (const FrameResult& frame : comparison.frames) output.write(junit_case(frame, comparison));
-  output.write("  </testsuite>\n</testsuites>\n");
+  for (const FrameResult& frame : comparison.frames) write(junit_case(frame, comparison));
+  write("  </testsuite>\n</testsuites>\n");
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison

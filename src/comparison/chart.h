@@ -4,10 +4,10 @@
 
 #include "comparison/comparison.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 
 /// Returns a figure of HTML that shows how much each frame of a film differs, on a logarithmic
 /// scale: the worst of as many frames as share a bar.
-std::string compare_chart(const comparison::Comparison& comparison);
+std::string difference_chart(const Comparison& comparison);
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison

@@ -1,8 +1,8 @@
-#include "app/reports/xml.h"
+#include "text/xml.h"
 
-#include "app/terminal/message.h"
+#include "text/escape.h"
 
-namespace twrench::app {
+namespace twrench::text {
 namespace {
 
 std::string_view reference_of(char c) {
@@ -29,7 +29,7 @@ bool is_noncharacter(std::string_view rest) {
 
 }  // namespace
 
-std::string xml_text(std::string_view text) {
+std::string escape_xml(std::string_view text) {
   const std::string shown = escape(text);
   std::string result;
   for (std::string_view rest = shown; !rest.empty();) {
@@ -47,4 +47,4 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::text

@@ -5,7 +5,7 @@
 
 #include "comparison/comparison.h"
 
-namespace twrench::app {
+namespace twrench::comparison {
 
 /// A frame as the page of `twrench compare --report` shows it.
 struct Article {
@@ -18,11 +18,9 @@ struct Article {
 /// Returns what is to be seen of a frame: the expected image, the actual one and their difference,
 /// as far as there are any. Reads the files again: a film would not fit in memory. Throws
 /// FileError.
-Article compare_article(const comparison::FrameResult& frame,
-                        const comparison::Comparison& comparison);
+Article article_of(const FrameResult& frame, const Comparison& comparison);
 
 /// Returns the row of a table that tells of a frame without pictures.
-std::string compare_table_row(const comparison::FrameResult& frame,
-                              const comparison::Criteria& criteria);
+std::string table_row(const FrameResult& frame, const Criteria& criteria);
 
-}  // namespace twrench::app
+}  // namespace twrench::comparison
