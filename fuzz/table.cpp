@@ -5,7 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "check/row_reader.h"
+#include "check/reading/open_conventions.h"
+#include "check/reading/row_reader.h"
 #include "system/error.h"
 #include "table/reader.h"
 #include "target.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/time_unit.h"
-#include "check/units.h"
+#include "check/conventions/units.h"
 #include "plot/panels.h"
 
 namespace twrench::plot {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "check/judge.h"
+#include "check/verdict/judge.h"
 #include "plot/gnuplot.h"
 
 namespace twrench::plot {

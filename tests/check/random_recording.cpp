@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/attitude.h"
-#include "check/hypotheses.h"
-#include "check/judge.h"
-#include "check/names.h"
-#include "check/units.h"
+#include "check/conventions/attitude.h"
+#include "check/conventions/names.h"
+#include "check/conventions/units.h"
+#include "check/hypotheses/hypotheses.h"
+#include "check/verdict/judge.h"
 #include "scene_dice.h"
 #include "system/file.h"
 #include "table/error.h"

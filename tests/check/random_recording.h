@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "check/convention.h"
-#include "check/problem.h"
+#include "check/conventions/convention.h"
+#include "check/verdict/problem.h"
 
 namespace twrench::check {
 

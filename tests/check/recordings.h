@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "check/convention.h"
-#include "check/judge.h"
-#include "check/row.h"
+#include "check/conventions/convention.h"
+#include "check/reading/row.h"
+#include "check/verdict/judge.h"
 #include "scratch_folder.h"
 #include "system/file.h"
 

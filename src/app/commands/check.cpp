@@ -13,7 +13,7 @@
 #include "app/reports/check_report.h"
 #include "app/terminal/message.h"
 #include "app/terminal/output.h"
-#include "check/error.h"
+#include "check/verdict/error.h"
 #include "plot/check_plot.h"
 #include "scene/limits.h"
 #include "system/file.h"

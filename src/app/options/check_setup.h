@@ -6,8 +6,8 @@
 
 #include "app/options/command_line.h"
 #include "cases/case.h"
-#include "check/convention.h"
-#include "check/problem.h"
+#include "check/conventions/convention.h"
+#include "check/verdict/problem.h"
 #include "scene/scene.h"
 
 namespace twrench::app {

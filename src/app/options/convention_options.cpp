@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "check/units.h"
+#include "check/conventions/units.h"
 
 namespace twrench::app {
 

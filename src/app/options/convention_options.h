@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "check/convention.h"
+#include "check/conventions/convention.h"
 
 namespace twrench::app {
 

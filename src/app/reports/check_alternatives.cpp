@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/options/convention_options.h"
-#include "check/units.h"
+#include "check/conventions/units.h"
 
 namespace twrench::app {
 namespace {

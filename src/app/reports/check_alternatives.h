@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/judge.h"
+#include "check/verdict/judge.h"
 
 namespace twrench::app {
 

@@ -2,7 +2,7 @@
 
 #include "app/options/convention_options.h"
 #include "app/reports/check_report.h"
-#include "check/units.h"
+#include "check/conventions/units.h"
 
 namespace twrench::app {
 namespace {

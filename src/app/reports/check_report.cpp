@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "check/units.h"
+#include "check/conventions/units.h"
 #include "text/escape.h"
 
 namespace twrench::app {

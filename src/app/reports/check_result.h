@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "check/hypotheses.h"
-#include "check/judge.h"
+#include "check/hypotheses/hypotheses.h"
+#include "check/verdict/judge.h"
 
 namespace twrench::app {
 

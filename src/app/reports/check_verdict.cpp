@@ -6,7 +6,7 @@
 
 #include "app/reports/check_alternatives.h"
 #include "app/reports/check_result.h"
-#include "check/units.h"
+#include "check/conventions/units.h"
 
 namespace twrench::app {
 namespace {

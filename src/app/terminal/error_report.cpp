@@ -11,8 +11,8 @@
 
 #include "app/terminal/message.h"
 #include "canvas/error.h"
-#include "check/convention.h"
-#include "check/error.h"
+#include "check/reading/column_error.h"
+#include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/error.h"
 #include "interchange/error.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "canvas/error.h"
-#include "check/convention.h"
+#include "check/reading/column_error.h"
 #include "gl/error.h"
 #include "plot/gnuplot.h"
 #include "system/error.h"

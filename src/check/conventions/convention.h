@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/conventions/body_axes.h"
+
+namespace twrench::check {
+
+/// The unit of Euler angles.
+enum class Angle { radians, degrees };
+
+/// The unit of angular rates.
+enum class RateUnit { rad_s, deg_s, rev_s, rpm };
+
+/// The unit of times.
+enum class TimeUnit { s, ms, us, ns, min, h };
+
+/// How a file writes the attitude.
+enum class AttitudeForm { none, matrix, quaternion, euler };
+
+/// How the columns of a file are meant.
+struct Convention {
+  /// Our name ("t", "wx", "x11", "qw", "yaw") -> the column's name in the file, or "#3" for the
+  /// third.
+  std::map<std::string, std::string> columns;
+  /// Seconds if absent.
+  std::optional<TimeUnit> time_unit;
+  /// The unit of the rates; rad/s if absent.
+  std::optional<RateUnit> rate_unit;
+  /// The unit of Euler angles. If absent, it is that of the rates, or radians.
+  std::optional<Angle> angle_unit;
+  /// Of Euler angles: the axes in the order of the rotations, each about the axes as they are then
+  /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty
+  /// where there are none.
+  std::string sequence;
+  bool inverse = false;         ///< the attitude is body_from_space
+  bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
+  /// The body's axes along which the file's axes point.
+  BodyAxes axes;
+  /// What the attitude is that of: a part whose axes this takes to the file's axes of the body.
+  std::optional<Eigen::Quaterniond> offset;
+};
+
+/// In which they are read.
+TimeUnit time_unit(const Convention& convention);
+RateUnit rate_unit(const Convention& convention);
+Angle angle_unit(const Convention& convention);
+
+/// Reads "t=time,wx=p,wy=q" into Convention::columns. Names of the file with a comma, '=' or spaces
+/// at their ends stand in double quotes ("" for a quote in them): wx="rate, x". Throws
+/// InvalidArgument about `quantity` for a name on the left that is none of ours or is there twice.
+std::map<std::string, std::string> parse_columns(std::string_view text,
+                                                 const std::string& quantity);
+
+/// The inverse of parse_columns, t first and the others in the order of their kinds.
+std::string format_columns(const std::map<std::string, std::string>& columns);
+
+/// The sequences of Euler angles: the six that turn about three different axes, then the others.
+const std::vector<std::string>& all_sequences();
+
+/// Returns the sequence in small letters. Throws InvalidArgument about `quantity` unless it is one
+/// of the twelve.
+std::string parse_sequence(std::string_view text, const std::string& quantity);
+
+/// The form whose columns the convention has.
+AttitudeForm attitude_form(const Convention& convention);
+
+/// Whether the convention has columns of rates.
+bool has_rates(const Convention& convention);
+
+}  // namespace twrench::check

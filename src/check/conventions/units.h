@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "check/conventions/convention.h"
+
+namespace twrench::check {
+
+/// How options and people name a unit of rates, and how large it is.
+struct RateUnitName {
+  RateUnit unit;
+  const char* option;  ///< "deg"
+  const char* symbol;  ///< "deg/s"
+  double in_rad_s;     ///< how many rad/s one of it has
+};
+const std::vector<RateUnitName>& rate_units();
+const RateUnitName& name_of(RateUnit unit);
+
+/// The same of angles.
+struct AngleName {
+  Angle unit;
+  const char* option;  ///< "deg"
+  double in_rad;
+};
+const std::vector<AngleName>& angle_units();
+const AngleName& name_of(Angle unit);
+
+/// The same of times.
+struct TimeUnitName {
+  TimeUnit unit;
+  const char* option;  ///< "ms"
+  double in_s;
+};
+const std::vector<TimeUnitName>& time_units();
+const TimeUnitName& name_of(TimeUnit unit);
+
+/// The unit of angles that a rate has in each second; nothing for revolutions, in which nobody
+/// writes Euler angles.
+std::optional<Angle> angle_of(RateUnit unit);
+
+}  // namespace twrench::check

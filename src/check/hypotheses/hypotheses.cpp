@@ -1,0 +1,317 @@
+#include "check/hypotheses/hypotheses.h"
+
+#include <twrench/motion/exact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "check/conventions/units.h"
+#include "check/hypotheses/changed_rows.h"
+#include "check/hypotheses/other_conventions.h"
+#include "check/reading/telling_rows.h"
+#include "check/verdict/fit.h"
+#include "table/error.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Pairs of rows for each interval where many readings are tried.
+constexpr std::size_t few = 8;
+/// A reading that misses more than this part of the changes is none.
+constexpr double follows = 0.2;
+
+/// A factor of the rates. The physics depends only on the products of rates and times.
+struct Scale {
+  double factor;
+  std::vector<Units> units;  ///< that have this factor, those as read first
+};
+
+/// The rows in a way of reading the attitude, with rates as they stand, and in no other axes.
+struct Variant {
+  Convention convention;
+  std::vector<Row> rows;
+};
+
+std::vector<Scale> scales(const std::vector<Units>& units) {
+  std::vector<Scale> list;
+  const auto in_si = [](const Units& u) { return name_of(u.time).in_s * name_of(u.rate).in_rad_s; };
+  for (const Units& u : units) {
+    const double factor = in_si(u) / in_si(units.front());
+    constexpr double same_factor = 1e-12;
+    const auto same = std::ranges::find_if(list, [&](const Scale& scale) {
+      return std::abs(scale.factor / factor - 1) < same_factor;
+    });
+    if (same != list.end()) {
+      same->units.push_back(u);
+    } else {
+      list.push_back({factor, {u}});
+    }
+  }
+  return list;
+}
+
+/// A reading that was tried, and the rows in it.
+struct Tried {
+  Reading reading;
+  std::vector<Row> rows;
+};
+
+/// Tries the readings of one file.
+class Search {
+ public:
+  Search(TellingNumbers numbers, const Problem& problem, const Convention& convention)
+      : numbers_(std::move(numbers)),
+        problem_(problem),
+        convention_(convention),
+        has_rates_(check::has_rates(convention)),
+        has_attitude_(attitude_form(convention) != AttitudeForm::none),
+        axes_(distinct_axes(problem.inertia, convention.axes)),
+        scales_(scales(unit_readings(numbers_.header, convention))) {
+    Convention plain = convention;
+    plain.axes = BodyAxes();
+    plain.offset.reset();
+    plain.rates_in_space = false;
+    plain.angle_unit = angle_unit(convention);
+    for (const Convention& reading : attitude_readings(numbers_.header, plain)) {
+      try {
+        variants_.push_back({reading, decoded(numbers_, reading)});
+      } catch (const table::BadTable&) {
+        continue;  // it does not allow these numbers
+      }
+    }
+  }
+
+  Alternatives run() {
+    if (has_rates_) try_rates_in_body();
+    if (has_rates_ && has_attitude_) try_rates_in_space();
+    if (!has_rates_) try_attitude_alone();
+    if (has_rates_ && has_attitude_ && !any_fits_well()) try_offsets();
+    return chosen();
+  }
+
+ private:
+  bool any_fits_well() const {
+    constexpr double well = 1e-3;
+    return std::ranges::any_of(found_,
+                               [](const Tried& t) { return *t.reading.misfit.worst() < well; });
+  }
+
+  void try_rates_in_body() {
+    if (variants_.empty()) return;
+    for (const Scale& scale : scales_) {
+      for (const BodyAxes& axes : axes_) {
+        const Change change{scale.factor, axes};
+        const auto rows = changed(variants_.front().rows, change);
+        const auto miss = misfit_of_rates(problem_.inertia, rows, few);
+        if (miss.value_or(0) >= follows) continue;
+        if (miss) following_.emplace_back(&scale, axes);
+        for (const Variant& variant : variants_) test(variant, scale, change);
+      }
+    }
+  }
+
+  void try_rates_in_space() {
+    for (const Variant& variant : variants_) {
+      for (const BodyAxes& axes : axes_) {
+        constexpr double conserved = 0.2;  // more than what coarse methods lose
+        const auto unscaled = changed(variant.rows, {1, axes, true});
+        if (variation(problem_.inertia, unscaled) >= conserved) continue;
+        for (const Scale& scale : scales_) test(variant, scale, {scale.factor, axes, true});
+      }
+    }
+  }
+
+  /// Attitudes alone are those of faster or slower motions, too, and tell no unit of the times.
+  void try_attitude_alone() {
+    for (const Variant& variant : variants_) {
+      for (const Scale& scale : scales_) {
+        const bool is_tested = scale.factor == 1 || problem_.omega;
+        for (const BodyAxes& axes : axes_) {
+          if (is_tested) test(variant, {1, scale.units}, {1, axes});
+        }
+      }
+    }
+  }
+
+  void try_offsets() {
+    for (const auto& [scale, axes] : following_) {
+      Change change{scale->factor, axes};
+      const auto rates = changed(variants_.front().rows, change);
+      for (const Variant& variant : variants_) {
+        change.offset = offset_between(problem_.inertia, variant.rows, rates, axes);
+        test(variant, *scale, change);
+      }
+    }
+  }
+
+  /// Keeps the reading if it may fit.
+  void test(const Variant& variant, const Scale& scale, const Change& change) {
+    const auto rows = changed(variant.rows, change);
+    const auto quick = has_attitude_ ? misfit_of_attitude(problem_.inertia, rows, has_rates_, few)
+                                     : misfit_of_rates(problem_.inertia, rows, few);
+    constexpr double clearly_none = 2 * follows;
+    if (quick && *quick >= std::min(clearly_none, nearest_)) return;
+    const Misfit found = misfit(problem_.inertia, rows, has_rates_, has_attitude_);
+    if (!found.worst()) return;
+    nearest_ = std::max(follows, std::min(nearest_, *found.worst()));
+    for (const Units& units : scale.units) {
+      if (!agrees_with_omega(variant, units)) continue;
+      found_.push_back({{convention_of(variant, units, change), found}, rows});
+    }
+  }
+
+  /// Where the angular velocity is given, that of the rows must be about as large in their units.
+  bool agrees_with_omega(const Variant& variant, const Units& units) const {
+    const std::vector<Row>& rows = variant.rows;
+    if (!problem_.omega || rows.size() < 2) return true;
+    const double given = problem_.omega->norm();
+    const double faster = name_of(units.rate).in_rad_s / name_of(rate_unit(convention_)).in_rad_s;
+    const double found =
+        has_rates_ ? faster * rows[0].omega.norm()
+                   : omega_between(problem_.inertia, rows[0], rows[1]).norm() / seconds(units.time);
+    // Between them the rates can change as much as the moments differ.
+    constexpr double about = 7;
+    return found <= about * given && given <= about * found;
+  }
+
+  /// How many units of the times as read the unit has.
+  double seconds(TimeUnit unit) const {
+    return name_of(unit).in_s / name_of(time_unit(convention_)).in_s;
+  }
+
+  /// Where the angular velocity is given, it tells axes apart that the motion does not.
+  void turn_to_omega(Tried& tried) const {
+    if (!problem_.omega || tried.rows.size() < 2) return;
+    const double unit = seconds(time_unit(tried.reading.convention));
+    const Row& first = tried.rows.front();
+    const double t = first.t * unit - problem_.omega_time.value_or(first.t * unit);
+    const Vector3d given = motion::ExactMotion({problem_.inertia, *problem_.omega}).at(t).omega;
+    // Only the products of rates and times are right in the rows that were tested.
+    const Vector3d found =
+        (has_rates_ ? first.omega : omega_between(problem_.inertia, first, tried.rows[1])) / unit;
+    const BodyAxes axes = tried.reading.convention.axes;
+    Matrix3d turn = Matrix3d::Identity();
+    constexpr double about = 0.05;
+    double least = std::min((found - given).norm(), about * given.norm());
+    for (const BodyAxes& other : all_body_axes()) {
+      if (!are_alike(problem_.inertia, axes, other)) continue;
+      const Matrix3d S = other.matrix().transpose() * axes.matrix();
+      constexpr double clearly = 0.99;
+      if ((S * found - given).norm() >= clearly * least) continue;
+      least = (S * found - given).norm();
+      turn = S;
+      tried.reading.convention.axes = other;
+    }
+    for (Row& row : tried.rows) {
+      row.omega = (turn * row.omega).eval();
+      row.X = (row.X * turn.transpose()).eval();
+    }
+  }
+
+  Convention convention_of(const Variant& variant, const Units& units, const Change& change) const {
+    Convention reading = variant.convention;
+    if (units.time != time_unit(convention_)) reading.time_unit = units.time;
+    if (units.rate != rate_unit(convention_)) reading.rate_unit = units.rate;
+    reading.axes = change.axes;
+    reading.rates_in_space = change.rates_in_space;
+    if (!change.offset.isIdentity(0)) reading.offset = Eigen::Quaterniond(change.offset);
+    return reading;
+  }
+
+  Alternatives chosen() {
+    const auto worst = [](const Tried& tried) { return *tried.reading.misfit.worst(); };
+    const auto changes = [&](const Tried& tried) {
+      return count_changes(convention_, tried.reading.convention);
+    };
+    if (found_.empty()) return {};
+    const Tried best = *std::ranges::min_element(found_, {}, worst);
+    if (!best.reading.misfit.fits()) return {{}, best.reading, {}};
+    constexpr double far_worse = 20, round_off = 1e-8;
+    const double most = std::min(follows, far_worse * worst(best) + round_off);
+    std::erase_if(found_, [&](const Tried& tried) { return worst(tried) >= most; });
+    for (Tried& tried : found_) turn_to_omega(tried);
+    const int fewest = changes(*std::ranges::min_element(found_, {}, changes));
+    // As it is read, it fits no worse.
+    if (fewest == 0) return {};
+    std::erase_if(found_, [&](const Tried& tried) { return changes(tried) > fewest; });
+    return {distinct(), {}, {}};
+  }
+
+  /// One of those that give the same motion, though their times may have other units.
+  std::vector<Reading> distinct() const {
+    std::vector<Tried> kept;
+    for (const Tried& tried : found_) {
+      const auto is_same = [&](const Tried& other) {
+        return time_unit(tried.reading.convention) == time_unit(other.reading.convention) &&
+               are_same_motion(tried.rows, other.rows);
+      };
+      if (std::ranges::none_of(kept, is_same)) kept.push_back(tried);
+    }
+    std::vector<Reading> readings;
+    for (const Tried& tried : kept) readings.push_back(tried.reading);
+    return readings;
+  }
+
+  TellingNumbers numbers_;
+  const Problem& problem_;
+  Convention convention_;
+  bool has_rates_, has_attitude_;
+  std::vector<BodyAxes> axes_;
+  std::vector<Scale> scales_;
+  std::vector<Variant> variants_;
+  std::vector<std::pair<const Scale*, BodyAxes>> following_;  ///< in which rates follow the motion
+  std::vector<Tried> found_;
+  double nearest_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
+                          const Convention& convention) {
+  return Search(telling_numbers(file, convention), problem, convention).run();
+}
+
+namespace {
+
+/// The inertia of another body whose motion the rows follow far better than that of the given one.
+std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const Matrix3d& inertia,
+                                      const Judgement& judgement) {
+  // Rates that never change would be those of a sphere.
+  if (!judgement.has_rates || judgement.misfit.constant_rates) return std::nullopt;
+  const std::vector<Row> rows = telling_rows(file, judgement.convention);
+  if (rows.size() < 16 || rows.front().omega.norm() == 0) return std::nullopt;
+  const Matrix3d fitted = fitted_inertia(inertia, rows, judgement.has_attitude);
+  if (!fitted.allFinite()) return std::nullopt;
+  const auto miss = misfit(fitted, rows, true, judgement.has_attitude).worst();
+  constexpr double far_better = 1e-2, follows_well = 1e-3;
+  const bool is_better =
+      miss && *miss < follows_well && *miss < far_better * *judgement.misfit.worst();
+  return is_better ? std::optional(fitted) : std::nullopt;
+}
+
+}  // namespace
+
+Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
+                             const Judgement& judgement) {
+  const auto miss = judgement.misfit.worst();
+  constexpr double good = 1e-4, far_better = 1e-2, another = 0.1;
+  if (!miss) return {};
+  const double speed = judgement.reference.body.omega().norm();
+  const bool is_of_another_start =
+      problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
+  if (*miss < good && !is_of_another_start) return {};
+  Alternatives found = alternatives(file, problem, judgement.convention);
+  const bool is_better =
+      !found.fitting.empty() && *found.fitting.front().misfit.worst() < far_better * *miss;
+  if (judgement.misfit.fits() && !is_of_another_start && !is_better) found = {};
+  if (found.fitting.empty()) found.inertia = other_inertia(file, problem.inertia, judgement);
+  return found;
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,120 @@
+#include "check/hypotheses/other_conventions.h"
+
+#include <algorithm>
+#include <string>
+
+#include "check/conventions/units.h"
+#include "check/reading/columns.h"
+#include "check/reading/stated_unit.h"
+
+namespace twrench::check {
+namespace {
+
+/// Adds to the list each of its conventions once more, changed.
+template <typename Change>
+void also(std::vector<Convention>& list, const Change& change) {
+  const std::size_t count = list.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Convention changed = list[i];
+    change(changed);
+    list.push_back(std::move(changed));
+  }
+}
+
+/// The columns of (w, x, y, z) taken for those of (x, y, z, w).
+void scalar_first_to_last(Convention& convention) {
+  auto& columns = convention.columns;
+  const std::string first = columns["qw"];
+  columns["qw"] = columns["qz"];
+  columns["qz"] = columns["qy"];
+  columns["qy"] = columns["qx"];
+  columns["qx"] = first;
+}
+
+void scalar_last_to_first(Convention& convention) {
+  for (int i = 0; i < 3; ++i) scalar_first_to_last(convention);
+}
+
+void add_quaternion_orders(std::vector<Convention>& list) {
+  const std::vector<Convention> as_given = list;
+  for (const auto& reorder : {scalar_first_to_last, scalar_last_to_first}) {
+    for (Convention changed : as_given) {
+      reorder(changed);
+      list.push_back(std::move(changed));
+    }
+  }
+}
+
+void add_sequences(std::vector<Convention>& list) {
+  const std::vector<Convention> as_given = list;
+  for (const std::string& sequence : all_sequences()) {
+    for (Convention changed : as_given) {
+      if (changed.sequence == sequence) continue;
+      changed.sequence = sequence;
+      list.push_back(std::move(changed));
+    }
+  }
+}
+
+/// The unit that the column with our name states.
+StatedUnit stated_of(const table::Header& header, const Convention& convention,
+                     const std::string& ours) {
+  return stated_unit(header, find_column(header, ours, convention.columns.at(ours)));
+}
+
+Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
+
+}  // namespace
+
+std::vector<Convention> attitude_readings(const table::Header& header,
+                                          const Convention& convention) {
+  std::vector<Convention> list{convention};
+  switch (attitude_form(convention)) {
+    case AttitudeForm::none:
+      return list;
+    case AttitudeForm::matrix:
+      break;
+    case AttitudeForm::quaternion:
+      add_quaternion_orders(list);
+      break;
+    case AttitudeForm::euler:
+      add_sequences(list);
+      if (!stated_of(header, convention, "yaw").rate) {
+        also(list, [](Convention& c) { c.angle_unit = other(angle_unit(c)); });
+      }
+      break;
+  }
+  also(list, [](Convention& c) { c.inverse = !c.inverse; });
+  return list;
+}
+
+std::vector<Units> unit_readings(const table::Header& header, const Convention& convention) {
+  const Units as_read{time_unit(convention), rate_unit(convention)};
+  std::vector<TimeUnit> times{as_read.time};
+  if (!stated_of(header, convention, "t").time) {
+    for (const TimeUnitName& name : time_units()) {
+      if (name.unit != as_read.time) times.push_back(name.unit);
+    }
+  }
+  std::vector<RateUnit> rates{as_read.rate};
+  if (has_rates(convention) && !stated_of(header, convention, "wx").rate) {
+    for (const RateUnitName& name : rate_units()) {
+      if (name.unit != as_read.rate) rates.push_back(name.unit);
+    }
+  }
+  std::vector<Units> all;
+  for (const TimeUnit time : times) {
+    for (const RateUnit rate : rates) all.push_back({time, rate});
+  }
+  return all;
+}
+
+int count_changes(const Convention& before, const Convention& after) {
+  return (before.columns != after.columns) + (before.sequence != after.sequence) +
+         (time_unit(before) != time_unit(after)) + (rate_unit(before) != rate_unit(after)) +
+         (angle_unit(before) != angle_unit(after)) + (before.inverse != after.inverse) +
+         (before.rates_in_space != after.rates_in_space) + (before.axes != after.axes) +
+         (before.offset.has_value() != after.offset.has_value());
+}
+
+}  // namespace twrench::check

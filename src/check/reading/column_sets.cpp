@@ -1,0 +1,148 @@
+#include "check/reading/column_sets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/letters.h"
+#include "check/reading/column_error.h"
+#include "check/reading/column_words.h"
+#include "check/reading/stated_unit.h"
+
+namespace twrench::check {
+namespace {
+
+/// The columns of one group, by component.
+struct Group {
+  std::vector<std::vector<std::size_t>> columns;
+  bool in_space = false, is_open = false;
+};
+
+std::size_t present(const Group& group) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(group.columns, [](const auto& of_one) { return !of_one.empty(); }));
+}
+
+bool is_complete(const Group& group) { return present(group) == group.columns.size(); }
+
+/// Throws where two columns could be one component.
+std::vector<std::size_t> require_single(const table::Header& header, Kind kind,
+                                        const Group& group) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < group.columns.size(); ++i) {
+    const std::vector<std::size_t>& of_one = group.columns[i];
+    if (of_one.size() > 1) {
+      const std::string& ours = names_of(kind)[i];
+      throw ColumnError(header.file, ours,
+                        fmt::format("two columns could be {}: '{}' (#{}) and '{}' (#{})", ours,
+                                    header.names[of_one[0]], of_one[0] + 1, header.names[of_one[1]],
+                                    of_one[1] + 1),
+                        fmt::format("#{} or #{} is meant", of_one[0] + 1, of_one[1] + 1));
+    }
+    columns.push_back(of_one.front());
+  }
+  return columns;
+}
+
+/// The columns that have our own names.
+Group find_ours(const table::Header& header, Kind kind) {
+  Group group;
+  for (const std::string& name : names_of(kind)) {
+    std::vector<std::size_t>& of_one = group.columns.emplace_back();
+    for (std::size_t column = 0; column < header.names.size(); ++column) {
+      if (in_small_letters(header.names[column]) == name) of_one.push_back(column);
+    }
+  }
+  return group;
+}
+
+std::map<std::string, Group> find_groups(const table::Header& header, Kind kind) {
+  std::map<std::string, Group> groups;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    for (const Role& role : roles_of(words_of(header.names[column]), kind)) {
+      Group& group = groups[role.group];
+      group.columns.resize(names_of(kind).size());
+      group.columns[role.component].push_back(column);
+      group.in_space = role.in_space;
+      group.is_open = role.is_open;
+    }
+  }
+  return groups;
+}
+
+/// Throws where most of a group is there and the rest is missing: what is wanted was written
+/// otherwise, or forgotten.
+void require_no_rest(const table::Header& header, Kind kind,
+                     const std::map<std::string, Group>& groups) {
+  const std::size_t all = names_of(kind).size();
+  const std::size_t most = all == 9 ? 6 : all - 1;
+  for (const auto& [name, group] : groups) {
+    // Letters and numbers that stand for something else as often are no evidence.
+    const bool is_evidence = !group.is_open && !name.starts_with("pqr") && !name.starts_with("0") &&
+                             !name.starts_with("1") && !name.starts_with("one");
+    if (all == 1 || !is_evidence || present(group) < most) continue;
+    std::vector<std::string> found;
+    std::string missing;
+    for (std::size_t i = 0; i < all; ++i) {
+      const auto& of_one = group.columns[i];
+      if (of_one.empty()) missing = names_of(kind)[i];
+      if (!of_one.empty()) found.push_back("'" + header.names[of_one.front()] + "'");
+    }
+    throw ColumnError(header.file, missing,
+                      fmt::format("it has {}, but nothing for {}", fmt::join(found, ", "), missing),
+                      columns_remedy(header));
+  }
+}
+
+}  // namespace
+
+std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns) {
+  std::vector<ColumnSet> sets{{kind, columns}};
+  if (kind == Kind::quaternion) {
+    sets.push_back({kind, {columns[3], columns[0], columns[1], columns[2]}});
+  }
+  if (kind == Kind::matrix) {
+    std::vector<std::size_t> transposed;
+    for (std::size_t i = 0; i < 9; ++i) transposed.push_back(columns[3 * (i % 3) + i / 3]);
+    sets.push_back({kind, transposed});
+  }
+  return sets;
+}
+
+std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
+  if (const Group ours = find_ours(header, kind); is_complete(ours)) {
+    return {{kind, require_single(header, kind, ours), false}};
+  }
+  const std::map<std::string, Group> groups = find_groups(header, kind);
+  std::vector<ColumnSet> sets;
+  for (const auto& [name, group] : groups) {
+    if (!is_complete(group)) continue;
+    const std::vector<std::size_t> columns = require_single(header, kind, group);
+    if (group.is_open) {
+      std::ranges::move(orders_of(kind, columns), std::back_inserter(sets));
+    } else {
+      sets.push_back({kind, columns, group.in_space});
+    }
+  }
+  if (sets.empty()) require_no_rest(header, kind, groups);
+  return sets;
+}
+
+std::string columns_remedy(const table::Header& header) {
+  constexpr std::size_t most = 60, longest = 60;
+  std::vector<std::string> names;
+  for (const std::string& name : header.names) {
+    if (names.size() == most) break;
+    names.push_back(name.substr(0, longest));
+  }
+  const std::size_t more = header.names.size() - names.size();
+  return fmt::format("its columns are: {}{}", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+}  // namespace twrench::check

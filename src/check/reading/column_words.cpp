@@ -1,0 +1,212 @@
+#include "check/reading/column_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "check/reading/stated_unit.h"
+
+namespace twrench::check {
+namespace {
+
+using Words = std::vector<std::string>;
+using List = std::initializer_list<std::string_view>;
+
+bool is_in(List list, std::string_view word) { return std::ranges::find(list, word) != list.end(); }
+
+bool has_any(const Words& words, List list) {
+  return std::ranges::any_of(words, [&](const std::string& word) { return is_in(list, word); });
+}
+
+bool has_only(const Words& words, List list) {
+  return std::ranges::all_of(words, [&](const std::string& word) { return is_in(list, word); });
+}
+
+Words without(const Words& words, std::size_t first, std::size_t count = 1) {
+  Words rest = words;
+  const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(first);
+  rest.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  return rest;
+}
+
+/// Words for the components of a set, in their order; several for one, where all may stand in it.
+struct Alphabet {
+  std::string_view name;
+  std::vector<std::vector<std::string_view>> components;
+};
+
+std::optional<std::size_t> component_of(const Alphabet& alphabet, std::string_view word) {
+  for (std::size_t i = 0; i < alphabet.components.size(); ++i) {
+    if (std::ranges::find(alphabet.components[i], word) != alphabet.components[i].end()) return i;
+  }
+  return std::nullopt;
+}
+
+/// All words count, but for the component's: p in deg/s and p in rad/s are of two groups.
+std::string group_of(const Alphabet& alphabet, const Words& words, const std::string& component) {
+  const auto at = std::ranges::find(words, component) - words.begin();
+  const Words others = without(words, static_cast<std::size_t>(at));
+  return fmt::format("{}:{}", alphabet.name, fmt::join(others, " "));
+}
+
+/// Whether the words, without that of the axis, are those of an angular velocity.
+bool are_of_rates(const Words& words) {
+  const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates"};
+  const List about{"ang", "angular", "rotation", "rotational"};
+  const List of_motion{"vel", "velocity", "speed"};
+  const List frames{"inertial", "ei", "eci", "earth"};
+  const List others{"body", "b", "imu", "sensor", "wrt", "space", "world", "global", "true"};
+  for (const std::string& word : words) {
+    const bool is_known = is_in(rates, word) || is_in(about, word) || is_in(of_motion, word) ||
+                          is_in(frames, word) || is_in(others, word);
+    if (!is_known) return false;
+  }
+  // "omega_inertial_x" may be in axes of inertial space, or against it.
+  if (has_any(words, frames) && !has_any(words, {"body", "wrt"})) return false;
+  return has_any(words, rates) || (has_any(words, about) && has_any(words, of_motion));
+}
+
+void add_rates(const Words& all_words, std::vector<Role>& roles) {
+  static const std::vector<Alphabet> axes{{"xyz", {{"x"}, {"y"}, {"z"}}},
+                                          {"rpy", {{"roll"}, {"pitch"}, {"yaw"}}},
+                                          {"pqr", {{"p"}, {"q"}, {"r"}}},
+                                          {"123", {{"1"}, {"2"}, {"3"}}},
+                                          {"012", {{"0"}, {"1"}, {"2"}}}};
+  const Words words = stated_unit(all_words).other_words;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Words rest = without(words, i);
+    for (const Alphabet& alphabet : axes) {
+      const auto component = component_of(alphabet, words[i]);
+      const bool is_known =
+          alphabet.name == "pqr" ? has_only(rest, {"body", "rate"}) : are_of_rates(rest);
+      if (!component || !is_known) continue;
+      roles.push_back({group_of(alphabet, all_words, words[i]), *component,
+                       has_any(rest, {"space", "world", "global"}), false});
+    }
+  }
+}
+
+void add_euler(const Words& all_words, std::vector<Role>& roles) {
+  static const std::vector<Alphabet> angles{{"ypr", {{"yaw"}, {"pitch"}, {"roll"}}},
+                                            {"greek", {{"psi"}, {"theta"}, {"phi"}}}};
+  const Words words = stated_unit(all_words).other_words;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Words rest = without(words, i);
+    for (const Alphabet& alphabet : angles) {
+      const auto component = component_of(alphabet, words[i]);
+      const bool is_known = has_only(rest, {"euler", "angle", "angles", "attitude", "att",
+                                            "orientation", "body", "ypr", "rpy"});
+      if (!component || !is_known) continue;
+      roles.push_back({group_of(alphabet, all_words, words[i]), *component, false, false});
+    }
+  }
+}
+
+void add_quaternion(const Words& words, std::vector<Role>& roles) {
+  static const std::vector<Alphabet> parts{
+      {"wxyz", {{"w", "s", "scalar", "real"}, {"x", "i"}, {"y", "j"}, {"z", "k"}}},
+      {"0123", {{"0"}, {"1"}, {"2"}, {"3"}}},
+      {"1234", {{"1"}, {"2"}, {"3"}, {"4"}}}};
+  if (words.size() < 2) return;
+  const Words rest = without(words, words.size() - 1);
+  const List names{"q", "quat", "quaternion", "orientation", "orient", "attitude", "att"};
+  const bool is_known = has_any(rest, names) && std::ranges::all_of(rest, [&](const auto& word) {
+                          return is_in(names, word) || is_in({"body", "rotation", "rot"}, word);
+                        });
+  if (!is_known) return;
+  for (const Alphabet& alphabet : parts) {
+    const auto component = component_of(alphabet, words.back());
+    if (!component) continue;
+    roles.push_back({fmt::format("{}:{}", alphabet.name, fmt::join(rest, " ")), *component, false,
+                     alphabet.name != "wxyz"});
+  }
+}
+
+/// The digit, if the word is one.
+std::optional<std::size_t> digit_of(std::string_view word) {
+  if (word.size() != 1 || word[0] < '0' || word[0] > '9') return std::nullopt;
+  return static_cast<std::size_t>(word[0] - '0');
+}
+
+/// Row and column of an entry, from "12" or from "1", "2"; `rest` becomes the words before.
+std::optional<std::pair<std::size_t, std::size_t>> indices_of(const Words& words, Words& rest) {
+  if (words.size() < 2) return std::nullopt;
+  const std::string& last = words.back();
+  const std::string& before = words[words.size() - 2];
+  if (last.size() == 2 && digit_of(last.substr(0, 1)) && digit_of(last.substr(1))) {
+    rest = without(words, words.size() - 1);
+    return std::pair{*digit_of(last.substr(0, 1)), *digit_of(last.substr(1))};
+  }
+  if (words.size() < 3 || !digit_of(last) || !digit_of(before)) return std::nullopt;
+  rest = without(words, words.size() - 2, 2);
+  return std::pair{*digit_of(before), *digit_of(last)};
+}
+
+bool are_of_matrix(const Words& words) {
+  return !words.empty() &&
+         has_only(words, {"x", "r", "rot", "rotation", "dcm", "m", "c", "a", "matrix", "rotmat",
+                          "attitude", "att", "orientation", "body"});
+}
+
+void add_matrix(const Words& words, std::vector<Role>& roles) {
+  Words rest;
+  if (const auto indices = indices_of(words, rest); indices && are_of_matrix(rest)) {
+    const auto [i, j] = *indices;
+    const std::string name = fmt::format("{}", fmt::join(rest, " "));
+    if (i < 3 && j < 3) roles.push_back({"from 0:" + name, 3 * i + j, false, false});
+    if (i >= 1 && j >= 1 && i <= 3 && j <= 3) {
+      roles.push_back({"from 1:" + name, 3 * (i - 1) + j - 1, false, false});
+    }
+    return;
+  }
+  if (words.size() < 2) return;
+  rest = without(words, words.size() - 1);
+  const auto index = digit_of(words.back());
+  if (!index || !are_of_matrix(rest)) return;
+  // Our own X[0] ... X[8] are row by row; others may be column by column.
+  const bool is_open = rest != Words{"x"};
+  const std::string name = fmt::format("{}", fmt::join(rest, " "));
+  if (*index < 9) roles.push_back({"one from 0:" + name, *index, false, is_open});
+  if (*index > 0) roles.push_back({"one from 1:" + name, *index - 1, false, is_open});
+}
+
+void add_time(const Words& all_words, std::vector<Role>& roles) {
+  const StatedUnit unit = stated_unit(all_words);
+  const Words& words = unit.other_words;
+  const bool is_named = has_any(words, {"t", "time"}) &&
+                        has_only(words, {"t", "time", "sim", "simulation", "elapsed"});
+  const bool has_unit = unit.time && has_only(words, {"timestamp", "stamp", "elapsed"});
+  if (!is_named && !has_unit) return;
+  roles.push_back({fmt::format("{}", fmt::join(all_words, " ")), 0, false, false});
+}
+
+}  // namespace
+
+std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind) {
+  std::vector<Role> roles;
+  switch (kind) {
+    case Kind::time:
+      add_time(words, roles);
+      break;
+    case Kind::rates:
+      add_rates(words, roles);
+      break;
+    case Kind::matrix:
+      add_matrix(words, roles);
+      break;
+    case Kind::quaternion:
+      add_quaternion(words, roles);
+      break;
+    case Kind::euler:
+      add_euler(words, roles);
+      break;
+  }
+  return roles;
+}
+
+}  // namespace twrench::check

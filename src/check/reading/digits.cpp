@@ -1,0 +1,142 @@
+#include "check/reading/digits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "check/reading/hidden_digits.h"
+
+namespace twrench::check {
+namespace {
+
+/// Of doubles: more digits tell nothing more.
+constexpr int digits_of_double = 17;
+
+/// How many numbers are looked at for digits that a change of their unit added.
+constexpr std::size_t kept_values = 192;
+
+/// One file in a million is taken for one of a narrow format by chance.
+constexpr double enough_evidence = 20;  // bits
+
+/// One unit of a decimal place: 10^-decimals.
+double unit_of_place(int decimals) {
+  static const std::array<double, 23> powers = [] {
+    std::array<double, 23> list{};
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = std::pow(10.0, -static_cast<double>(i));
+    return list;
+  }();
+  const auto place = static_cast<std::size_t>(decimals);
+  return decimals >= 0 && place < powers.size() ? powers[place] : std::pow(10.0, -decimals);
+}
+
+}  // namespace
+
+void NarrowFormat::add(const table::Number& number) {
+  if (!all_ || number.value == 0) return;
+  int exponent = 0;
+  std::frexp(number.value, &exponent);
+  const int last_bit = std::max(exponent, least_exponent_) - bits_;
+  const double spacing = std::ldexp(1.0, last_bit);
+  const double nearest = spacing * std::nearbyint(number.value / spacing);
+  const double place = unit_of_place(number.decimals);
+  // The printed number differs from the value by at most half a unit of its last place.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double allowed = place / 2 + rounding * std::abs(number.value);
+  all_ = std::abs(number.value - nearest) <= allowed;
+  if (!all_ || evidence_ > enough_evidence) return;
+  // A number of few bits, such as 0.5, is a value of any format.
+  const double few_bits = std::ldexp(spacing, bits_ / 2);
+  const bool is_round = std::fmod(nearest, few_bits) == 0;
+  if (!is_round) evidence_ += std::max(0.0, std::log2(spacing / (2 * allowed)));
+}
+
+bool NarrowFormat::holds_all() const { return all_ && evidence_ > enough_evidence; }
+
+void Digits::add(const table::Number& number) {
+  float16_.add(number);
+  float32_.add(number);
+  decimals_ = std::max(decimals_, number.decimals);
+  significant_ = std::max(significant_, number.significant);
+  if (number.value != 0 && first_values_.size() < kept_values)
+    first_values_.push_back(number.value);
+  if (number.significant == 0) return;  // zero has no leading place
+  const int place = number.significant - number.decimals - 1;
+  if (!last_ || place != last_place_) {
+    last_ = &decades_[place];
+    last_place_ = place;
+  }
+  ++last_->count;
+  last_->decimals = std::max(last_->decimals, number.decimals);
+}
+
+/// Whether the decimals, rather than the significant digits, are the same in all decades: the rule
+/// that fewer numbers break.
+bool Digits::has_fixed_decimals() const {
+  std::size_t fewer_decimals = 0, fewer_digits = 0;
+  for (const auto& [place, decade] : decades_) {
+    if (decade.decimals < decimals_) fewer_decimals += decade.count;
+    if (decade.decimals + place + 1 < significant_) fewer_digits += decade.count;
+  }
+  return fewer_decimals <= fewer_digits;
+}
+
+Resolution Digits::resolution(double unit) const {
+  constexpr int long_digits = 15;
+  if (significant_ >= long_digits && !float32_.holds_all()) {
+    if (const auto hidden = find_hidden_digits(first_values_)) {
+      Digits before;
+      for (const table::Number& number : hidden->numbers) before.add(number);
+      Resolution resolution = before.written_resolution(unit * hidden->factor);
+      resolution.converted = hidden->factor != 1;
+      return resolution;
+    }
+  }
+  return written_resolution(unit);
+}
+
+Resolution Digits::written_resolution(double unit) const {
+  Resolution resolution;
+  resolution.unit = unit;
+  const bool is_narrow = float16_.holds_all() || float32_.holds_all();
+  const bool is_short = significant_ < digits_of_double;
+  if (is_narrow) {
+    const bool is_half = float16_.holds_all();
+    resolution.written = is_half ? Written::float16 : Written::float32;
+    resolution.relative = std::ldexp(1.0, is_half ? -10 : -23);
+  } else if (is_short && !has_fixed_decimals()) {
+    resolution.written = Written::digits;
+    resolution.count = significant_;
+    resolution.relative = std::pow(10.0, 1 - significant_);
+    resolution.base = 10;
+  } else if (is_short && decimals_ > std::numeric_limits<int>::min()) {
+    resolution.written = Written::decimals;
+    resolution.count = decimals_;
+  }
+  // Printed with fewer decimals than its format needs.
+  const bool has_last_place = resolution.written == Written::decimals || (is_narrow && is_short);
+  if (has_last_place) resolution.absolute = unit * unit_of_place(decimals_);
+  return resolution;
+}
+
+void TimeDigits::add(const table::Number& number) {
+  digits_.add(number);
+  ++count_;
+  if (count_ == 1) first_ = number.value;
+  if (count_ == 2) step_ = number.value - first_;
+  // Decimals are rounded to doubles, of which the step is a difference.
+  const double expected = first_ + step_ * static_cast<double>(count_ - 1);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                          std::max(std::abs(number.value), std::abs(first_));
+  const double allowed = rounding * static_cast<double>(count_);
+  if (count_ > 2 && std::abs(number.value - expected) > allowed) equally_spaced_ = false;
+}
+
+Resolution TimeDigits::resolution(double unit) const {
+  if (count_ < 3 || !equally_spaced_) return digits_.resolution(unit);
+  Resolution exact;
+  exact.unit = unit;
+  return exact;
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,268 @@
+#include "check/reading/open_conventions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "base/letters.h"
+#include "check/conventions/names.h"
+#include "check/conventions/units.h"
+#include "check/reading/column_error.h"
+#include "check/reading/column_sets.h"
+#include "check/reading/columns.h"
+#include "check/reading/stated_unit.h"
+
+namespace twrench::check {
+namespace {
+
+constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
+
+/// The columns that, in one reading of the file, tell time, rates and attitude; the last two may be
+/// missing.
+struct ColumnChoice {
+  ColumnSet time;
+  std::optional<ColumnSet> rates, attitude;
+};
+
+/// The unit that the name of a column states, and what it states that is not read.
+template <typename Unit>
+struct Stated {
+  std::optional<Unit> unit;
+  std::string unread;
+};
+
+/// The only column that has our name, if there is one.
+std::optional<std::size_t> column_of_our_name(const table::Header& header,
+                                              const std::string& ours) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < header.names.size(); ++i) {
+    if (in_small_letters(header.names[i]) != ours) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+/// The set of a kind as it was said, or nothing where none of it was. What was left out of it has
+/// our name.
+std::optional<ColumnSet> said_set(const table::Header& header, const Convention& said, Kind kind) {
+  ColumnSet set{kind, {}, false};
+  std::string missing, found;
+  for (const std::string& ours : names_of(kind)) {
+    const auto theirs = said.columns.find(ours);
+    if (theirs != said.columns.end()) {
+      found = ours;
+      set.columns.push_back(find_column(header, ours, theirs->second));
+    } else if (const auto column = column_of_our_name(header, ours)) {
+      set.columns.push_back(*column);
+    } else if (missing.empty()) {
+      missing = ours;
+    }
+  }
+  if (found.empty()) return std::nullopt;
+  if (!missing.empty()) {
+    throw ColumnError(header.file, missing,
+                      fmt::format("a column is named for {}, but none for {}", found, missing),
+                      columns_remedy(header));
+  }
+  return set;
+}
+
+/// What was said of the attitude: in one form.
+std::optional<ColumnSet> said_attitude(const table::Header& header, const Convention& said) {
+  std::optional<ColumnSet> attitude;
+  for (const Kind kind : attitudes) {
+    const auto set = said_set(header, said, kind);
+    if (set && attitude) {
+      throw table::BadTable(header.file,
+                            fmt::format("columns are named for {} and for {}",
+                                        description_of(attitude->kind), description_of(kind)),
+                            "name those of one attitude");
+    }
+    if (set) attitude = set;
+  }
+  return attitude;
+}
+
+/// The sets, or one empty place where there are none.
+std::vector<std::optional<ColumnSet>> or_nothing(const std::vector<ColumnSet>& sets) {
+  if (sets.empty()) return {std::nullopt};
+  return {sets.begin(), sets.end()};
+}
+
+std::vector<ColumnSet> times(const table::Header& header, const Convention& said) {
+  if (const auto set = said_set(header, said, Kind::time)) return {*set};
+  std::vector<ColumnSet> found = find_sets(header, Kind::time);
+  if (found.empty()) {
+    throw ColumnError(header.file, "t", "no column has a name of the time", columns_remedy(header));
+  }
+  return found;
+}
+
+bool is_without_names(const table::Header& header) {
+  for (std::size_t i = 0; i < header.names.size(); ++i) {
+    if (header.names[i] != fmt::format("#{}", i + 1)) return false;
+  }
+  return true;
+}
+
+/// The columns of a kind from `first` on, in each order in which they may stand.
+std::vector<ColumnSet> sets_from(std::size_t first, Kind kind) {
+  std::vector<std::size_t> columns(names_of(kind).size());
+  std::iota(columns.begin(), columns.end(), first);
+  return orders_of(kind, columns);
+}
+
+/// What a file without names has, as far as the number of its columns tells: a time, and rates, an
+/// attitude or both in either order. Nothing for other numbers of columns.
+std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
+  const std::size_t count = header.names.size();
+  const ColumnSet time = sets_from(0, Kind::time).front();
+  const auto rates_from = [](std::size_t first) { return sets_from(first, Kind::rates).front(); };
+  std::vector<ColumnChoice> all;
+  if (count == 4) all.push_back({time, rates_from(1), {}});
+  for (const Kind kind : {Kind::quaternion, Kind::matrix}) {
+    const std::size_t numbers = names_of(kind).size();
+    if (count == 1 + numbers) {
+      for (const ColumnSet& set : sets_from(1, kind)) all.push_back({time, {}, set});
+    }
+    if (count != 4 + numbers) continue;
+    for (const ColumnSet& set : sets_from(1, kind))
+      all.push_back({time, rates_from(1 + numbers), set});
+    for (const ColumnSet& set : sets_from(4, kind)) all.push_back({time, rates_from(1), set});
+  }
+  return all;
+}
+
+std::vector<ColumnChoice> column_choices(const table::Header& header, const Convention& said) {
+  if (said.columns.empty() && is_without_names(header)) {
+    if (auto choices = choices_by_number(header); !choices.empty()) return choices;
+  }
+  std::vector<std::optional<ColumnSet>> rates{said_set(header, said, Kind::rates)};
+  std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
+  if (!rates.front() && !attitude.front()) {
+    rates = or_nothing(find_sets(header, Kind::rates));
+    std::vector<ColumnSet> found;
+    for (const Kind kind : attitudes)
+      std::ranges::move(find_sets(header, kind), std::back_inserter(found));
+    attitude = or_nothing(found);
+  }
+  if (!rates.front() && !attitude.front()) {
+    throw ColumnError(header.file, "", "no columns have names of rates or of an attitude",
+                      columns_remedy(header));
+  }
+  std::vector<ColumnChoice> all;
+  for (const ColumnSet& t : times(header, said)) {
+    for (const auto& r : rates) {
+      for (const auto& a : attitude) all.push_back({t, r, a});
+    }
+  }
+  constexpr std::size_t most = 64;
+  if (all.size() <= most) return all;
+  throw ColumnError(header.file, "", "its columns can be read in too many ways",
+                    "say which ones are meant");
+}
+
+void add_columns(const table::Header& header, const ColumnSet& set, Convention& convention) {
+  for (std::size_t i = 0; i < set.columns.size(); ++i) {
+    const std::string& ours = names_of(set.kind)[i];
+    const std::string theirs = name_for(header, set.columns[i]);
+    for (const auto& [other, column] : convention.columns) {
+      if (column != theirs) continue;
+      throw ColumnError(
+          header.file, ours,
+          fmt::format("the column '{}' is named for {} and for {}", theirs, other, ours),
+          "each needs a column of its own");
+    }
+    convention.columns[ours] = theirs;
+  }
+}
+
+/// The unit that the columns of the set state, or else the one that was said. `unit_of` takes it
+/// from the words of a name.
+template <typename Unit, typename UnitOf>
+std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& set,
+                                std::optional<Unit> said, const UnitOf& unit_of) {
+  std::optional<Unit> stated;
+  for (const std::size_t column : set.columns) {
+    const std::string& name = header.names[column];
+    const StatedUnit words = stated_unit(header, column);
+    const Stated<Unit> here = unit_of(words);
+    if (!here.unread.empty()) {
+      throw table::BadTable(
+          header.file,
+          fmt::format("the column '{}' is in {}, which is not read", name, here.unread),
+          "convert it to radians or degrees, and to seconds");
+    }
+    if (!here.unit) continue;
+    const std::optional<Unit> other = stated ? stated : said;
+    if (other && *other != *here.unit) {
+      throw table::BadTable(header.file,
+                            fmt::format("the column '{}' states {}, but {} {}", name,
+                                        name_of(*here.unit).option, name_of(*other).option,
+                                        stated ? "is stated by another of its kind" : "was said"),
+                            "one of the two is wrong");
+    }
+    stated = here.unit;
+  }
+  return stated ? stated : said;
+}
+
+Stated<TimeUnit> time_in(const StatedUnit& words) { return {words.time, {}}; }
+
+Stated<RateUnit> rate_in(const StatedUnit& words) { return {words.rate, words.unread}; }
+
+Stated<Angle> angle_in(const StatedUnit& words) {
+  if (!words.rate) return {{}, words.unread};
+  const auto angle = angle_of(*words.rate);
+  return {angle, angle ? words.unread : name_of(*words.rate).option};
+}
+
+Convention convention_of(const table::Header& header, const ColumnChoice& choice,
+                         const Convention& said) {
+  Convention convention = said;
+  convention.columns.clear();
+  add_columns(header, choice.time, convention);
+  convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
+  if (choice.rates) {
+    add_columns(header, *choice.rates, convention);
+    convention.rate_unit = unit_of_set(header, *choice.rates, said.rate_unit, rate_in);
+    convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
+  }
+  if (!choice.attitude) return convention;
+  add_columns(header, *choice.attitude, convention);
+  if (choice.attitude->kind == Kind::euler) {
+    std::optional<Angle> said_angle = said.angle_unit;
+    if (!said_angle && said.rate_unit) said_angle = angle_of(*said.rate_unit);
+    convention.angle_unit = unit_of_set(header, *choice.attitude, said_angle, angle_in);
+  }
+  return convention;
+}
+
+/// The convention with each sequence that it leaves open.
+void add_with_sequences(Convention convention, std::vector<Convention>& all) {
+  if (attitude_form(convention) != AttitudeForm::euler || !convention.sequence.empty()) {
+    all.push_back(std::move(convention));
+    return;
+  }
+  for (const char* sequence : {"zyx", "zxy", "yxz", "yzx", "xyz", "xzy"}) {
+    convention.sequence = sequence;
+    all.push_back(convention);
+  }
+}
+
+}  // namespace
+
+std::vector<Convention> conventions(const table::Header& header, const Convention& said) {
+  std::vector<Convention> all;
+  for (const ColumnChoice& choice : column_choices(header, said)) {
+    add_with_sequences(convention_of(header, choice, said), all);
+  }
+  return all;
+}
+
+}  // namespace twrench::check

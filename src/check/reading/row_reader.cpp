@@ -1,0 +1,93 @@
+#include "check/reading/row_reader.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "check/reading/digits.h"
+#include "check/reading/row_decoder.h"
+#include "table/error.h"
+
+namespace twrench::check {
+
+struct RowReader::State {
+  State(std::unique_ptr<table::Reader> opened, const Convention& meant);
+
+  void require_later(double t) const;
+
+  std::unique_ptr<table::Reader> reader;
+  Convention convention;
+  RowDecoder decoder;
+  std::vector<table::Number> numbers;
+  std::size_t rows = 0;
+  double last_time = 0;  ///< in the file's unit
+  TimeDigits time_digits;
+  Digits rate_digits, attitude_digits;
+};
+
+RowReader::State::State(std::unique_ptr<table::Reader> opened, const Convention& meant)
+    : reader(std::move(opened)),
+      convention(meant),
+      decoder(reader->header(), convention, [this] { return reader->place(); }),
+      numbers(decoder.columns().size()) {
+  reader->select(decoder.columns());
+}
+
+void RowReader::State::require_later(double t) const {
+  if (rows == 0 || t > last_time) return;
+  const bool is_doubled = t == last_time;
+  throw table::BadTable(
+      table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),
+      fmt::format("the time {} {} of the row before{}", t,
+                  is_doubled ? "is that" : "is before that",
+                  is_doubled ? "" : fmt::format(", {}", last_time)),
+      is_doubled ? "remove doubled rows, or write times with more digits"
+                 : "sort the rows by time, or give one run a file");
+}
+
+RowReader::RowReader(const std::filesystem::path& file, const Convention& convention)
+    : RowReader(table::open_table(file), convention) {}
+
+RowReader::RowReader(std::unique_ptr<table::Reader> table, const Convention& convention)
+    : state_(std::make_unique<State>(std::move(table), convention)) {}
+
+RowReader::~RowReader() = default;
+RowReader::RowReader(RowReader&&) noexcept = default;
+RowReader& RowReader::operator=(RowReader&&) noexcept = default;
+
+bool RowReader::has_rates() const { return state_->decoder.has_rates(); }
+
+AttitudeForm RowReader::attitude() const { return state_->decoder.attitude(); }
+
+bool RowReader::next(Row& row) {
+  State& state = *state_;
+  if (!state.reader->next(state.numbers)) return false;
+  state.decoder.decode(state.numbers, row);
+  state.require_later(state.numbers.front().value);
+  state.last_time = state.numbers.front().value;
+  state.time_digits.add(state.numbers.front());
+  for (const table::Number& rate : state.decoder.rates_in(state.numbers))
+    state.rate_digits.add(rate);
+  for (const table::Number& number : state.decoder.attitude_in(state.numbers)) {
+    state.attitude_digits.add(number);
+  }
+  row.number = ++state.rows;
+  return true;
+}
+
+std::string RowReader::place() const { return state_->reader->place(); }
+
+Resolution RowReader::time_resolution() const {
+  return state_->time_digits.resolution(state_->decoder.second());
+}
+
+Resolution RowReader::rate_resolution() const {
+  return state_->rate_digits.resolution(state_->decoder.rate_unit());
+}
+
+Resolution RowReader::attitude_resolution() const {
+  return state_->attitude_digits.resolution(state_->decoder.attitude_unit());
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "check/reading/row.h"
+#include "check/verdict/course.h"
+#include "check/verdict/exact_rows.h"
+#include "check/verdict/flips.h"
+#include "check/verdict/noise.h"
+#include "check/verdict/problem.h"
+
+namespace twrench::check {
+
+/// The errors of a quantity over all rows.
+struct ErrorSize {
+  double max = 0;  ///< largest: of the components of rates, rad/s; of the angle of attitudes, rad
+  double at = 0;   ///< when, s
+  double rms = 0;  ///< root mean square, of the same
+};
+
+/// How an attitude error grows that is a turning of the space frame itself: it is about one axis of
+/// space and in proportion to the time.
+struct FrameTurn {
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();  ///< rad/s, axes of the file's space
+  double share = 0;  ///< of the squares of the attitude errors that it explains, 0 to 1
+};
+
+/// Compares rows with the exact motion, block by block, in memory that does not grow.
+class Comparison {
+ public:
+  /// Begins with the reference that the rows are held against.
+  Comparison(const Reference& reference, bool has_rates, bool has_attitude);
+
+  /// Takes the next rows in order of time.
+  void add(std::span<const Row> rows);
+
+  std::size_t rows() const { return rows_; }
+  double first_time() const { return first_.t; }
+  double last_time() const { return last_time_; }
+
+  // Over all rows so far, of which there must be one.
+  ErrorSize rates() const { return size_of(rates_, 3); }
+  double first_rate_error() const { return first_rate_error_; }
+  ErrorSize attitude() const { return size_of(attitude_, 1); }
+  /// Relative to the first row's own: largest |drift|. Where there are no rates, those that the
+  /// attitude implies with the exact L are taken.
+  double energy_drift() const { return energy_drift_; }
+  double momentum_drift() const { return momentum_drift_; }
+  /// Largest angle between L in space and the first row's, rad.
+  double direction_drift() const { return direction_drift_; }
+  /// Relative to the exact motion: largest |difference|.
+  double energy_error() const { return energy_error_; }
+  double momentum_error() const { return momentum_error_; }
+  double orthogonality_error() const { return orthogonality_error_; }
+  /// Largest magnitude of a component of the rates, rad/s, and of their derivative, rad/s^2.
+  double largest_rate() const { return largest_rate_; }
+  double largest_acceleration() const { return largest_acceleration_; }
+  /// What the errors of the rates add up to at most as an angle, rad.
+  double accumulated_rate_error() const { return accumulated_; }
+  FrameTurn frame_turn() const;
+  std::vector<Span>& spans() { return course_.spans(); }
+  FlipFinder& flips() { return flips_; }
+
+ private:
+  struct Sums {
+    double max = 0, at = 0, squares = 0;
+  };
+  void add_to(Sums& sums, double error, double squares, double t) const;
+  ErrorSize size_of(const Sums& sums, double components) const;
+
+  void add_row(const Row& row, const motion::Sample& exact);
+  double compare_rates(const Row& row, const motion::Sample& exact, Span& span);
+  void compare_attitude(const Row& row, const motion::Sample& exact, Span& span);
+  void compare_invariants(const Row& row, const Eigen::Vector3d& exact_omega);
+
+  const Reference& reference_;
+  motion::ExactMotion exact_;
+  bool has_rates_, has_attitude_;
+  ExactRows block_;
+  Eigen::Vector3d L_;  ///< in the file's space
+
+  std::size_t rows_ = 0;
+  Row first_;
+  double last_time_ = 0, last_rate_error_ = 0, first_rate_error_ = 0;
+  Sums rates_, attitude_;
+  double first_energy_ = 0, energy_drift_ = 0, energy_error_ = 0;
+  double momentum_drift_ = 0, momentum_error_ = 0, direction_drift_ = 0, orthogonality_error_ = 0;
+  double largest_rate_ = 0, largest_acceleration_ = 0, accumulated_ = 0;
+  double times_squared_ = 0, errors_squared_ = 0;
+  Eigen::Vector3d times_errors_ = Eigen::Vector3d::Zero();
+  DifferenceTable rate_table_, attitude_table_;
+  Course course_;
+  FlipFinder flips_;
+};
+
+}  // namespace twrench::check

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <twrench/motion/exact.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "check/reading/row.h"
+
+namespace twrench::check {
+
+/// The exact motion at many times, in memory that is used again from one block of rows to the next.
+class ExactRows {
+ public:
+  /// Evaluates the motion at `times` in s.
+  void evaluate(const motion::ExactMotion& exact, std::span<const double> times);
+  /// Evaluates it at the times of the rows, counted from `start` in s.
+  void evaluate(const motion::ExactMotion& exact, double start, std::span<const Row> rows);
+
+  Eigen::Vector3d omega(std::size_t i) const {
+    return Eigen::Map<const Eigen::Vector3d>(&omega_[3 * i]);
+  }
+  Eigen::Matrix3d X(std::size_t i) const {
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&X_[9 * i]);
+  }
+
+ private:
+  std::vector<double> times_, X_, omega_;
+};
+
+}  // namespace twrench::check

@@ -1,0 +1,228 @@
+#include "check/verdict/fit.h"
+
+#include <twrench/math/so3.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unsupported/Eigen/LevenbergMarquardt>
+
+#include "check/verdict/error.h"
+#include "check/verdict/exact_rows.h"
+#include "check/verdict/frame.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// What residuals are multiplied by; 0 where the rows have none of that kind.
+struct Weights {
+  double rates;     ///< s/rad
+  double attitude;  ///< 1/rad
+
+  std::size_t numbers_per_row() const {
+    return static_cast<std::size_t>(3 * ((rates > 0) + (attitude > 0)));
+  }
+};
+
+/// Whether the moments are fitted too.
+enum class Body { as_given, fitted };
+
+/// The residuals of rows as a function of what is fitted, for Eigen's
+/// Levenberg-Marquardt. Parameters: the change of omega in units of |omega|; if there is an
+/// attitude, the rotation vector by which the frame turns; if the body is fitted, the logarithms by
+/// which two of its principal moments grow relative to the first.
+class Residuals : public Eigen::DenseFunctor<double> {
+ public:
+  Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
+            Body body = Body::as_given)
+      : DenseFunctor(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0),
+                     static_cast<int>(rows.size() * weights.numbers_per_row())),
+        from_(from),
+        rows_(rows),
+        weights_(weights),
+        body_(body),
+        speed_(from.body.omega().norm()) {}
+
+  Reference reference(const VectorXd& p) const {
+    const Vector3d omega = from_.body.omega() + speed_ * p.head<3>();
+    Reference reference{{inertia(p), omega}, from_.start, from_.frame};
+    if (weights_.attitude > 0) reference.frame = so3::exp(p.segment<3>(3)) * from_.frame;
+    return reference;
+  }
+
+  int operator()(const VectorXd& p, VectorXd& residuals) const {
+    const Reference at = reference(p);
+    exact_.evaluate(motion::ExactMotion(at.body), at.start, rows_);
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (weights_.rates > 0) {
+        residuals.segment<3>(next) = weights_.rates * (exact_.omega(i) - rows_[i].omega);
+        next += 3;
+      }
+      if (weights_.attitude > 0) {
+        const Matrix3d apart = rows_[i].X.transpose() * at.frame * exact_.X(i);
+        residuals.segment<3>(next) = weights_.attitude * so3::log(apart);
+        next += 3;
+      }
+    }
+    return 0;
+  }
+
+  /// Central differences.
+  int df(const VectorXd& p, MatrixXd& jacobian) const {
+    constexpr double step = 1e-6;
+    VectorXd ahead(values()), behind(values());
+    for (int i = 0; i < inputs(); ++i) {
+      (*this)(p + step * VectorXd::Unit(inputs(), i), ahead);
+      (*this)(p - step * VectorXd::Unit(inputs(), i), behind);
+      jacobian.col(i) = (ahead - behind) / (2 * step);
+    }
+    return 0;
+  }
+
+ private:
+  Matrix3d inertia(const VectorXd& p) const {
+    if (body_ == Body::as_given) return from_.body.inertia();
+    const body::PrincipalAxes& principal = from_.body.principal();
+    // If no body fits, the moments must stay positive and finite.
+    constexpr double most = 10;
+    const auto factor = [&](Eigen::Index i) { return std::exp(std::clamp(p[i], -most, most)); };
+    const Vector3d growth(1, factor(p.size() - 2), factor(p.size() - 1));
+    const Vector3d moments = principal.moments.cwiseProduct(growth);
+    return principal.axes * moments.asDiagonal() * principal.axes.transpose();
+  }
+
+  Reference from_;
+  std::span<const Row> rows_;
+  Weights weights_;
+  Body body_;
+  double speed_;
+  mutable ExactRows exact_;
+};
+
+/// The reference that fits those rows best, beginning with `from`.
+Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
+                   Body body = Body::as_given) {
+  Residuals residuals(from, rows, weights, body);
+  Eigen::LevenbergMarquardt<Residuals> solver(residuals);
+  constexpr double round_off = 1e-15;
+  solver.setFtol(round_off);
+  solver.setXtol(round_off);
+  VectorXd p = VectorXd::Zero(residuals.inputs());
+  solver.minimize(p);
+  return residuals.reference(p);
+}
+
+/// Root mean squares of the components of the residuals, in rad/s and rad.
+struct RootMeanSquares {
+  double rates = 0, attitude = 0;
+};
+
+RootMeanSquares root_mean_squares(const VectorXd& residuals, const Weights& weights) {
+  const auto width = static_cast<Eigen::Index>(weights.numbers_per_row());
+  const double count = static_cast<double>(3 * (residuals.size() / width));
+  RootMeanSquares sums;
+  for (Eigen::Index i = 0; i < residuals.size(); i += width) {
+    if (weights.rates > 0) sums.rates += residuals.segment<3>(i).squaredNorm();
+    if (weights.attitude > 0) sums.attitude += residuals.segment<3>(i + width - 3).squaredNorm();
+  }
+  const auto root = [count](double sum, double weight) {
+    return weight > 0 ? std::sqrt(sum / count) / weight : 0;
+  };
+  return {root(sums.rates, weights.rates), root(sums.attitude, weights.attitude)};
+}
+
+VectorXd residuals_of(const Residuals& residuals) {
+  VectorXd values(residuals.values());
+  residuals(VectorXd::Zero(residuals.inputs()), values);
+  return values;
+}
+
+/// Each kind of residual weighted by what the fit left of it, which must not be nothing.
+Weights reweighted(const Weights& weights, const RootMeanSquares& left, double speed) {
+  constexpr double round_off = 1e-15;
+  const auto inverse = [](double weight, double size) { return weight > 0 ? 1 / size : 0; };
+  return {inverse(weights.rates, std::max(left.rates, round_off * speed)),
+          inverse(weights.attitude, std::max(left.attitude, round_off))};
+}
+
+/// The covariance of what is fitted: of omega in units of |omega|, and of the frame in rad.
+MatrixXd covariance_of(const Residuals& residuals) {
+  const VectorXd left = residuals_of(residuals);
+  MatrixXd jacobian(residuals.values(), residuals.inputs());
+  residuals.df(VectorXd::Zero(residuals.inputs()), jacobian);
+  const MatrixXd information = jacobian.transpose() * jacobian;
+  const double freedom = std::max<double>(1, residuals.values() - residuals.inputs());
+  return left.squaredNorm() / freedom * information.inverse();
+}
+
+Fit result(const Reference& reference, std::span<const Row> rows, const Weights& weights) {
+  const Residuals residuals(reference, rows, weights);
+  const MatrixXd covariance = covariance_of(residuals);
+  const RootMeanSquares left = root_mean_squares(residuals_of(residuals), weights);
+  const double speed = reference.body.omega().norm();
+  Fit fit{reference, {}, speed * speed * covariance.topLeftCorner<3, 3>(), {}, {}, {}, rows.size()};
+  fit.omega_deviation = fit.omega_covariance.diagonal().cwiseSqrt();
+  if (weights.rates > 0) fit.rate_residual = left.rates;
+  if (weights.attitude > 0) {
+    fit.attitude_residual = left.attitude;
+    fit.frame_deviation = covariance.diagonal().tail<3>().cwiseSqrt();
+  }
+  return fit;
+}
+
+}  // namespace
+
+Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omega, bool has_rates,
+        bool has_attitude) {
+  if (rows.size() < 2) {
+    throw CheckError("fit", "there is one row alone, to which nothing can be fitted",
+                     CheckError::Reason::one_row);
+  }
+  const double speed = omega.norm();
+  Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
+  if (speed == 0) throw CheckError("fit", "the body is at rest", CheckError::Reason::at_rest);
+  Weights weights{has_rates ? 1 / speed : 0, has_attitude ? 1.0 : 0};
+  for (std::size_t count = 16; count < rows.size(); count *= 2) {
+    reference = improved(reference, rows.first(count), weights);
+  }
+  reference = improved(reference, rows, weights);
+  // Once more, with the weights that the residuals themselves suggest.
+  const RootMeanSquares left =
+      root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
+  weights = reweighted(weights, left, speed);
+  return result(improved(reference, rows, weights), rows, weights);
+}
+
+Matrix3d fitted_inertia(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude) {
+  const Vector3d omega = rows.front().omega;
+  const Weights weights{1 / omega.norm(), has_attitude ? 1.0 : 0};
+  Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
+  for (std::size_t count = 8; count < rows.size(); count *= 2) {
+    reference = improved(reference, rows.first(count), weights, Body::fitted);
+  }
+  return improved(reference, rows, weights, Body::fitted).body.inertia();
+}
+
+Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {
+  const double step = second.t - first.t;
+  const Matrix3d turn = first.X.transpose() * second.X;
+  Vector3d omega = so3::log(turn) / step;
+  constexpr int most_iterations = 50;  // each gains the more, the less the body turns
+  for (int i = 0; i < most_iterations && omega.norm() > 0; ++i) {
+    const Matrix3d predicted = motion::ExactMotion({inertia, omega}).at(step).X;
+    const Vector3d correction = so3::log(predicted.transpose() * turn) / step;
+    omega += correction;
+    constexpr double round_off = 1e-14;
+    if (correction.norm() < round_off * omega.norm()) break;
+  }
+  return omega;
+}
+
+}  // namespace twrench::check

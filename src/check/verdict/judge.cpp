@@ -1,0 +1,314 @@
+#include "check/verdict/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "check/reading/row_reader.h"
+#include "check/reading/telling_rows.h"
+#include "check/reading/thinned_rows.h"
+#include "check/verdict/error.h"
+#include "check/verdict/frame.h"
+#include "check/verdict/unit_change.h"
+#include "table/error.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Enough for several threads to be worth their start.
+constexpr std::size_t rows_per_block = 32768;
+
+template <typename Visit>
+void for_each_block(RowReader& reader, const Visit& visit) {
+  std::vector<Row> block(rows_per_block);
+  for (std::size_t count = rows_per_block; count == rows_per_block;) {
+    count = 0;
+    while (count < rows_per_block && reader.next(block[count])) ++count;
+    if (count > 0) visit(std::span<const Row>(block.data(), count));
+  }
+}
+
+/// What is known of a file before it is judged.
+struct Recording {
+  const std::filesystem::path& file;
+  const Convention& convention;
+  bool has_rates, has_attitude;
+
+  RowReader reader() const { return {file, convention}; }
+};
+
+/// Throws BadTable if the squares of these rates would underflow.
+Vector3d require_representable(const Recording& recording, const Vector3d& omega) {
+  constexpr double least = 1e-100;  // rad/s, as of scenes
+  const double speed = omega.stableNorm();
+  if (speed == 0 || speed >= least) return omega;
+  throw table::BadTable(
+      recording.file.string() + ": the first row",
+      fmt::format("its rates have the magnitude {:.3g} rad/s, but must be zero or at least {:.3g}",
+                  speed, least),
+      "write zeros if the body is at rest");
+}
+
+Vector3d first_omega(const Recording& recording, const Problem& problem,
+                     const std::vector<Row>& rows) {
+  if (problem.omega) return *problem.omega;
+  if (recording.has_rates) return require_representable(recording, rows.front().omega);
+  // fit() throws where there is one row.
+  if (problem.fit && rows.size() == 1) return Vector3d::Zero();
+  if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
+  throw CheckError(recording.file.string(),
+                   "has attitudes alone, which do not tell the initial angular velocity",
+                   CheckError::Reason::no_rates);
+}
+
+Fit fitted(const Recording& recording, const Problem& problem) {
+  const std::vector<Row> rows = thinned_rows(recording.file, recording.convention, most_fitted_rows,
+                                             std::numeric_limits<std::size_t>::max());
+  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 2);
+  Vector3d omega = first_omega(recording, problem, first);
+  if (problem.omega) {
+    const double t = first.front().t;
+    omega =
+        motion::ExactMotion({problem.inertia, omega}).at(t - problem.omega_time.value_or(t)).omega;
+  }
+  return fit(problem.inertia, rows, omega, recording.has_rates, recording.has_attitude);
+}
+
+/// With the frame of the first row.
+Reference given_reference(const Recording& recording, const Problem& problem) {
+  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
+  const double t = first.front().t;
+  const double start = problem.omega ? problem.omega_time.value_or(t) : t;
+  Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
+  const Matrix3d X = motion::ExactMotion(reference.body).at(t - start).X;
+  reference.frame = nearest_rotation(first.front().X) * X.transpose();
+  return reference;
+}
+
+/// The mean of L in the file's space, from its own rates if it has any.
+Vector3d mean_momentum(const Recording& recording, const Reference& reference) {
+  const motion::ExactMotion exact(reference.body);
+  ExactRows exact_rows;
+  Vector3d sum = Vector3d::Zero();
+  RowReader reader = recording.reader();
+  for_each_block(reader, [&](std::span<const Row> rows) {
+    exact_rows.evaluate(exact, reference.start, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Vector3d omega = recording.has_rates ? rows[i].omega : exact_rows.omega(i);
+      sum += rows[i].X * (reference.body.inertia() * omega);
+    }
+  });
+  return sum;
+}
+
+void turn_to_momentum(Reference& reference, const Recording& recording) {
+  const Vector3d mean = mean_momentum(recording, reference);
+  const Vector3d L = reference.frame * reference.body.momentum();
+  if (mean.norm() > 0 && L.norm() > 0)
+    reference.frame = rotation_between(L, mean) * reference.frame;
+}
+
+/// One unit of a digit of numbers that were rounded to it: independent errors, evenly spread.
+double digit_of(double deviation) { return std::sqrt(12.0) * deviation; }
+
+/// The standard deviation of errors that are independent from row to row; 0 where there are none.
+double deviation_of(const std::vector<Span>& spans, DifferenceSums Span::*kind) {
+  const std::size_t count = spans.size(), quarter = count / 4;
+  return noise(sums(spans, kind, 0, count), sums(spans, kind, 0, quarter),
+               sums(spans, kind, count - quarter, count))
+      .value_or(0);
+}
+
+/// What is printed, or the digits that the program really has: where it has fewer, the others are
+/// noise. It must be far below what an error of a method would be.
+double digit(double printed, double scale, double deviation) {
+  constexpr double most = 1e-10;
+  return digit_of(deviation) > most * scale ? printed : std::max(printed, digit_of(deviation));
+}
+
+/// One unit of the last digit of an attitude as an angle, rad: of entries of about 1, or of an
+/// Euler angle as large as they come. A quaternion has half the angle.
+double printed_angle(const RowReader& reader) {
+  const Resolution resolution = reader.attitude_resolution();
+  if (reader.attitude() == AttitudeForm::euler) return resolution.at(std::numbers::pi);
+  return (reader.attitude() == AttitudeForm::quaternion ? 2 : 1) * resolution.at(1);
+}
+
+LastDigits digits_of(const RowReader& reader, const Comparison& comparison, const Noise& noise) {
+  LastDigits digits;
+  digits.time = reader.time_resolution();
+  if (reader.has_rates()) {
+    const double most = comparison.largest_rate();
+    digits.printed_rate = reader.rate_resolution().at(most);
+    digits.rate = digit(digits.printed_rate, most, noise.rate);
+  }
+  if (reader.attitude() != AttitudeForm::none) {
+    digits.printed_attitude = printed_angle(reader);
+    digits.attitude = digit(digits.printed_attitude, 1, noise.attitude);
+  }
+  return digits;
+}
+
+/// How far the digits of a file and those of doubles determine the motion, at each span.
+void add_limits(Judgement& judgement, const Comparison& comparison) {
+  std::vector<double> times;
+  for (const Span& span : judgement.course)
+    times.push_back(span.last.t - judgement.reference.start);
+  const motion::FreeBody& body = judgement.reference.body;
+  const LastDigits& digits = judgement.digits;
+  const double speed = body.omega().norm();
+  const double initial = judgement.has_rates ? digits.rate : digits.attitude * speed;
+  const std::vector<Growth> growth = error_growth(body, times, initial);
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  judgement.within_digits = true;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Span& span = judgement.course[i];
+    const double time = digits.time.at(span.last.t) + round_off * std::abs(times[i]);
+    span.rate_limit = initial * (1 + growth[i].rates) + comparison.largest_acceleration() * time;
+    span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial + speed * time;
+    const bool is_within = (!judgement.has_rates || span.rate_error <= span.rate_limit) &&
+                           (!judgement.has_attitude || span.attitude_error <= span.attitude_limit);
+    judgement.within_digits = judgement.within_digits && is_within;
+  }
+  judgement.growth = growth.back();
+  judgement.rate_limit = judgement.course.back().rate_limit;
+  judgement.attitude_limit = judgement.course.back().attitude_limit;
+}
+
+/// Whether the digits and noise explain all errors: that of the rows, and that of the initial state
+/// with what the motion makes of it.
+bool are_noise(const Judgement& judgement) {
+  const Noise& noise = judgement.noise;
+  const motion::FreeBody& body = judgement.reference.body;
+  const double speed = body.omega().norm();
+  const double step = (judgement.last_time - judgement.first_time) /
+                      static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
+  constexpr double smooth = 0.5;  // rad a row: so far the errors of methods are smooth
+  if ((noise.rate == 0 && noise.attitude == 0) || speed * step > smooth) return false;
+  constexpr double most = 0.1;  // more is no measurement of the motion
+  if (noise.rate > most * speed || noise.attitude > most) return false;
+  constexpr double deviations = 6;  // which one number in 5e8 exceeds
+  const double rate = deviations * noise.rate, attitude = deviations * noise.attitude;
+  const double of_first_row = judgement.has_rates ? rate : attitude * speed;
+  const double initial =
+      judgement.fit ? deviations * judgement.fit->omega_deviation.maxCoeff() : of_first_row;
+  std::vector<double> times;
+  for (const Span& span : judgement.course)
+    times.push_back(span.last.t - judgement.reference.start);
+  const std::vector<Growth> growth = error_growth(body, times, initial);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Span& span = judgement.course[i];
+    const double rate_limit = span.rate_limit + rate + initial * growth[i].rates;
+    const double attitude_limit = span.attitude_limit + 2 * attitude + initial * growth[i].attitude;
+    if (judgement.has_rates && span.rate_error > rate_limit) return false;
+    if (judgement.has_attitude && span.attitude_error > attitude_limit) return false;
+  }
+  return true;
+}
+
+void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm form) {
+  judgement.rows = comparison.rows();
+  judgement.first_time = comparison.first_time();
+  judgement.last_time = comparison.last_time();
+  judgement.energy_drift = comparison.energy_drift();
+  judgement.energy_error = comparison.energy_error();
+  if (judgement.has_rates) {
+    judgement.rates = comparison.rates();
+    judgement.first_rate_error = comparison.first_rate_error();
+    judgement.momentum_drift = comparison.momentum_drift();
+    judgement.momentum_error = comparison.momentum_error();
+  }
+  if (judgement.has_attitude) judgement.attitude = comparison.attitude();
+  if (judgement.has_rates && judgement.has_attitude) {
+    judgement.direction_drift = comparison.direction_drift();
+  }
+  if (form == AttitudeForm::matrix || form == AttitudeForm::quaternion) {
+    judgement.orthogonality_error = comparison.orthogonality_error();
+  }
+}
+
+/// What follows from the errors at the end of a pass.
+void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording) {
+  add_limits(judgement, comparison);
+  judgement.flips =
+      paired(comparison.flips().finish(),
+             exact_flips(judgement.reference, judgement.first_time, judgement.last_time));
+  judgement.more_flips = judgement.flips.size() >= FlipFinder::most;
+  judgement.parts = error_parts(judgement.reference, judgement.course, judgement.has_attitude);
+  // If the parts are larger than the whole, the phase was lost on the way.
+  constexpr double much_larger = 1.5;
+  const double whole = judgement.rates ? judgement.rates->max : 0;
+  if (judgement.parts && judgement.rates && judgement.parts->amplitude_rate > much_larger * whole) {
+    judgement.parts.reset();
+  }
+  judgement.frame_turn = comparison.frame_turn();
+  if (judgement.has_rates && judgement.has_attitude) {
+    constexpr double margin = 3;  // between rows the error of the rates may be larger
+    judgement.attitude_contradicts_rates =
+        judgement.attitude->max >
+        margin * (comparison.accumulated_rate_error() + judgement.attitude_limit);
+  }
+  judgement.within_noise = judgement.within_digits || are_noise(judgement);
+  constexpr double suspicious = 1e-3;
+  if (judgement.within_noise || relative_error(judgement) < suspicious) return;
+  require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia());
+  judgement.misfit =
+      misfit(judgement.reference.body.inertia(), telling_rows(recording.file, recording.convention),
+             judgement.has_rates, judgement.has_attitude);
+}
+
+}  // namespace
+
+Judgement judge(const std::filesystem::path& file, const Convention& convention,
+                const Problem& problem) {
+  RowReader reader(file, convention);
+  const Recording recording{file, convention, reader.has_rates(),
+                            reader.attitude() != AttitudeForm::none};
+  std::optional<Fit> fit;
+  if (problem.fit) fit = fitted(recording, problem);
+  Reference reference = fit ? fit->reference : given_reference(recording, problem);
+  if (problem.frame == FrameFrom::momentum && recording.has_attitude) {
+    turn_to_momentum(reference, recording);
+  }
+  Comparison comparison(reference, recording.has_rates, recording.has_attitude);
+  for_each_block(reader, [&](std::span<const Row> rows) { comparison.add(rows); });
+  const std::size_t enough = problem.omega ? 1 : 3;
+  const bool is_start_alone = comparison.rows() == 1 && comparison.first_time() == reference.start;
+  if (comparison.rows() < enough || is_start_alone) {
+    throw CheckError(file.string(),
+                     fmt::format("has {} {}, too few to tell a motion", comparison.rows(),
+                                 comparison.rows() == 1 ? "row" : "rows"),
+                     CheckError::Reason::one_row);
+  }
+
+  Judgement judgement{.convention = convention,
+                      .has_rates = recording.has_rates,
+                      .has_attitude = recording.has_attitude,
+                      .reference = reference,
+                      .is_start_given = problem.omega && !problem.fit,
+                      .fit = fit};
+  take_sizes(judgement, comparison, reader.attitude());
+  judgement.noise = {deviation_of(comparison.spans(), &Span::rate_differences),
+                     deviation_of(comparison.spans(), &Span::attitude_differences)};
+  judgement.digits = digits_of(reader, comparison, judgement.noise);
+  judgement.rate_resolution = reader.rate_resolution();
+  judgement.attitude_resolution = reader.attitude_resolution();
+  judgement.course = std::move(comparison.spans());
+  draw_conclusions(judgement, comparison, recording);
+  return judgement;
+}
+
+double relative_error(const Judgement& judgement) {
+  const double speed = judgement.reference.body.omega().norm();
+  const double of_rates = judgement.rates && speed > 0 ? judgement.rates->max / speed : 0;
+  return std::max(of_rates, judgement.attitude ? judgement.attitude->max : 0);
+}
+
+}  // namespace twrench::check

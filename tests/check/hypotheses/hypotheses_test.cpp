@@ -1,0 +1,248 @@
+#include "check/hypotheses/hypotheses.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <filesystem>
+
+#include "check/conventions/units.h"
+#include "check/reading/open_conventions.h"
+#include "check/recordings.h"
+#include "table/reader.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// What is written of a row: a time, the four numbers of a quaternion, and rates.
+struct Written {
+  double t;
+  Eigen::Vector4d q;
+  Vector3d w;
+};
+
+Eigen::Vector4d wxyz(const Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+Written as_told(const Row& row) { return {row.t, wxyz(Quaterniond(row.X)), row.omega}; }
+
+/// A file of times, quaternions and rates, as `write` makes them of a row.
+class QuaternionFile {
+ public:
+  template <typename Write>
+  explicit QuaternionFile(const Write& write) {
+    std::string text = "t,a,b,c,d,wx,wy,wz\n";
+    for (const Row& row : exact_rows(301, 0.05)) {
+      const Written r = write(row);
+      text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", r.t,
+                          r.q[0], r.q[1], r.q[2], r.q[3], r.w[0], r.w[1], r.w[2]);
+    }
+    system::write_file_atomically(path(), text);
+  }
+
+  std::filesystem::path path() const { return folder_ / "file.csv"; }
+
+  /// What fits, where it is read as w, x, y, z, space from body, rad/s of the body.
+  std::vector<Reading> fitting(bool has_attitude = true,
+                               const Problem& problem = tumbling_problem()) const {
+    return alternatives(path(), problem, told(has_attitude)).fitting;
+  }
+
+  static Convention told(bool has_attitude = true) {
+    Convention told;
+    told.columns = {{"t", "t"}, {"wx", "wx"}, {"wy", "wy"}, {"wz", "wz"}};
+    if (has_attitude)
+      told.columns.merge(
+          std::map<std::string, std::string>{{"qw", "a"}, {"qx", "b"}, {"qy", "c"}, {"qz", "d"}});
+    return told;
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+TEST(Alternatives, AreNoneOfWhatIsRightAsItIs) {
+  // Then nobody asks; nothing else fits.
+  EXPECT_THAT(QuaternionFile(as_told).fitting(), IsEmpty());
+}
+
+TEST(Alternatives, ScalarLast) {
+  const QuaternionFile file([](const Row& row) {
+    const Quaterniond q(row.X);
+    return Written{row.t, {q.x(), q.y(), q.z(), q.w()}, row.omega};
+  });
+  const auto fitting = file.fitting();
+  ASSERT_THAT(fitting, SizeIs(1));
+  EXPECT_EQ(fitting[0].convention.columns.at("qw"), "d");
+  EXPECT_EQ(fitting[0].convention.columns.at("qx"), "a");
+  EXPECT_FALSE(fitting[0].convention.inverse);
+}
+
+TEST(Alternatives, BodyFromSpaceInDegrees) {
+  const QuaternionFile file([](const Row& row) {
+    return Written{row.t, wxyz(Quaterniond(row.X).conjugate()), in_degrees(1) * row.omega};
+  });
+  const auto fitting = file.fitting();
+  ASSERT_THAT(fitting, SizeIs(1));
+  EXPECT_TRUE(fitting[0].convention.inverse);
+  EXPECT_EQ(fitting[0].convention.rate_unit, RateUnit::deg_s);
+  EXPECT_FALSE(fitting[0].convention.rates_in_space);
+}
+
+TEST(Alternatives, RatesInSpace) {
+  const QuaternionFile file([](const Row& row) {
+    return Written{row.t, wxyz(Quaterniond(row.X)), row.X * row.omega};
+  });
+  const auto fitting = file.fitting();
+  ASSERT_THAT(fitting, SizeIs(1));
+  EXPECT_TRUE(fitting[0].convention.rates_in_space);
+  EXPECT_EQ(fitting[0].convention.columns, QuaternionFile::told().columns);
+}
+
+// Every unit of times with every unit of rates: the file is told to be in s and rad/s.
+TEST(Alternatives, UnitsOfTimesAndRates) {
+  for (const TimeUnitName& time : time_units()) {
+    for (const RateUnitName& rate : rate_units()) {
+      const QuaternionFile file([&](const Row& row) {
+        Written written = as_told(row);
+        written.t /= time.in_s;
+        written.w /= rate.in_rad_s;
+        return written;
+      });
+      if (time.in_s * rate.in_rad_s == 1) continue;
+      for (const bool has_attitude : {false, time.unit == TimeUnit::ms}) {
+        const auto fitting = file.fitting(has_attitude);
+        ASSERT_FALSE(fitting.empty()) << time.option << rate.option;
+        // Only the product is seen: revolutions a minute against minutes are those a second
+        // against seconds.
+        for (const Reading& reading : fitting) {
+          EXPECT_NEAR(name_of(time_unit(reading.convention)).in_s *
+                          name_of(rate_unit(reading.convention)).in_rad_s /
+                          (time.in_s * rate.in_rad_s),
+                      1, 1e-12);
+        }
+        // With the angular velocity, both are seen.
+        Problem problem = tumbling_problem();
+        problem.omega = omega;
+        const auto told = file.fitting(has_attitude, problem);
+        ASSERT_THAT(told, SizeIs(1)) << time.option << rate.option << has_attitude;
+        EXPECT_EQ(time_unit(told[0].convention), time.unit);
+        EXPECT_EQ(rate_unit(told[0].convention), rate.unit);
+      }
+    }
+  }
+}
+
+// All permutations and signs: one is found that the physics cannot tell from the right one.
+TEST(Alternatives, AxesOfTheBody) {
+  for (const BodyAxes& axes : all_body_axes()) {
+    const Matrix3d P = axes.matrix();
+    const QuaternionFile file([&](const Row& row) {
+      const Matrix3d X = P.determinant() * row.X * P.transpose();
+      return Written{row.t, wxyz(Quaterniond(X)), P * row.omega};
+    });
+    for (const bool has_attitude : {false, true}) {
+      const auto fitting = file.fitting(has_attitude);
+      const bool is_plain = P.cwiseAbs().isIdentity(0) && P.determinant() > 0;
+      ASSERT_THAT(fitting, SizeIs(is_plain ? 0 : 1)) << format_body_axes(axes);
+      if (is_plain) continue;
+      const Matrix3d found = fitting[0].convention.axes.matrix();
+      EXPECT_TRUE((found.transpose() * P).isDiagonal(0)) << format_body_axes(axes);
+      EXPECT_EQ(found.determinant(), P.determinant()) << format_body_axes(axes);
+    }
+  }
+}
+
+TEST(Alternatives, TheAttitudeOfAPart) {
+  const Quaterniond offset(Eigen::AngleAxisd(0.7, Vector3d(3, -1, 2).normalized()));
+  const QuaternionFile file([&](const Row& row) {
+    return Written{row.t, wxyz(Quaterniond(row.X) * offset), row.omega};
+  });
+  const auto fitting = file.fitting();
+  ASSERT_THAT(fitting, SizeIs(1));
+  ASSERT_TRUE(fitting[0].convention.offset);
+  EXPECT_LT(fitting[0].convention.offset->angularDistance(offset), 1e-12);
+}
+
+TEST(Alternatives, SayWhatIsNearestWhereNoneFits) {
+  const QuaternionFile file([](const Row& row) {
+    return Written{row.t, wxyz(Quaterniond(row.X)),
+                   Vector3d(std::sin(row.t), std::cos(2 * row.t), 0.3)};
+  });
+  EXPECT_THAT(file.fitting(), IsEmpty());
+}
+
+// An engineer's slip in a moment is found, from 1 % to a factor of two.
+TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
+  for (const Vector3d& told :
+       {Vector3d(2, 3.03, 4), Vector3d(2, 3.3, 4), Vector3d(2, 2.5, 4), Vector3d(4, 3, 4.1)}) {
+    const ScratchFolder folder;
+    system::write_file_atomically(folder / "rows.csv", csv_of(exact_rows(), Parts::both));
+    const Problem problem{.inertia = told.asDiagonal()};
+    for (const Parts parts : {Parts::rates, Parts::both}) {
+      const Judgement judgement = judge(folder / "rows.csv", own_names(parts), problem);
+      const Alternatives found = better_readings(folder / "rows.csv", problem, judgement);
+      ASSERT_TRUE(found.inertia) << told.transpose();
+      const Vector3d moments_found = found.inertia->diagonal();
+      EXPECT_TRUE((moments_found / moments_found[0]).isApprox(moments / moments[0], 1e-9))
+          << moments_found.transpose();
+    }
+  }
+}
+
+/// The better readings of a file with the rates of these rows.
+Alternatives better_readings_of(const std::vector<Row>& rows) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "rows.csv";
+  system::write_file_atomically(file, csv_of(rows, Parts::rates));
+  return better_readings(file, tumbling_problem(),
+                         judge(file, own_names(Parts::rates), tumbling_problem()));
+}
+
+// Rates of another law. The fit of the moments has no minimum there.
+TEST(BetterReadings, FindNoBodyWhereThereIsNone) {
+  for (const Vector3d& change :
+       {Vector3d(0, 0, 0), Vector3d(1e-6, -1e-6, 0), Vector3d(1, 0, 0), Vector3d(0.3, -2, 0.7)}) {
+    std::vector<Row> rows = exact_rows(256, 0.05);
+    for (Row& row : rows) row.omega = omega + std::sin(row.t) * change;
+    const Alternatives found = better_readings_of(rows);
+    EXPECT_FALSE(found.inertia);
+    EXPECT_THAT(found.fitting, IsEmpty());
+  }
+}
+
+TEST(BetterReadings, BlameNoBodyForErrors) {
+  std::vector<Row> rows;
+  Vector3d w = omega;
+  constexpr double step = 1.0 / 60;
+  for (std::size_t i = 0; i < 1024; ++i) {
+    rows.push_back({.number = i + 1, .t = static_cast<double>(i) * step, .omega = w});
+    w += step * (inertia.inverse() * (inertia * w).cross(w));
+  }
+  const Alternatives found = better_readings_of(rows);
+  EXPECT_FALSE(found.inertia);
+  EXPECT_THAT(found.fitting, IsEmpty());
+}
+
+// What the columns state is not varied.
+TEST(Alternatives, DoNotContradictTheFile) {
+  const ScratchFolder folder;
+  std::string text = "t_ms,p_deg_s,q_deg_s,r_deg_s\n";
+  for (const Row& row : exact_rows(301, 0.05)) {
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", row.t, row.omega[0], row.omega[1],
+                        row.omega[2]);
+  }
+  system::write_file_atomically(folder / "file.csv", text);
+  const auto open = conventions(table::open_table(folder / "file.csv")->header(), {});
+  ASSERT_THAT(open, SizeIs(1));
+  EXPECT_THAT(alternatives(folder / "file.csv", tumbling_problem(), open[0]).fitting, IsEmpty());
+}
+
+}  // namespace
+}  // namespace twrench::check

@@ -1,0 +1,72 @@
+#include "check/hypotheses/readings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "check/recordings.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+TEST(Misfit, IsNearZeroOfWhatFollowsTheMotion) {
+  const std::vector<Row> rows = exact_rows(128, 0.05);
+  for (const bool rates : {true, false}) {
+    const Misfit found = misfit(inertia, rows, rates, true);
+    EXPECT_LT(*found.attitude, 1e-9);
+    EXPECT_TRUE(found.fits());
+  }
+}
+
+TEST(Misfit, IsLargeOfAnotherBody) {
+  const std::vector<Row> rows = exact_rows(128, 0.05);
+  const Matrix3d other = Vector3d(3, 2, 4).asDiagonal();
+  EXPECT_FALSE(misfit(other, rows, true, false).fits());
+  EXPECT_FALSE(misfit(other, rows, false, true).fits());
+}
+
+TEST(Misfit, SaysNothingOfASteadyMotion) {
+  const motion::ExactMotion steady({inertia, Vector3d(0, 0, 1)});
+  const auto rows = rows_of([&](double t) { return steady.at(t); }, 128, 0.05);
+  EXPECT_FALSE(misfit(inertia, rows, true, false).rates);
+  EXPECT_FALSE(misfit(inertia, rows, false, true).attitude);
+}
+
+// Constant rates, where Euler's equations change them.
+TEST(Misfit, IsLargeWhereWhatShouldChangeDoesNot) {
+  std::vector<Row> rows = exact_rows(128, 0.05);
+  for (Row& row : rows) row.omega = omega;
+  const Misfit found = misfit(inertia, rows, true, false);
+  EXPECT_FALSE(found.fits());
+  EXPECT_TRUE(found.constant_rates);
+  EXPECT_FALSE(misfit(inertia, exact_rows(128, 0.05), true, false).constant_rates);
+}
+
+// A first-order method with a step as long as games take still follows the motion.
+TEST(Misfit, ForgivesACoarseMethod) {
+  std::vector<Row> rows;
+  Vector3d w = omega;
+  constexpr double step = 1.0 / 60;
+  for (std::size_t i = 0; i < 256; ++i) {
+    rows.push_back({.number = i + 1, .t = static_cast<double>(i) * step, .omega = w});
+    w += step * (inertia.inverse() * (inertia * w).cross(w));
+  }
+  EXPECT_TRUE(misfit(inertia, rows, true, false).fits());
+}
+
+TEST(OnlyFitting, IsNoneWhereTwoFit) {
+  const Convention convention;
+  const Reading good{convention, {0.01, {}}}, bad{convention, {0.9, {}}};
+  EXPECT_TRUE(only_fitting({bad, good, bad}));
+  EXPECT_FALSE(only_fitting({bad, good, good}));
+  // Both would pass for what a coarse method makes, but one is far better.
+  const Reading fair{convention, {0.1, {}}};
+  EXPECT_TRUE(only_fitting({fair, good, bad}));
+  EXPECT_FALSE(only_fitting({bad, bad}));
+  EXPECT_FALSE(only_fitting({{convention, {}}}));
+}
+
+}  // namespace
+}  // namespace twrench::check

@@ -1,0 +1,116 @@
+#include "check/reading/digits.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "table/number_text.h"
+
+namespace twrench::check {
+namespace {
+
+template <typename Kind>
+Resolution resolution_of(const std::vector<std::string>& texts, double unit = 1) {
+  Kind digits;
+  for (const std::string& text : texts) {
+    table::Number number;
+    EXPECT_EQ(table::read_number(text, false, number), table::Reading::number) << text;
+    digits.add(number);
+  }
+  return digits.resolution(unit);
+}
+
+/// The values of a rate, written by a format of fmt.
+std::vector<std::string> written(const std::string& format, double amplitude = 50) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 500; ++i) {
+    texts.push_back(fmt::format(fmt::runtime(format), amplitude * std::sin(0.1 * i * i)));
+  }
+  return texts;
+}
+
+TEST(Digits, OfFixedDecimalsAreThoseOfTheLastPlace) {
+  const Resolution resolution = resolution_of<Digits>(written("{:.4f}"));
+  EXPECT_DOUBLE_EQ(resolution.at(0.01), 1e-4);
+  EXPECT_DOUBLE_EQ(resolution.at(99), 1e-4);
+  EXPECT_DOUBLE_EQ(resolution.at(0), 1e-4);
+}
+
+TEST(Digits, OfSignificantDigitsFollowTheSize) {
+  for (const char* format : {"{:.6g}", "{:.5e}"}) {
+    const Resolution resolution = resolution_of<Digits>(written(format));
+    EXPECT_DOUBLE_EQ(resolution.at(12), 1e-4) << format;
+    EXPECT_DOUBLE_EQ(resolution.at(99), 1e-4) << format;
+    EXPECT_DOUBLE_EQ(resolution.at(-0.12), 1e-6) << format;
+    EXPECT_LT(resolution.at(0), 1e-300) << format;
+  }
+}
+
+TEST(Digits, OfDoublesAreAllThatTheyHave) {
+  for (const char* format : {"{}", "{:.17g}"}) {
+    const Resolution resolution = resolution_of<Digits>(written(format));
+    EXPECT_DOUBLE_EQ(resolution.at(30), 30 * std::numeric_limits<double>::epsilon()) << format;
+  }
+}
+
+TEST(Digits, OfSinglePrecisionAreNotMoreThanThoseOfFloats) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 100; ++i)
+    texts.push_back(fmt::format("{}", double(std::sin(0.1F * float(i)))));
+  const Resolution resolution = resolution_of<Digits>(texts);
+  EXPECT_DOUBLE_EQ(resolution.at(1.5), std::numeric_limits<float>::epsilon());
+  EXPECT_DOUBLE_EQ(resolution.at(30), 16 * double(std::numeric_limits<float>::epsilon()));
+  // Numbers that are floats by chance are not.
+  EXPECT_LT(resolution_of<Digits>({"0.5000000000", "0.2500000000"}).at(0.5), 1e-9);
+}
+
+// As NASA's simulator 01 was converted: 12 digits of rad/s, in deg/s with 17.
+TEST(Digits, ThatAChangeOfTheUnitAddedDoNotCount) {
+  for (const double factor :
+       {57.295779513, 180 / 3.14159265358979323846, 57.3, 0.017453292519943295, 1.0}) {
+    std::vector<std::string> texts;
+    for (int i = 1; i < 100; ++i) {
+      const double printed = std::stod(fmt::format("{:.11e}", 0.5 * std::sin(0.1 * i)));
+      texts.push_back(fmt::format("{}", printed * factor));
+    }
+    const Resolution resolution = resolution_of<Digits>(texts);
+    EXPECT_NEAR(resolution.at(0.2 * factor), 1e-12 * factor, 1e-15 * factor) << factor;
+    EXPECT_NEAR(resolution.at(0.02 * factor), 1e-13 * factor, 1e-16 * factor) << factor;
+  }
+  // Few numbers tell nothing: these are what they are.
+  EXPECT_LT(resolution_of<Digits>({"0.50000000000000000", "1.5000000000000000"}).at(1), 1e-15);
+}
+
+TEST(Digits, AreInOurUnit) {
+  const double degree = 3.14159265358979323846 / 180;
+  EXPECT_DOUBLE_EQ(resolution_of<Digits>(written("{:.4f}"), degree).at(1), 1e-4 * degree);
+  EXPECT_DOUBLE_EQ(resolution_of<Digits>(written("{:.6g}"), degree).at(12 * degree), 1e-4 * degree);
+}
+
+TEST(TimeDigits, OfEqualStepsAreExact) {
+  for (const char* step : {"{:.1f}", "{}"}) {
+    std::vector<std::string> texts;
+    for (int i = 0; i < 1000; ++i) texts.push_back(fmt::format(fmt::runtime(step), 0.1 * i));
+    EXPECT_LT(resolution_of<TimeDigits>(texts).at(100), 1e-13) << step;
+  }
+}
+
+TEST(TimeDigits, OfRoundedStepsAreTheirLastPlace) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 1000; ++i) texts.push_back(fmt::format("{:.3f}", i / 60.0));
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(texts).at(10), 1e-3);
+}
+
+TEST(TimeDigits, OfSinglePrecisionAreThoseOfFloats) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 1000; ++i) texts.push_back(fmt::format("{}", double(float(0.01 * i))));
+  EXPECT_EQ(texts[1], "0.009999999776482582");
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(texts).at(9),
+                   8 * double(std::numeric_limits<float>::epsilon()));
+}
+
+}  // namespace
+}  // namespace twrench::check
