@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Sequence
+from typing import Protocol, Sequence
 
 from numpy.typing import ArrayLike
 
@@ -12,10 +12,14 @@ from ._arguments import Array
 from .errors import UsageError
 from .solids import Part, StrPath, native_parts
 
-if TYPE_CHECKING:
-    from .scene import Scene
-
 __all__ = ["Body"]
+
+
+class HasBody(Protocol):
+    """An object with a body: a :class:`Scene`, whose module imports this one."""
+
+    @property
+    def body(self) -> Body: ...
 
 
 class Body:
@@ -66,7 +70,7 @@ class Body:
             self._native = _native.Body.from_inertia(matrix, form)
 
     @classmethod
-    def from_scene(cls, scene: StrPath | Scene) -> Body:
+    def from_scene(cls, scene: StrPath | HasBody) -> Body:
         """The body of a ``scene``: a :class:`Scene`, a scene file, or the name of a built-in scene.
 
         :raises SceneError: for a mistake in the file, or a name that no scene has.
