@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/color.h"
 #include "body.h"
 #include "mesh/mesh_file.h"
 #include "module.h"
@@ -79,7 +80,7 @@ scene::PartLook make_look(const std::string& material, const std::string& color,
                           std::optional<double> crease) {
   scene::PartLook look;
   if (!material.empty()) set_material(look, scene::find_material(material, "material"));
-  if (!color.empty()) look.color = scene::parse_color(color, "color");
+  if (!color.empty()) look.color = parse_color(color, "color");
   if (metallic) look.metallic = check(scene::limits::fraction, "metallic", *metallic);
   if (roughness) look.roughness = check(scene::limits::roughness, "roughness", *roughness);
   if (crease) look.crease_angle = check(scene::limits::crease, "crease", *crease);

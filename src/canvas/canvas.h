@@ -6,10 +6,10 @@
 #include <memory>
 #include <span>
 
+#include "base/color.h"
 #include "canvas/typesetting.h"
 #include "image/area.h"
 #include "image/image.h"
-#include "scene/color.h"
 
 namespace twrench::canvas {
 
@@ -18,7 +18,7 @@ namespace twrench::canvas {
 class Canvas {
  public:
   struct Ink {
-    scene::Color color;
+    Color color;
     double opacity = 1;
   };
   struct Point {

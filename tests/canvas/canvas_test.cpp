@@ -12,7 +12,7 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 
-constexpr scene::Color ink{200, 100, 50};
+constexpr Color ink{200, 100, 50};
 
 std::vector<int> pixel(const image::Image& image, int x, int y) {
   const std::size_t at =

@@ -1,4 +1,4 @@
-#include "scene/color.h"
+#include "base/color.h"
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace twrench::scene {
+namespace twrench {
 
 Color parse_color(const std::string& text, const std::string& what) {
   if (text == "black") return {0, 0, 0};
@@ -31,4 +31,4 @@ std::string to_string(const Color& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
 }
 
-}  // namespace twrench::scene
+}  // namespace twrench

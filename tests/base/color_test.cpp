@@ -1,9 +1,9 @@
-#include "scene/color.h"
+#include "base/color.h"
 
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
-namespace twrench::scene {
+namespace twrench {
 namespace {
 
 TEST(Color, Parses) {
@@ -20,4 +20,4 @@ TEST(Color, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace twrench::scene
+}  // namespace twrench
