@@ -16,6 +16,7 @@
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
 #include "scene/limits.h"
+#include "system/file.h"
 #include "text/escape.h"
 
 namespace twrench::app {

@@ -10,8 +10,8 @@
 
 namespace twrench::check {
 
-/// Evenly spread rows of the beginning of a file, enough to test the physics (check/physics.h), as
-/// their numbers stand there, in the columns that a convention names.
+/// Evenly spread rows of the beginning of a file, enough to test the physics
+/// (check/verdict/physics.h), as their numbers stand there, in the columns that a convention names.
 struct TellingNumbers {
   table::Header header;
   std::vector<std::size_t> columns;
