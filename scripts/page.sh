@@ -29,11 +29,11 @@ clang_version() {
 
 # The sources that the page needs. bindings.cpp is compiled with them, as are those beside it.
 core_sources() {
-  printf 'src/%s.cpp\n' base/{error,nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
+  printf 'src/%s.cpp\n' base/{color,error,nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
     body/{extent,triangle_mesh} \
     motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
     motion/{stability,stepper,taylor,trajectory} study/flip_search \
-    scene/{color,limits,names,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
+    scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} picture/look/{emphasis,force_style,material,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point} \

@@ -3,6 +3,11 @@
 #include <initializer_list>
 #include <map>
 
+#include "base/enumeration.h"
+#include "scene/materials.h"
+#include "scene/scene.h"
+#include "video/codec.h"
+
 namespace twrench::torture {
 namespace {
 
@@ -76,6 +81,15 @@ Values lists(const Words& sensible, const Words& edges) {
 
 Values words(const Words& sensible) {
   return {values(sensible), joined({values({"Auto", "none,", "nobody"}), odd_words()})};
+}
+
+/// Each name alone, and each but the first behind the one before it.
+template <typename Enumeration>
+Words names_and_lists() {
+  const Words names = enumerator_names<Enumeration>();
+  Words lists = names;
+  for (std::size_t i = 1; i < names.size(); ++i) lists.push_back(names[i - 1] + ',' + names[i]);
+  return lists;
 }
 
 Values texts() {
@@ -250,8 +264,8 @@ Values output_folders() {
 
 const std::map<std::string, Values>& known() {
   static const Words methods{"rk4", "rkmk4", "rkmk45", "exact", "euler", "rkf45", "suzuki4"};
-  static const Words features{"floor",  "axes,plane", "momentum",           "hud,components",
-                              "sphere", "poinsot",    "trail,omega,labels", "curve,method,drift"};
+  static const Words features = names_and_lists<scene::Feature>();
+  static const Words videos = video::format_texts(&video::OutputFormat::extension);
   static const std::map<std::string, Values> map{
       {"SCENE", scenes()},
       {"NAME", words({"gazebo-box", "nasa-tumbling-brick", "newton-dzhanibekov"})},
@@ -273,10 +287,10 @@ const std::map<std::string, Values>& known() {
       {"fps", numbers({"2", "4", "29.97"}, {"1000", "1e-9"})},
       {"speed", numbers({"1", "0.5", "6"}, {"1e6", "1e-9"})},
       {"times", lists({"0", "0,1,2", "1.5,0.5"}, {"1e9", "-1", "1e300"})},
-      {"shape", words({"box", "ellipsoid", "cross"})},
-      {"material", words({"steel", "wood", "paper"})},
+      {"shape", words(enumerator_names<scene::Equimomental>())},
+      {"material", words(scene::material_names())},
       {"language", words({"en", "nb"})},
-      {"theme", words({"studio", "paper", "space"})},
+      {"theme", words(enumerator_names<scene::Theme>())},
       {"size",
        {values({"64x48", "48x64", "160x90", "100x20", "16x16", "333x77"}),
         joined(
@@ -291,7 +305,7 @@ const std::map<std::string, Values>& known() {
       {"metallic", numbers({"0", "1", "0.5"}, {"1.0000001"})},
       {"roughness", numbers({"0.05", "1", "0.5"}, {"0.049"})},
       {"title", texts()},
-      {"view", words({"wrench", "momentum", "poinsot", "quad"})},
+      {"view", words(enumerator_names<scene::View>())},
       {"compare", words({"rk4,exact", "rk4,rkmk4,euler,exact", "rk4"})},
       {"show", words(features)},
       {"hide", words(features)},
@@ -306,10 +320,9 @@ const std::map<std::string, Values>& known() {
       {"distance", numbers({"1", "2"}, {"0.2", "20", "21"})},
       {"orbit", numbers({"0", "0.1"}, {"1e3", "-1e3"})},
       {"field-of-view", numbers({"0.5", "1"}, {"0.05", "2.5", "2.6"})},
-      {"frame", words({"space", "body", "rotating"})},
-      {"render/output",
-       outputs({".mp4", ".mkv", ".webm", ".mov", ".MP4", ".gif", ".webp", ".apng"})},
-      {"encode/output", outputs({".mp4", ".webm", ".gif", ".webp"})},
+      {"frame", words(enumerator_names<scene::Frame>())},
+      {"render/output", outputs(videos)},
+      {"encode/output", outputs(videos)},
       {"width", numbers({"16", "64", "65"}, {"15", "16385"})},
       {"simulate/output", outputs({".csv", ".json"})},
       {"export/output", outputs({".glb", ".aem", ".csv", ".json"})},

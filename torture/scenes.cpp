@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "draw/renderer.h"
 #include "gl/backend.h"
 #include "gl/child_call.h"
@@ -73,8 +74,7 @@ scene::Film random_film(SceneDice& dice, const scene::Motion& motion) {
 
 scene::Look random_look(SceneDice& dice) {
   scene::Look look;
-  look.theme =
-      dice.pick(std::array{scene::Theme::studio, scene::Theme::paper, scene::Theme::space});
+  look.theme = dice.pick(enumerators<scene::Theme>);
   look.samples = dice.pick(std::array{1, 1, 1, 2, 4});
   look.motion_blur = dice.chance(0.3) ? dice.whole(2, 4) : 1;
   const double kind = dice.uniform(0, 1);
@@ -92,23 +92,16 @@ scene::CameraPath random_camera(SceneDice& dice) {
   if (dice.chance(0.3)) camera.distance = dice.spread(0.2, 20);
   if (dice.chance(0.3)) camera.orbit = dice.uniform(-3, 3);
   if (dice.chance(0.3)) camera.field_of_view = dice.uniform(0.05, 2.5);
-  camera.frame =
-      dice.pick(std::array{scene::Frame::space, scene::Frame::body, scene::Frame::rotating});
+  camera.frame = dice.pick(enumerators<scene::Frame>);
   return camera;
 }
 
 scene::Overlay random_overlay(SceneDice& dice, const scene::Motion& motion) {
-  using enum scene::Feature;
-  constexpr std::array all{floor,  axes,  momentum,   omega,  trail,   plane,
-                           labels, hud,   components, sphere, poinsot, curve,
-                           method, drift, forces,     tilt,   moments};
   scene::Overlay overlay;
-  overlay.view =
-      dice.pick(std::array{scene::View::wrench, scene::View::wrench, scene::View::momentum,
-                           scene::View::poinsot, scene::View::quad});
+  if (dice.chance(0.8)) overlay.view = dice.pick(enumerators<scene::View>);
   const double share = dice.pick(std::array{0.0, 0.5, 0.9, 1.0});
   overlay.show.clear();
-  for (const scene::Feature feature : all) {
+  for (const scene::Feature feature : enumerators<scene::Feature>) {
     if (dice.chance(share)) overlay.show.insert(feature);
   }
   if (overlay.view == scene::View::wrench && dice.chance(0.3)) {

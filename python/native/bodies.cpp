@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/color.h"
+#include "base/enumeration.h"
 #include "body.h"
 #include "mesh/mesh_file.h"
 #include "module.h"
@@ -20,7 +21,6 @@
 #include "scene/limits.h"
 #include "scene/materials.h"
 #include "scene/mesh_files.h"
-#include "scene/names.h"
 #include "solids.h"
 
 namespace twrench::python {
@@ -113,7 +113,7 @@ Body body_from_parts(const std::vector<Part>& parts) {
 Body body_from_inertia(const Matrix3d& inertia, const std::string& shape) {
   scene::Body description;
   description.inertia = motion::FreeBody(inertia, Vector3d::Zero()).inertia();
-  description.drawn_as = scene::equimomental_of(shape, "shape");
+  description.drawn_as = find_enumerator<scene::Equimomental>(shape, "shape");
   const body::MassProperties properties = scene::mass_properties(description);
   return {description, properties};
 }

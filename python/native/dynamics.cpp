@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 
+#include "base/enumeration.h"
 #include "interruptible.h"
 #include "module.h"
 
@@ -162,20 +163,6 @@ Array quaternions(const Array& X) {
   return result;
 }
 
-const char* name_of(motion::ExactMotion::Kind kind) {
-  switch (kind) {
-    case motion::ExactMotion::Kind::steady:
-      return "steady";
-    case motion::ExactMotion::Kind::about_least:
-      return "about_least";
-    case motion::ExactMotion::Kind::about_greatest:
-      return "about_greatest";
-    case motion::ExactMotion::Kind::separatrix:
-      break;
-  }
-  return "separatrix";
-}
-
 }  // namespace
 
 void add_dynamics(py::module_& module) {
@@ -197,8 +184,8 @@ void add_dynamics(py::module_& module) {
              return Array(static_cast<py::ssize_t>(times.size()), times.data());
            })
       .def_property_readonly("flips", &motion::ExactMotion::flips)
-      .def_property_readonly("kind",
-                             [](const motion::ExactMotion& m) { return name_of(m.kind()); });
+      .def_property_readonly(
+          "kind", [](const motion::ExactMotion& m) { return enumerator_name(m.kind()); });
   module.def("integrate", &integrate);
   module.def("exact_many", &exact_many);
   module.def("first_flip_times", &first_flip_times);

@@ -92,6 +92,10 @@ void add_pictures(py::module_& module) {
         return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
       });
   module.def("render", &render);
+  module.def("container_names", [] { return video::format_texts(&video::OutputFormat::ending); });
+  module.def("media_type", [](const fs::path& video) {
+    return video::output_format(video::container_of(video)).media_type;
+  });
 }
 
 }  // namespace twrench::python

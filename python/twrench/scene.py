@@ -447,12 +447,11 @@ class Film:
         if self.path is None:
             return None
         data = base64.b64encode(self.path.read_bytes()).decode("ascii")
-        ending = self.path.suffix.lower()[1:]
-        if ending in ("gif", "webp"):
-            return f'<img style="max-width: 100%" src="data:image/{ending};base64,{data}">'
-        # Players take what is in MOV, and mostly what is in MKV, as MP4.
-        kind = "webm" if ending == "webm" else "mp4"
-        return (
-            f'<video controls loop style="max-width: 100%" '
-            f'src="data:video/{kind};base64,{data}"></video>'
-        )
+        try:
+            media_type = _native.media_type(self.path)
+        except UsageError:  # The ending does not say what the container is.
+            media_type = "video/mp4"
+        source = f'style="max-width: 100%" src="data:{media_type};base64,{data}"'
+        if media_type.startswith("image/"):
+            return f"<img {source}>"
+        return f"<video controls loop {source}></video>"

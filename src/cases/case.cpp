@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "embedded/cases.h"
 #include "scene/limits.h"
 #include "scene/toml_table.h"
@@ -24,9 +25,6 @@ namespace {
 namespace limits = scene::limits;
 using scene::Field;
 using scene::TomlTable;
-
-constexpr std::array all_quantities{Quantity::omega, Quantity::mrp, Quantity::quaternion,
-                                    Quantity::momentum};
 
 constexpr limits::Limit unit_component{-1, 1};
 
@@ -63,16 +61,6 @@ void read_initial_state(TomlTable& table, Case& problem) {
   table.table("attitude", [&](TomlTable& q) { problem.attitude = read_quaternion(q); });
 }
 
-Quantity read_quantity(TomlTable& table) {
-  const std::string name = table.required_text("quantity");
-  std::vector<std::string> names;
-  for (const Quantity quantity : all_quantities) {
-    names.push_back(name_of(quantity));
-    if (names.back() == name) return quantity;
-  }
-  throw unknown_name(table.place("quantity"), name, names);
-}
-
 double parse_digits(const std::string& digits, const std::string& place) {
   double value = 0;
   const char* const end = digits.data() + digits.size();
@@ -98,7 +86,8 @@ Published read_published(TomlTable& table, const Case& problem) {
   Published published{};
   published.by = text_or_none(table, "by");
   published.time = table.required_number("time", {0, problem.duration});
-  published.quantity = read_quantity(table);
+  published.quantity =
+      find_enumerator<Quantity>(table.required_text("quantity"), table.place("quantity"));
   published.unit_size = 1;
   if (published.quantity == Quantity::omega) {
     std::tie(published.unit, published.unit_size) = read_rate_unit(table);
@@ -140,20 +129,6 @@ Case read_case(TomlTable& file) {
 }
 
 }  // namespace
-
-std::string name_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::omega:
-      return "omega";
-    case Quantity::mrp:
-      return "mrp";
-    case Quantity::quaternion:
-      return "quaternion";
-    case Quantity::momentum:
-      return "momentum";
-  }
-  return {};
-}
 
 double last_digit(const std::string& digits) {
   const std::size_t letter = digits.find_first_of("eE");

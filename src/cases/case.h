@@ -9,16 +9,13 @@
 
 namespace twrench::cases {
 
-/// A quantity of which a source publishes values.
+/// A quantity of which a source publishes values. The names are those in case files.
 enum class Quantity {
   omega,       ///< Angular velocity in body axes.
   mrp,         ///< Modified Rodrigues parameters, space from body, of length at most 1.
   quaternion,  ///< Quaternion, space from body, scalar first.
   momentum,    ///< Angular momentum in space axes.
 };
-
-/// Returns the name of a quantity in case files: "omega".
-std::string name_of(Quantity quantity);
 
 /// Values that a source publishes for one time.
 struct Published {

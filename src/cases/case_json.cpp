@@ -1,5 +1,6 @@
 #include "cases/case_json.h"
 
+#include "base/enumeration.h"
 #include "cases/solution.h"
 
 namespace twrench::cases {
@@ -19,7 +20,7 @@ Json published_json(const Published& published, const State& exact) {
   }
   return {{"by", published.by},
           {"t", published.time},
-          {"quantity", name_of(published.quantity)},
+          {"quantity", enumerator_name(published.quantity)},
           {"unit", published.unit},
           {"digits", published.digits},
           {"values", published.values},

@@ -26,7 +26,7 @@ struct Bar {
 };
 
 double value_of(const FrameResult& frame, const Criteria& criteria) {
-  if (criteria.metric == Metric::similarity) return 1.0 - frame.similarity.value_or(1.0);
+  if (criteria.metric == Metric::ssim) return 1.0 - frame.similarity.value_or(1.0);
   return frame.difference.share;
 }
 

@@ -14,8 +14,8 @@ namespace twrench::comparison {
 namespace {
 
 bool within_bounds(const FrameResult& frame, const Criteria& criteria) {
-  return criteria.metric == Metric::similarity ? *frame.similarity >= criteria.min_similarity
-                                               : frame.difference.share <= criteria.share;
+  return criteria.metric == Metric::ssim ? *frame.similarity >= criteria.min_similarity
+                                         : frame.difference.share <= criteria.share;
 }
 
 FrameResult identical(const PngFile& file, const Criteria& criteria) {
@@ -24,7 +24,7 @@ FrameResult identical(const PngFile& file, const Criteria& criteria) {
   require_within(criteria.ignored, static_cast<int>(header.width), static_cast<int>(header.height),
                  file.name);
   FrameResult frame;
-  if (criteria.metric == Metric::similarity) frame.similarity = 1.0;
+  if (criteria.metric == Metric::ssim) frame.similarity = 1.0;
   return frame;
 }
 
@@ -77,7 +77,7 @@ FrameResult compare_pictures(const PngFile& expected, const PngFile& actual,
   }
   pair.ignore(criteria.ignored);
   frame.difference = pair.difference(criteria.threshold, criteria.edges);
-  if (criteria.metric == Metric::similarity) frame.similarity = pair.similarity();
+  if (criteria.metric == Metric::ssim) frame.similarity = pair.similarity();
   frame.outcome = within_bounds(frame, criteria) ? Outcome::alike : Outcome::different;
   return frame;
 }

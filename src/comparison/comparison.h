@@ -17,8 +17,8 @@ namespace twrench::comparison {
 
 /// What decides whether two frames are alike.
 enum class Metric {
-  share,       ///< The fraction of pixels that differ by more than a threshold.
-  similarity,  ///< The structural similarity.
+  share,  ///< The fraction of pixels that differ by more than a threshold.
+  ssim,   ///< The structural similarity.
 };
 
 /// How frames are compared, and what makes two of them alike.

@@ -76,7 +76,7 @@ std::string title_of(const Comparison& comparison) {
 }
 
 std::string bound_of(const Criteria& criteria) {
-  if (criteria.metric == Metric::similarity) {
+  if (criteria.metric == Metric::ssim) {
     return fmt::format("The structural similarity must be at least {}.", criteria.min_similarity);
   }
   const std::string beyond =

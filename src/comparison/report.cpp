@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/enumeration.h"
 #include "text/escape.h"
 #include "text/xml.h"
 
@@ -13,31 +13,6 @@ namespace twrench::comparison {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array outcomes{Outcome::identical,    Outcome::alike,   Outcome::different,
-                              Outcome::other_format, Outcome::missing, Outcome::extra,
-                              Outcome::unreadable};
-
-/// The name of an outcome in reports for programs.
-std::string_view name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::identical:
-      return "identical";
-    case Outcome::alike:
-      return "alike";
-    case Outcome::different:
-      return "different";
-    case Outcome::other_format:
-      return "other_format";
-    case Outcome::missing:
-      return "missing";
-    case Outcome::extra:
-      return "extra";
-    case Outcome::unreadable:
-      break;
-  }
-  return "unreadable";
-}
 
 /// What is to be said of a frame, after its name.
 std::string finding(const FrameResult& frame, const Criteria& criteria) {
@@ -78,7 +53,7 @@ std::string summary_line(const Comparison& comparison) {
   for (const Outcome outcome : {Outcome::missing, Outcome::extra, Outcome::unreadable}) {
     const std::size_t count = comparison.count(outcome);
     if (count == 0) continue;
-    line += fmt::format("{}{} {}", before, count, name_of(outcome));
+    line += fmt::format("{}{} {}", before, count, enumerator_name(outcome));
     before = ", ";
   }
   return line + "\n";
@@ -90,7 +65,7 @@ std::string dump(const Json& json) {
 }
 
 Json frame_json(const FrameResult& frame) {
-  Json json{{"file", frame.name}, {"outcome", name_of(frame.outcome)}};
+  Json json{{"file", frame.name}, {"outcome", enumerator_name(frame.outcome)}};
   if (frame.passed() || frame.outcome == Outcome::different) {
     const image::Difference& d = frame.difference;
     json["max"] = d.max;
@@ -106,7 +81,7 @@ Json frame_json(const FrameResult& frame) {
 
 Json criteria_json(const Criteria& criteria) {
   const bool by_share = criteria.metric == Metric::share;
-  Json json{{"metric", by_share ? "share" : "ssim"}, {"threshold", criteria.threshold}};
+  Json json{{"metric", enumerator_name(criteria.metric)}, {"threshold", criteria.threshold}};
   if (by_share) {
     json["share"] = criteria.share;
   } else {
@@ -127,7 +102,7 @@ std::string junit_case(const FrameResult& frame, const Comparison& comparison) {
   if (frame.passed()) return start + "/>\n";
   const std::string_view kind = frame.outcome == Outcome::unreadable ? "error" : "failure";
   return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start, kind,
-                     name_of(frame.outcome), text::escape_xml(finding(frame, comparison.criteria)));
+                     enumerator_name(frame.outcome), text::escape_xml(finding(frame, comparison.criteria)));
 }
 
 }  // namespace
@@ -162,8 +137,8 @@ void write_json(const Comparison& comparison, const Write& write) {
             {"actual", comparison.inputs.actual.string()},
             {"verdict", verdict(comparison)},
             {"criteria", criteria_json(comparison.criteria)}};
-  for (const Outcome outcome : outcomes)
-    head["counts"][name_of(outcome)] = comparison.count(outcome);
+  for (const Outcome outcome : enumerators<Outcome>)
+    head["counts"][enumerator_name(outcome)] = comparison.count(outcome);
   std::string text = dump(head);
   text.back() = ',';  // The frames follow, a line each: all of them at once could be too long.
   write(text + "\n\"frames\": [\n");

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "gl/child_call.h"
 #include "gl/error.h"
 #include "gl/framebuffer.h"
@@ -114,19 +115,25 @@ OpenedContext open_here(const BackendChoice& choice) {
   return fall_back(choice.backend == Backend::egl);
 }
 
-constexpr std::array<std::pair<const char*, Backend>, 3> named_backends{
-    {{"auto", Backend::automatic}, {"osmesa", Backend::osmesa}, {"egl", Backend::egl}}};
+struct BackendName {
+  Backend backend;
+  const char* name;
+};
+constexpr std::array backend_rows{BackendName{Backend::automatic, "auto"},
+                                  BackendName{Backend::osmesa, "osmesa"},
+                                  BackendName{Backend::egl, "egl"}};
+static_assert(has_row_for_each(backend_rows, &BackendName::backend));
 
 }  // namespace
 
 std::vector<std::string> backend_names() {
   std::vector<std::string> names;
-  for (const auto& [name, backend] : named_backends) names.emplace_back(name);
+  for (const auto& [backend, name] : backend_rows) names.emplace_back(name);
   return names;
 }
 
 Backend backend_named(const std::string& name) {
-  for (const auto& [known, backend] : named_backends) {
+  for (const auto& [backend, known] : backend_rows) {
     if (name == known) return backend;
   }
   throw InvalidArgument("backend", fmt::format("'{}' is unknown", name),

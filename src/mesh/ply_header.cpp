@@ -9,26 +9,31 @@
 #include <system_error>
 #include <utility>
 
+#include "base/enumeration.h"
+
 namespace twrench::mesh {
 namespace {
 
 struct TypeName {
+  PlyType type;
   std::string_view name, other_name;
   std::size_t bytes;
 };
 
-// In the order of PlyType.
-constexpr std::array type_names{TypeName{"char", "int8", 1},     TypeName{"uchar", "uint8", 1},
-                                TypeName{"short", "int16", 2},   TypeName{"ushort", "uint16", 2},
-                                TypeName{"int", "int32", 4},     TypeName{"uint", "uint32", 4},
-                                TypeName{"float", "float32", 4}, TypeName{"double", "float64", 8}};
+constexpr std::array type_names{TypeName{PlyType::int8, "char", "int8", 1},
+                                TypeName{PlyType::uint8, "uchar", "uint8", 1},
+                                TypeName{PlyType::int16, "short", "int16", 2},
+                                TypeName{PlyType::uint16, "ushort", "uint16", 2},
+                                TypeName{PlyType::int32, "int", "int32", 4},
+                                TypeName{PlyType::uint32, "uint", "uint32", 4},
+                                TypeName{PlyType::float32, "float", "float32", 4},
+                                TypeName{PlyType::float64, "double", "float64", 8}};
+static_assert(has_row_for_each(type_names, &TypeName::type));
 
 PlyType read_type(Lines& lines) {
   const std::string_view word = lines.word();
-  for (std::size_t i = 0; i < type_names.size(); ++i) {
-    if (word == type_names[i].name || word == type_names[i].other_name) {
-      return static_cast<PlyType>(i);
-    }
+  for (const TypeName& known : type_names) {
+    if (word == known.name || word == known.other_name) return known.type;
   }
   throw lines.bad(fmt::format("{} is no type of PLY", shown(word)));
 }
@@ -65,7 +70,9 @@ PlyProperty read_property(Lines& lines) {
 
 }  // namespace
 
-std::size_t size_of(PlyType type) { return type_names[static_cast<std::size_t>(type)].bytes; }
+std::size_t size_of(PlyType type) {
+  return std::ranges::find(type_names, type, &TypeName::type)->bytes;
+}
 
 PlyHeader read_ply_header(Lines& lines) {
   PlyHeader header;

@@ -1,7 +1,9 @@
 #include "page/theme_json.h"
 
+#include <string>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "picture/body/shader_constants.h"
 #include "picture/look/theme.h"
 
@@ -38,6 +40,24 @@ ordered_json overlay_json(const picture::OverlayColors& colors) {
           {"plane", color_json(colors.plane)}, {"curve", std::move(curve)}};
 }
 
+/// The names are those of the style sheet's properties.
+ordered_json page_json(const picture::ThemeStyle& style) {
+  const picture::PageColors& page = style.page;
+  return {{"scheme", page.is_light ? "light" : "dark"},
+          {"colors",
+           {{"ground", color_json(page.ground)},
+            {"panel", color_json(page.panel)},
+            {"raised", color_json(page.raised)},
+            {"line", color_json(page.line)},
+            {"control", color_json(page.control)},
+            {"text", color_json(style.overlay.text)},
+            {"dim", color_json(page.dim)},
+            {"accent", color_json(style.overlay.momentum)},
+            {"on-accent", color_json(page.on_momentum)},
+            {"warn", color_json(page.warning)},
+            {"second", color_json(style.overlay.omega)}}}};
+}
+
 ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
   const picture::Material material = picture::material(look, part.look, part.is_colored);
   const glm::vec3 tint = material.diffuse + material.reflectance;
@@ -57,16 +77,18 @@ ordered_json theme_json(scene::Look look, const Materials& materials, scene::The
   return {{"materials", std::move(kinds)},
           {"backdrop", backdrop_json(style.backdrop)},
           {"floor", floor_json(style.floor)},
-          {"overlay", overlay_json(style.overlay)}};
+          {"overlay", overlay_json(style.overlay)},
+          {"page", page_json(style)}};
 }
 
 }  // namespace
 
 ordered_json themes_json(const scene::Look& look, const Materials& materials) {
-  using enum scene::Theme;
-  return {{"studio", theme_json(look, materials, studio)},
-          {"paper", theme_json(look, materials, paper)},
-          {"space", theme_json(look, materials, space)}};
+  ordered_json themes;
+  for (const scene::Theme theme : enumerators<scene::Theme>) {
+    themes[std::string(enumerator_name(theme))] = theme_json(look, materials, theme);
+  }
+  return themes;
 }
 
 }  // namespace twrench::page

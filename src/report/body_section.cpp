@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/enumeration.h"
 #include "report/numbers.h"
 #include "report/sections.h"
 #include "scene/prediction.h"
@@ -48,8 +49,8 @@ Table axes_table(const Experiment& experiment) {
     const bool grows = tilt.kind == motion::Stability::Kind::unstable;
     const bool wobbles = tilt.kind == motion::Stability::Kind::stable;
     table.rows.push_back({scene::axis_name(body.axes, i), digits(body.moments[i]),
-                          triple(Eigen::Vector3d(body.axes.col(i))), scene::name_of(tilt.kind),
-                          digits(tilt.rate),
+                          triple(Eigen::Vector3d(body.axes.col(i))),
+                          std::string(enumerator_name(tilt.kind)), digits(tilt.rate),
                           digits(grows     ? tilt.doubling_time()
                                  : wobbles ? tilt.period()
                                            : std::nan(""))});

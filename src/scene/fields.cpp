@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
-#include "scene/names.h"
 
 namespace twrench::scene {
 namespace {
@@ -23,7 +23,7 @@ using Texts = std::vector<std::string>;
 template <typename Value>
 ordered_json to_json(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
-    return name_of(value);
+    return enumerator_name(value);
   } else {
     return value;
   }
@@ -35,7 +35,7 @@ ordered_json to_json(const Color& color) { return to_string(color); }
 
 ordered_json to_json(const std::set<Feature>& features) {
   ordered_json names = ordered_json::array();
-  for (const Feature feature : features) names.push_back(name_of(feature));
+  for (const Feature feature : features) names.push_back(enumerator_name(feature));
   return names;
 }
 
@@ -89,11 +89,11 @@ std::string listed(const Texts& names) {
   return fmt::format(": {} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-/// `parse` returns the value with one of these names.
-template <typename Parse, typename Member>
-Field choice(Field field, const Texts& names, Parse parse, Member member) {
-  field.help += listed(names);
-  return complete<Field::Kind::text>(std::move(field), parse, member);
+/// The value is an enumerator, given by its name.
+template <typename Enumeration, typename Member>
+Field choice(Field field, Member member) {
+  field.help += listed(enumerator_names<Enumeration>());
+  return complete<Field::Kind::text>(std::move(field), find_enumerator<Enumeration>, member);
 }
 
 /// Makes a field whose value is an empty array one that the scene leaves to its default.
@@ -177,9 +177,18 @@ std::string method_name(const std::string& name, const std::string& what) {
   return std::string(motion::find_method(name, what).name);
 }
 
+Texts compared_methods(const Texts& names, const std::string& what) {
+  for (const std::string& name : names) motion::find_method(name, what);
+  if (names.size() > limits::max_compared) {
+    throw InvalidArgument(what, fmt::format("has {} methods, but at most {} are drawn side by side",
+                                            names.size(), limits::max_compared));
+  }
+  return names;
+}
+
 std::set<Feature> features(const Texts& names, const std::string& what) {
   std::set<Feature> result;
-  for (const std::string& name : names) result.insert(feature_of(name, what));
+  for (const std::string& name : names) result.insert(find_enumerator<Feature>(name, what));
   return result;
 }
 
@@ -227,20 +236,17 @@ const std::vector<Field>& fields() {
                   within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
               &Origins::speed),
 
-      choice(
-          {"look", "theme", "NAME", "theme"}, theme_names(), theme_of,
-          [](auto& s) -> auto& { return s.look.theme; }),
+      choice<Theme>(
+          {"look", "theme", "NAME", "theme"}, [](auto& s) -> auto& { return s.look.theme; }),
       complete<integer>(
           {"look", "samples", "N", "MSAA samples per pixel; 1 = analytic edge antialiasing"},
           whole_within(limits::samples), [](auto& s) -> auto& { return s.look.samples; }),
       complete<integer>(
           {"look", "motion_blur", "N", "poses averaged per frame, at least; 1 = no motion blur"},
           whole_within(limits::motion_blur), [](auto& s) -> auto& { return s.look.motion_blur; }),
-      background(
-          {"look", "background", "COLOR",
-           "background: #rrggbb, #rgb, black, gray, white, or transparent for overlays (.mov, "
-           ".webm, .webp, .gif)",
-           "the theme's"}),
+      background({"look", "background", "COLOR",
+                  "background: #rrggbb, #rgb, black, gray, white, or transparent for overlays",
+                  "the theme's"}),
       material({"look", "material", "NAME", "material, which sets colour, metalness and roughness",
                 "the theme's"}),
       complete<text>(
@@ -271,13 +277,12 @@ const std::vector<Field>& fields() {
       complete<number>(
           {"camera", "field_of_view", "A", "field of view along the shorter side, rad"},
           within(limits::angle_of_view), [](auto& s) -> auto& { return s.camera.field_of_view; }),
-      choice(
+      choice<Frame>(
           {"camera", "frame", "NAME", "frame in which the camera stands and forces are shown"},
-          frame_names(), frame_of, [](auto& s) -> auto& { return s.camera.frame; }),
+          [](auto& s) -> auto& { return s.camera.frame; }),
 
-      choice(
-          {"overlay", "view", "NAME", "view"}, view_names(), view_of,
-          [](auto& s) -> auto& { return s.overlay.view; }),
+      choice<View>(
+          {"overlay", "view", "NAME", "view"}, [](auto& s) -> auto& { return s.overlay.view; }),
       complete<texts>(
           {"overlay", "show", "LIST", "what is shown besides the body"}, features,
           [](auto& s) -> auto& { return s.overlay.show; }),

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
+#include "base/enumeration.h"
 #include "base/time_unit.h"
 
 namespace twrench::scene {
@@ -16,16 +15,11 @@ std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
   return fmt::format("I{}", axis + 1);
 }
 
-std::string name_of(motion::Stability::Kind kind) {
-  static constexpr std::array names{"unstable", "stable", "neutral"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 std::string prediction(const body::PrincipalAxes& principal, int axis, double omega) {
   using Kind = motion::Stability::Kind;
   const motion::Stability stability = motion::stability(principal.moments, axis, omega);
   const std::string about =
-      fmt::format("{} about {}", name_of(stability.kind), axis_name(principal.axes, axis));
+      fmt::format("{} about {}", enumerator_name(stability.kind), axis_name(principal.axes, axis));
   if (stability.kind == Kind::neutral) return about;
   const bool grows = stability.kind == Kind::unstable;
   const double time = grows ? stability.doubling_time() : stability.period();

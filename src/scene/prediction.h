@@ -11,9 +11,6 @@ namespace twrench::scene {
 /// coincides, or else I1, I2 or I3.
 std::string axis_name(const Eigen::Matrix3d& axes, int axis);
 
-/// Returns the name of a kind of stability: unstable, stable or neutral.
-std::string name_of(motion::Stability::Kind kind);
-
 /// Returns what a small tilt does of a body that rotates about a principal axis at `omega` rad/s,
 /// as in "unstable about x, doubles every 1.88 s at 1 rad/s".
 std::string prediction(const body::PrincipalAxes& principal, int axis, double omega);

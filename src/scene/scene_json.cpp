@@ -2,9 +2,9 @@
 
 #include <twrench/math/so3.h>
 
+#include "base/enumeration.h"
 #include "scene/dimensions.h"
 #include "scene/fields.h"
-#include "scene/names.h"
 #include "system/sha256.h"
 
 namespace twrench::scene {
@@ -92,7 +92,7 @@ ordered_json body_json(const Body& body) {
   if (!body.parts.empty()) json["part"] = parts_json(body);
   if (body.inertia) {
     json["body"] = inertia_json(*body.inertia);
-    json["body"]["shape"] = name_of(body.drawn_as);
+    json["body"]["shape"] = enumerator_name(body.drawn_as);
   }
   return json;
 }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
+#include "base/enumeration.h"
 #include "scene/fields.h"
 #include "scene/limits.h"
-#include "scene/names.h"
 #include "scene/part_tables.h"
 
 namespace twrench::scene {
@@ -39,7 +39,8 @@ Body read_body(TomlTable& file, MeshFiles& meshes) {
   file.table("body", [&](TomlTable& table) {
     body.inertia = read_inertia(table);
     if (table.has("shape")) {
-      body.drawn_as = equimomental_of(table.required_text("shape"), table.place("shape"));
+      body.drawn_as =
+          find_enumerator<Equimomental>(table.required_text("shape"), table.place("shape"));
     }
   });
   if (body.parts.empty() != body.inertia.has_value()) {

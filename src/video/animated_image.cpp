@@ -45,7 +45,7 @@ fs::path temporary_beside(const system::PendingFile& output) {
   std::error_code failed;
   const fs::path folder = fs::temp_directory_path(failed);
   if (failed) throw system::file_error("cannot use the folder for temporary files", failed.value());
-  return folder / "twrench.gif";
+  return folder / "twrench.palette";
 }
 
 std::uint32_t little_endian(const char* bytes, int count) {
@@ -84,19 +84,20 @@ void take_chunk(std::string_view name, const std::array<char, 16>& data, VideoPr
 }  // namespace
 
 Arguments animation_filters(const VideoFormat& format) {
-  if (format.container == Container::gif) {
+  const OutputFormat& output = output_format(format.container);
+  if (output.has_palette) {
     return {"-filter_complex", palette_graph(format) + ";[shown][palette]" + drawing_filter};
   }
   std::string filters = scaling(format);
-  if (format.container != Container::webp || filters.empty()) return {};
+  if (output.is_video() || filters.empty()) return {};
   filters.pop_back();  // the comma
   return {"-vf", filters};
 }
 
-GifPasses::GifPasses(const system::PendingFile& output)
+PalettePasses::PalettePasses(const system::PendingFile& output)
     : frames_(temporary_beside(output)), palette_(temporary_beside(output)) {}
 
-Arguments GifPasses::first(const VideoFormat& format) const {
+Arguments PalettePasses::first(const VideoFormat& format) const {
   Arguments arguments{"-filter_complex", palette_graph(format)};
   for (const auto& [stream, file] : {std::pair("[shown]", &frames_), {"[palette]", &palette_}}) {
     arguments.insert(arguments.end(), {"-map", stream, "-c:v", "ffv1", "-f", "nut",
@@ -105,7 +106,7 @@ Arguments GifPasses::first(const VideoFormat& format) const {
   return arguments;
 }
 
-Arguments GifPasses::second() const {
+Arguments PalettePasses::second() const {
   return {"-f",
           "nut",
           "-i",

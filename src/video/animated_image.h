@@ -17,11 +17,11 @@ Arguments animation_filters(const VideoFormat& format);
 /// The two passes in which ffmpeg makes a GIF: the first chooses its 256 colours, for which it has
 /// to see all frames, and the second draws them in these colours. Between them the frames lie,
 /// lossless, in a temporary file, so that memory does not grow with the length of the film.
-class GifPasses {
+class PalettePasses {
  public:
   /// The temporary files lie beside the output or, if that is a device, in the folder for temporary
   /// files. Throws FileError.
-  explicit GifPasses(const system::PendingFile& output);
+  explicit PalettePasses(const system::PendingFile& output);
 
   /// Returns ffmpeg's arguments after its input, raw frames.
   Arguments first(const VideoFormat& format) const;

@@ -1,83 +1,115 @@
 #include "video/codec.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
+#include "base/enumeration.h"
 #include "base/letters.h"
 
 namespace twrench::video {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Container>, 6> containers{
-    {{"mp4", Container::mp4},
-     {"mov", Container::mov},
-     {"mkv", Container::matroska},
-     {"webm", Container::webm},
-     {"gif", Container::gif},
-     {"webp", Container::webp}}};
+/// aq-mode 3 spends more bits on dark areas, where H.264 first shows banding in gradients. Rotating
+/// smooth surfaces gain nothing from smaller blocks with their own motion vectors: without them the
+/// encoder takes a sixth less time at the same quality and size.
+constexpr Codec h264{"libx264", "-preset veryfast -crf 16 -aq-mode 3 -partitions i4x4",
+                     "H.264 video in MP4"};
+constexpr Codec prores{"prores_ks", "-profile:v 4444 -alpha_bits 16 -vendor apl0",
+                       "video with alpha in MOV"};
+/// Without -auto-alt-ref 0, libvpx before 1.13 rejects alpha.
+constexpr Codec vp9{"libvpx-vp9",
+                    "-crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0",
+                    "video in WebM, optionally with alpha"};
+/// Repeated for ever.
+constexpr Codec gif{"gif", "-loop 0", "animated images in GIF"};
+/// Repeated for ever. At a lower quality, libwebp leaves unchanged what has changed by two levels
+/// or more, and soft shadows leave a trace of blocks.
+constexpr Codec webp{"libwebp_anim", "-quality 97 -compression_level 4 -loop 0",
+                     "animated images in WebP"};
 
-/// ffmpeg's name of the container.
-std::string_view muxer(Container container) {
-  switch (container) {
-    case Container::mov:
-      return "mov";
-    case Container::matroska:
-      return "matroska";
-    case Container::webm:
-      return "webm";
-    case Container::gif:
-      return "gif";
-    case Container::webp:
-      return "webp";
-    case Container::mp4:
-      break;
-  }
-  return "mp4";
-}
+// Browsers slow down a GIF that shows a frame for less than 0.02 s, and a WebP for less than
+// 0.011 s. They play MOV, and mostly MKV, as MP4.
+constexpr std::array formats{OutputFormat{.container = Container::mp4,
+                                          .ending = "mp4",
+                                          .label = "MP4",
+                                          .muxer = "mp4",
+                                          .media_type = "video/mp4",
+                                          .opaque = {&h264, "yuv420p"},
+                                          .has_index = true},
+                             OutputFormat{.container = Container::mov,
+                                          .ending = "mov",
+                                          .label = "MOV",
+                                          .muxer = "mov",
+                                          .media_type = "video/mp4",
+                                          .opaque = {&h264, "yuv420p"},
+                                          .transparent = {&prores, "yuva444p10le"},
+                                          .has_index = true},
+                             OutputFormat{.container = Container::matroska,
+                                          .ending = "mkv",
+                                          .label = "MKV",
+                                          .muxer = "matroska",
+                                          .media_type = "video/mp4",
+                                          .opaque = {&h264, "yuv420p"}},
+                             OutputFormat{.container = Container::webm,
+                                          .ending = "webm",
+                                          .label = "WebM",
+                                          .muxer = "webm",
+                                          .media_type = "video/webm",
+                                          .opaque = {&vp9, "yuv420p"},
+                                          .transparent = {&vp9, "yuva420p"}},
+                             OutputFormat{.container = Container::gif,
+                                          .ending = "gif",
+                                          .label = "GIF",
+                                          .muxer = "gif",
+                                          .media_type = "image/gif",
+                                          .opaque = {&gif, ""},
+                                          .transparent = {&gif, ""},
+                                          .is_animated_image = true,
+                                          .has_palette = true,
+                                          .most_fps = 50},
+                             OutputFormat{.container = Container::webp,
+                                          .ending = "webp",
+                                          .label = "WebP",
+                                          .muxer = "webp",
+                                          .media_type = "image/webp",
+                                          .opaque = {&webp, "bgra"},
+                                          .transparent = {&webp, "bgra"},
+                                          .is_animated_image = true,
+                                          .most_fps = 90}};
+static_assert(has_row_for_each(formats, &OutputFormat::container));
 
 /// The index precedes the frames, so that a player can start at once: it is moved there at the end
 /// or, in a streamed video, each fragment is preceded by its own.
-std::string_view index_arguments(Container container, bool streamed) {
-  if (container != Container::mp4 && container != Container::mov) return "";
+std::string_view index_arguments(const OutputFormat& format, bool streamed) {
+  if (!format.has_index) return "";
   return streamed ? "-movflags +frag_keyframe+empty_moov+default_base_moof"
                   : "-movflags +faststart";
 }
 
-/// Without -auto-alt-ref 0, libvpx before 1.13 rejects alpha.
-constexpr const char* vp9 =
-    "-c:v libvpx-vp9 -crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0";
-constexpr const char* prores = "-c:v prores_ks -profile:v 4444 -alpha_bits 16 -vendor apl0";
-/// aq-mode 3 spends more bits on dark areas, where H.264 first shows banding in gradients. Rotating
-/// smooth surfaces gain nothing from smaller blocks with their own motion vectors: without them the
-/// encoder takes a sixth less time at the same quality and size.
-constexpr const char* h264 = "-c:v libx264 -preset veryfast -crf 16 -aq-mode 3 -partitions i4x4";
-
-/// Repeated for ever. At a lower quality, libwebp leaves unchanged what has changed by two levels
-/// or more, and soft shadows leave a trace of blocks.
-constexpr const char* webp =
-    "-c:v libwebp_anim -pix_fmt bgra -quality 97 -compression_level 4 -loop 0";
-constexpr const char* gif = "-c:v gif -loop 0";
-
 }  // namespace
 
-Container container_named(std::string_view name) {
-  const std::string lower = in_small_letters(name);
-  for (const auto& [known, container] : containers) {
-    if (lower == known) return container;
-  }
-  throw InvalidArgument(fmt::format("container '{}'", name),
-                        "it is not a supported video container",
-                        "choose mp4, mov, mkv, webm, gif or webp");
+std::span<const OutputFormat> output_formats() { return formats; }
+
+const OutputFormat& output_format(Container container) {
+  return *std::ranges::find(formats, container, &OutputFormat::container);
 }
 
-std::string_view name_of(Container container) {
-  return std::ranges::find(containers, container, [](const auto& known) { return known.second; })
-      ->first;
+std::string listed(const std::vector<std::string>& texts, std::string_view conjunction) {
+  return fmt::format("{} {} {}", fmt::join(texts.begin(), texts.end() - 1, ", "), conjunction,
+                     texts.back());
+}
+
+Container container_named(std::string_view name) {
+  const auto format = std::ranges::find(formats, in_small_letters(name), &OutputFormat::ending);
+  if (format != formats.end()) return format->container;
+  throw InvalidArgument(fmt::format("container '{}'", name),
+                        "it is not a supported video container",
+                        "choose " + listed(format_texts(&OutputFormat::ending), "or"));
 }
 
 Container container_of(const std::filesystem::path& file) {
@@ -86,17 +118,11 @@ Container container_of(const std::filesystem::path& file) {
     return container_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
   } catch (const InvalidArgument&) {
     throw InvalidArgument("video " + file.string(), "its name does not end in that of a container",
-                          "use .mp4, .mov, .mkv, .webm, .gif or .webp");
+                          "use " + listed(format_texts(&OutputFormat::extension), "or"));
   }
 }
 
-bool is_animated_image(Container container) {
-  return container == Container::gif || container == Container::webp;
-}
-
-bool keeps_alpha(Container container) {
-  return container != Container::mp4 && container != Container::matroska;
-}
+bool is_animated_image(Container container) { return output_format(container).is_animated_image; }
 
 int VideoFormat::shown_height() const {
   if (scaled_width == 0) return height;
@@ -104,21 +130,19 @@ int VideoFormat::shown_height() const {
 }
 
 int VideoFormat::frame_step() const {
-  if (!is_animated_image(container)) return 1;
-  const double fastest = container == Container::gif ? 50 : 90;
+  const double most_fps = output_format(container).most_fps;
+  if (most_fps == 0) return 1;
   constexpr double round_off = 1e-9;
-  return std::max(1, static_cast<int>(std::ceil(fps / fastest - round_off)));
+  return std::max(1, static_cast<int>(std::ceil(fps / most_fps - round_off)));
 }
 
 std::string codec_arguments(Container container, bool alpha, bool streamed) {
-  if (is_animated_image(container)) {
-    return fmt::format("{} -f {}", container == Container::gif ? gif : webp, muxer(container));
-  }
-  const bool webm = container == Container::webm;
-  const char* codec = webm ? vp9 : (alpha ? prores : h264);
-  const char* pixels = alpha ? (webm ? "yuva420p" : "yuva444p10le") : "yuv420p";
-  return fmt::format("-pix_fmt {} {} {} {} -f {}", pixels, codec,
-                     index_arguments(container, streamed), bt709_tags, muxer(container));
+  const OutputFormat& format = output_format(container);
+  const auto& [codec, pixels] = format.encoding(alpha);
+  const std::string pixel_format = *pixels == '\0' ? "" : fmt::format("-pix_fmt {}", pixels);
+  return fmt::format("{} -c:v {} {} {} {} -f {}", pixel_format, codec->name, codec->options,
+                     index_arguments(format, streamed), format.is_video() ? bt709_tags : "",
+                     format.muxer);
 }
 
 }  // namespace twrench::video

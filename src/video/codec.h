@@ -1,34 +1,107 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace twrench::video {
 
-/// The file formats of videos; the last two are animated images, which play without a player.
+/// The file formats of videos; output_formats() describes them.
 enum class Container { mp4, mov, matroska, webm, gif, webp };
 
-/// Returns the container of that name, which is also the file extension: mp4, mov, mkv, webm, gif
-/// or webp, in upper or lower case. Throws InvalidArgument for others.
-Container container_named(std::string_view name);
+/// An encoder of ffmpeg.
+struct Codec {
+  /// ffmpeg's name.
+  const char* name;
+  /// Its options.
+  const char* options;
+  /// What it is used for, for people.
+  const char* use;
+};
 
-/// Returns that name in lower case.
-std::string_view name_of(Container container);
+/// A codec and the pixel format in which it encodes.
+struct Encoding {
+  const Codec* codec;
+  /// ffmpeg's name; empty if the frames are in the codec's only one.
+  const char* pixels;
+};
+
+/// A file format of videos.
+struct OutputFormat {
+  Container container;
+  /// The file extension, by which people also name the container.
+  const char* ending;
+  /// The name in sentences.
+  const char* label;
+  /// ffmpeg's name.
+  const char* muxer;
+  /// The media type as which browsers play it.
+  const char* media_type;
+  /// For opaque frames.
+  Encoding opaque;
+  /// For frames with alpha; no codec if the format does not keep alpha.
+  Encoding transparent = {};
+  /// Whether an index of the frames can precede them.
+  bool has_index = false;
+  /// Whether it is an animated image, which plays without a player: any size, no chapters, repeated
+  /// for ever.
+  bool is_animated_image = false;
+  /// Whether all frames are drawn in one palette.
+  bool has_palette = false;
+  /// The largest number of frames per second that browsers do not slow down; 0 if there is none.
+  double most_fps = 0;
+
+  bool is_video() const { return !is_animated_image; }
+  /// Returns whether it keeps alpha. The pixels of a GIF are either opaque or transparent.
+  bool keeps_alpha() const { return transparent.codec != nullptr; }
+  /// Returns how frames with or without alpha are encoded.
+  const Encoding& encoding(bool alpha) const { return alpha ? transparent : opaque; }
+  /// Returns the file extension with its dot.
+  std::string extension() const { return std::string(".") + ending; }
+};
+
+/// Returns all formats, in the order of Container.
+std::span<const OutputFormat> output_formats();
+
+/// Returns the format of a container.
+const OutputFormat& output_format(Container container);
+
+/// Returns a text of each format for which a condition holds; both are members of OutputFormat or
+/// functions of it.
+template <typename Text, typename Condition>
+std::vector<std::string> format_texts(Text text, Condition condition) {
+  std::vector<std::string> texts;
+  for (const OutputFormat& format : output_formats()) {
+    if (std::invoke(condition, format)) texts.emplace_back(std::invoke(text, format));
+  }
+  return texts;
+}
+
+/// Returns a text of each format.
+template <typename Text>
+std::vector<std::string> format_texts(Text text) {
+  return format_texts(text, [](const OutputFormat&) { return true; });
+}
+
+/// Returns "a, b or c". `conjunction` is "or" or "and"; there must be two texts at least.
+std::string listed(const std::vector<std::string>& texts, std::string_view conjunction);
+
+/// Returns the container of that name, which is also the file extension, in upper or lower case.
+/// Throws InvalidArgument for others.
+Container container_named(std::string_view name);
 
 /// Returns the container for the file's extension. Throws InvalidArgument if it has none or an
 /// unknown one.
 Container container_of(const std::filesystem::path& file);
 
-/// Returns whether it is a GIF or an animated WebP: any size, no chapters, repeated for ever.
+/// Returns whether it is an animated image.
 bool is_animated_image(Container container);
 
 /// The width in pixels of an animated image, unless another is asked for or its frames are smaller.
 constexpr int widest_animation = 640;
-
-/// Returns whether videos in that container keep alpha: WebM (VP9), MOV (ProRes 4444), WebP, and
-/// GIF, whose pixels are either opaque or transparent.
-bool keeps_alpha(Container container);
 
 /// The size, rate and container of a video.
 struct VideoFormat {
@@ -55,9 +128,8 @@ struct VideoFormat {
   /// Returns its height in pixels.
   int shown_height() const;
 
-  /// Returns of how many frames the video keeps one. Browsers slow down a GIF that shows a frame
-  /// for less than 0.02 s, and a WebP for less than 0.011 s: of too fast a film they have every
-  /// second frame, or every third, at evenly spaced times. Other containers keep all.
+  /// Returns of how many frames the video keeps one: of a film faster than OutputFormat::most_fps
+  /// every second frame, or every third, at evenly spaced times.
   int frame_step() const;
 };
 
@@ -65,10 +137,9 @@ struct VideoFormat {
 inline constexpr const char* bt709_tags =
     "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
 
-/// Returns ffmpeg's arguments after the input: codec and container. Opaque video is H.264 or (WebM)
-/// VP9 in yuv420p; video with alpha, which the container must keep, is VP9 in yuva420p or ProRes
-/// 4444. Animated images are drawn in a palette (GIF) or lossy (WebP). A `streamed` video is
-/// fragmented and written from front to back, because a pipe is not seekable.
+/// Returns ffmpeg's arguments after the input: codec and container. Where frames have alpha, the
+/// container must keep it. A `streamed` video is fragmented and written from front to back, because
+/// a pipe is not seekable.
 std::string codec_arguments(Container container, bool alpha, bool streamed);
 
 }  // namespace twrench::video

@@ -72,8 +72,8 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
         "ffmpeg cannot encode the video", failure(ffmpeg, status),
-        "choose a smaller size, or install one that has libx264, libvpx, prores_ks and libwebp: "
-        "apt-get install ffmpeg");
+        fmt::format("choose a smaller size, or install one that has {}: apt-get install ffmpeg",
+                    output_format(format.container).encoding(format.transparent).codec->name));
   }
   ffprobe.wait();
 }
@@ -89,12 +89,11 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
       file_(output == "-" ? "/dev/fd/1" : output),
       converted_{Converted(format), Converted(format)} {
   file_.claim();
-  const bool is_gif = format.container == Container::gif;
-  if (!chapters.empty() && !is_animated_image(format.container))
-    chapters_.emplace(chapter_metadata(chapters));
-  if (is_gif) passes_.emplace(file_);
+  const OutputFormat& written = output_format(format.container);
+  if (!chapters.empty() && written.is_video()) chapters_.emplace(chapter_metadata(chapters));
+  if (written.has_palette) passes_.emplace(file_);
   const Arguments input = joined({{"ffmpeg"}, input_arguments(format)});
-  start(is_gif ? joined({input, passes_->first(format)}) : joined({input, rest_of_command()}));
+  start(passes_ ? joined({input, passes_->first(format)}) : joined({input, rest_of_command()}));
 }
 
 /// The arguments after the input of raw frames, if there is one pass.

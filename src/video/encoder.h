@@ -62,7 +62,7 @@ class VideoEncoder {
                const Background& background);
   Arguments rest_of_command() const;
   void start(Arguments command);
-  /// The second pass of a GIF.
+  /// The second pass of an animated image with a palette.
   void draw_in_palette();
   /// Returns whether the next frame is one of those that the video keeps.
   bool is_kept() const { return frames_ % step_ == 0; }
@@ -77,7 +77,7 @@ class VideoEncoder {
   const std::string name_;
   std::optional<system::MemoryFile> chapters_;
   system::PendingFile file_;
-  std::optional<GifPasses> passes_;  ///< Of a GIF.
+  std::optional<PalettePasses> passes_;  ///< Of an animated image with a palette.
   Arguments command_;
   std::unique_ptr<system::ChildProcess>
       ffmpeg_;  // declared after the files, so that it is killed before they are removed

@@ -1,6 +1,7 @@
 #include "video/encoder_arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
@@ -57,10 +58,17 @@ void require_valid_size(const VideoFormat& format) {
 }
 
 void require_kept_alpha(const VideoFormat& format) {
-  if (!format.transparent || keeps_alpha(format.container)) return;
-  throw InvalidArgument(fmt::format("container {}", name_of(format.container)),
+  const OutputFormat& output = output_format(format.container);
+  if (!format.transparent || output.keeps_alpha()) return;
+  const auto others = [](bool is_animated) {
+    return format_texts(&OutputFormat::extension, [=](const OutputFormat& other) {
+      return other.keeps_alpha() && other.is_animated_image == is_animated;
+    });
+  };
+  throw InvalidArgument(fmt::format("container {}", output.ending),
                         "it cannot keep a transparent background",
-                        "choose .mov or .webm (or .webp, .gif), or give an opaque background");
+                        fmt::format("choose {} (or {}), or give an opaque background",
+                                    listed(others(false), "or"), fmt::join(others(true), ", ")));
 }
 
 }  // namespace

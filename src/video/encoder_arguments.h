@@ -30,7 +30,8 @@ Arguments input_arguments(const VideoFormat& format);
 /// BT.709.
 Arguments output_arguments(const VideoFormat& format);
 
-/// Returns both. A GIF that they made would need memory for all of its frames; see GifPasses.
+/// Returns both. An animated image with a palette that they made would need memory for all of its
+/// frames; see PalettePasses.
 Arguments encoder_arguments(const VideoFormat& format);
 
 }  // namespace twrench::video

@@ -15,7 +15,7 @@ std::string contributing() { return file_text(project_folder() / "CONTRIBUTING.m
 /// A file or folder of the project, and no command line: "src/motion/method.cpp".
 bool is_path(const std::string& span) {
   static const std::regex pattern(
-      R"((src|include|tests|docs|shaders|scripts|cmake|assets|bench)/[\w./-]*|[\w.-]+\.md)");
+      R"((src|include|tests|docs|shaders|scripts|cmake|assets|bench|web|python)/[\w./-]*|[\w.-]+\.md)");
   return std::regex_match(span, pattern);
 }
 
@@ -74,7 +74,7 @@ TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
 
 TEST(Contributing, HasRecipesOfAboutTenLines) {
   const std::string text = contributing();
-  for (const char* name : {"method", "shape", "overlay", "theme"}) {
+  for (const char* name : {"method", "shape", "overlay", "theme", "output format"}) {
     const std::regex heading(std::string("\n### Add an? ") + name + "\n");
     std::smatch match;
     ASSERT_TRUE(std::regex_search(text, match, heading)) << name;

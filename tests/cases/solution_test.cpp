@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/enumeration.h"
 #include "cases/case_json.h"
 #include "motion/reference.h"
 
@@ -105,7 +106,8 @@ TEST_P(EachCase, IsPublishedToItsDigitsOrWithTheDocumentedDeviation) {
     const State exact = state_at(samples, published.time);
     if (published.deviation == 0) {
       EXPECT_TRUE(is_right_to_its_digits(published, exact))
-          << name_of(published.quantity) << " is off by " << largest_difference(published, exact);
+          << enumerator_name(published.quantity) << " is off by "
+          << largest_difference(published, exact);
     } else {
       EXPECT_FALSE(is_right_to_its_digits(published, exact));
       EXPECT_NEAR(largest_difference(published, exact), published.deviation,

@@ -1,6 +1,7 @@
-// "Add an overlay" and "Add a theme" of CONTRIBUTING.md, for each that there is: a name that is
-// accepted is listed by --help and by the document, is kept by the manifest, and changes the
-// picture. The names are those that the program itself offers for one that it does not know.
+// "Add an overlay", "Add a theme" and "Add an output format" of CONTRIBUTING.md, for each that
+// there is: a name that is accepted is listed by --help and by the document, is kept by the
+// manifest, and changes the picture. The names are those that the program itself offers for one
+// that it does not know.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,19 +20,19 @@ using nlohmann::json;
 using testing::ContainsRegex;
 using testing::SizeIs;
 
-/// "one of: studio, paper, space" of the remedy.
-std::vector<std::string> names_offered_for(const std::string& option) {
+/// "one of: studio, paper, space" of the remedy, or "choose mp4 or gif".
+std::vector<std::string> names_offered_for(const std::string& option,
+                                           const std::string& before = "one of: ") {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "render " + option + " no-such-name");
   EXPECT_EQ(run.code, 2) << run.err;
-  const std::string before = "one of: ";
   const std::size_t list = run.err.find(before);
   if (list == std::string::npos) return {};
   std::istringstream words(run.err.substr(list + before.size()));
   std::vector<std::string> names;
   for (std::string word; words >> word;) {
     if (word.ends_with(',')) word.pop_back();
-    names.push_back(word);
+    if (word != "or") names.push_back(word);
   }
   return names;
 }
@@ -96,6 +97,19 @@ TEST(ThemeRecipe, IsTrueOfEachTheme) {
     EXPECT_EQ(drawn.scene["look"]["theme"], name);
   }
   EXPECT_THAT(digests, SizeIs(names.size())) << "two themes draw the same picture";
+}
+
+TEST(OutputFormatRecipe, IsTrueOfEachOutputFormat) {
+  const std::vector<std::string> names = names_offered_for("--container", "choose ");
+  ASSERT_GT(names.size(), 3U);
+  expect_told("--container", names);
+  const ScratchFolder folder;
+  for (const std::string& name : names) {
+    const Outcome run = run_twrench(
+        folder, "render --size 64x48 --frames 0-2 --no-frames --progress none -o film." + name);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(folder.names(), testing::Contains("film." + name));
+  }
 }
 
 TEST(ViewRecipe, IsTrueOfEachView) {

@@ -70,7 +70,7 @@ TEST_F(Folders, AreJudgedBySimilarity) {
   add("1.png", 100, 110);
   add("2.png", 100, 100);
   Criteria criteria;
-  criteria.metric = Metric::similarity;
+  criteria.metric = Metric::ssim;
   const Comparison comparison = compare(criteria);
   EXPECT_LT(*comparison.frames[0].similarity, 1.0);
   EXPECT_EQ(comparison.frames[1].similarity, 1.0);

@@ -5,7 +5,6 @@
 
 #include "manual/program.h"
 #include "run_command.h"
-#include "scene/names.h"
 #include "scratch_folder.h"
 
 namespace twrench::manual {

@@ -6,11 +6,13 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <string_view>
+#include <string>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "page/packing.h"
 #include "picture/body/meshes.h"
 #include "system/base64.h"
@@ -187,14 +189,24 @@ TEST(PageJson, GivesEachThemeTheLookOfTheScene) {
   for (const double metallic : {0.0, 1.0}) {
     scene.look.metallic = metallic;
     const ordered_json themes = json_of(scene).at("themes");
-    for (const char* const name : {"studio", "paper", "space"}) {
-      const ordered_json& theme = themes.at(name);
+    EXPECT_EQ(themes.size(), enumerators<scene::Theme>.size());
+    for (const auto& [name, theme] : themes.items()) {
       const ordered_json& material = theme.at("materials").at(0);
       EXPECT_EQ(material.at("metal"), metallic == 1);
       EXPECT_NE(material.at("constants").get<std::string>().find("light_radiance"),
                 std::string::npos);
-      EXPECT_EQ(theme.at("floor").is_null(), std::string_view(name) == "space");
+      EXPECT_EQ(theme.at("floor").is_null(), name == "space");
       EXPECT_EQ(theme.at("overlay").at("curve").size(), 9U);
+    }
+  }
+}
+
+TEST(PageWords, NameEachThemeInEachLanguage) {
+  for (const char* const language : {"en", "nb"}) {
+    const std::string file = std::string(TWRENCH_TESTS_DIR "/../web/words/") + language + ".json";
+    const ordered_json words = ordered_json::parse(std::ifstream(file));
+    for (const std::string& theme : enumerator_names<scene::Theme>()) {
+      EXPECT_TRUE(words.contains("theme_" + theme)) << theme << " in " << file;
     }
   }
 }

@@ -66,6 +66,14 @@ def test_a_film_has_chapters_unless_it_should_not(small, tmp_path):
     assert not (tmp_path / "f.chapters.vtt").exists()
 
 
+def test_the_document_names_each_container():
+    names = twrench._native.container_names()
+    assert "mp4" in names
+    document = twrench.Scene.render.__doc__ or ""
+    for name in names:
+        assert f".{name}" in document and f" {name}" in document, name
+
+
 def test_an_animated_image(small, tmp_path):
     for name in ("f.gif", "f.webp"):
         film = small.render(tmp_path / name, frames="0-3")

@@ -334,6 +334,28 @@ TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
   }
 }
 
+TEST(Encoder, EncodesEachOutputFormat) {
+  const ScratchFolder scratch;
+  for (const OutputFormat& output : output_formats()) {
+    for (const bool alpha : {false, true}) {
+      if (alpha && !output.keeps_alpha()) continue;
+      const std::string name = (alpha ? "alpha" : "film") + output.extension();
+      EXPECT_EQ(container_of(name), output.container);
+      const VideoFormat of{format.width, format.height, 30, output.container, alpha};
+      EXPECT_NO_THROW(require_encoder(of)) << name;
+      VideoEncoder encoder(scratch / name, of, "twrench:1");
+      image::Image image(of.width, of.height, alpha ? 4 : 3);
+      for (int i = 0; i < 3; ++i) {
+        std::ranges::fill(image.pixels, static_cast<std::uint8_t>(80 * (i + 1)));
+        encoder.write(image);
+      }
+      EXPECT_NO_THROW(encoder.finish()) << name;
+      EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1")) << name;
+      EXPECT_THROW(require_replaceable(scratch / name, "twrench:2"), system::OverwriteError);
+    }
+  }
+}
+
 TEST(Encoder, TakesTheCodecFromTheEnding) {
   const ScratchFolder scratch;
   for (const auto& [name, codec] : {std::pair{"film.mov", "codec_name=h264\n"},

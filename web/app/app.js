@@ -19,10 +19,10 @@ import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
 import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
-import { chartColors, setThemeColors } from './theme.js';
+import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
 /** @typedef {import("./state.js").State} State */
-/** @typedef {{width: number, height: number, t?: number, theme?: import("./state.js").ThemeName, show?: string[]}} PictureOptions */
+/** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
 const times = ['t', 'from']; // what changes at each picture while it plays
 const mostPixels = 4096; // of a side of a picture
@@ -92,11 +92,13 @@ export class App {
     return new MotionModel(this.core, inertia, omega, this.data.scene.overlay.trail_length);
   }
 
-  /** The theme that is shown. @returns {import("./state.js").ThemeName} */
+  /** The name of the theme that is shown. @returns {string} */
   get themeName() {
     const { theme } = this.store.state;
     if (theme !== 'auto') return theme;
-    return matchMedia('(prefers-color-scheme: light)').matches ? 'paper' : this.data.scene.look.theme;
+    return matchMedia('(prefers-color-scheme: light)').matches
+      ? lightTheme(this.data)
+      : this.data.scene.look.theme;
   }
 
   /**
@@ -153,7 +155,7 @@ export class App {
   draw() {
     const { state } = this.store,
       theme = this.data.themes[this.themeName];
-    setThemeColors(this.themeName);
+    setThemeColors(theme);
     this.runs.prepare(state, this.model);
     if (this.runs.advance(state.t)) this.player.invalidate();
     this.#drawPanels(state, theme, this.pictures.draw(this.model, this.themeName, theme));

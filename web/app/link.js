@@ -43,7 +43,7 @@ const someOf = (words, count) => (text) => {
  * @param {PageData} data @param {readonly string[]} methods @param {number} tourSteps
  * @returns {Record<string, Reader>}
  */
-export function readers({ limits }, methods, tourSteps) {
+export function readers({ limits, themes }, methods, tourSteps) {
   const moments = numbers([limits.moment, limits.moment, limits.moment]);
   return {
     t: number(0, limits.time[1]),
@@ -53,7 +53,7 @@ export function readers({ limits }, methods, tourSteps) {
       const values = moments(text);
       return values && Math.max(...values) <= limits.moment_ratio * Math.min(...values) ? values : undefined;
     },
-    theme: oneOf(['auto', 'studio', 'paper', 'space']),
+    theme: oneOf(['auto', ...Object.keys(themes)]),
     frame: oneOf(['space', 'body', 'rotating']),
     show: someOf(features),
     view: numbers([

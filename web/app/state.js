@@ -2,7 +2,6 @@
 // change, so that a view can compare what it drew.
 
 /** @typedef {"space" | "body" | "rotating"} FrameName */
-/** @typedef {"studio" | "paper" | "space"} ThemeName */
 /** @typedef {"off" | "beside" | "ghost"} Comparison */
 
 /**
@@ -11,7 +10,7 @@
  * @property {number} speed Seconds of motion per second.
  * @property {number[]} omega At t = 0, body axes, rad/s.
  * @property {number[] | null} moments Of the body's x, y and z axes, g cm^2; null for the scene's body.
- * @property {ThemeName | "auto"} theme
+ * @property {string} theme One of the page's data, or "auto".
  * @property {FrameName} frame
  * @property {string[]} show What is shown around the body.
  * @property {number[]} view Azimuth and elevation from the scene's camera, rad, and zoom.

@@ -1,9 +1,25 @@
-// The theme's colours for what is drawn in two dimensions.
+// The theme's colours for the page, and for what is drawn in two dimensions.
 import { css } from '../views/canvas_view.js';
 
-/** @param {string} name */
-export function setThemeColors(name) {
-  if (document.documentElement.dataset.theme !== name) document.documentElement.dataset.theme = name;
+/**
+ * The theme for a reader who prefers light pages: the scene's own, or else the first light one.
+ * @param {import("./page_data.js").PageData} data @returns {string}
+ */
+export function lightTheme({ scene, themes }) {
+  const names = [scene.look.theme, ...Object.keys(themes)];
+  return names.find((name) => themes[name].page.scheme === 'light') ?? scene.look.theme;
+}
+
+/** @type {any} The theme whose colours the style sheet has. */
+let shown = null;
+
+/** @param {any} theme of the page's data */
+export function setThemeColors(theme) {
+  if (shown === theme) return;
+  shown = theme;
+  const { style } = document.documentElement;
+  style.colorScheme = theme.page.scheme;
+  for (const [name, color] of Object.entries(theme.page.colors)) style.setProperty(`--${name}`, css(color));
 }
 
 /** @type {{name: string, colors: any}} */

@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "picture/views/body_view.h"
 #include "picture/views/momentum_view.h"
 #include "picture/views/poinsot_view.h"
-#include "scene/names.h"
 #include "scratch.h"
 #include "stars.h"
 
@@ -34,8 +34,8 @@ using timeline::SolutionState;
 struct Settings {
   double width = 1, height = 1;       ///< Of the pane in pixels.
   double thinnest = 1;                ///< Width in pixels of the thinnest line.
-  double theme = 0, frame = 0;        ///< Indices in theme_names() and frame_names() of scenes.
-  double show = 0;                    ///< A bit for each of feature_names().
+  double theme = 0, frame = 0;        ///< Indices of enumerators.
+  double show = 0;                    ///< A bit for each feature.
   double azimuth = 0, elevation = 0;  ///< Of the camera for which things are framed, rad.
   double distance = 1;                ///< In units of the one at which things just fit.
   double field_of_view = 0.5;         ///< Of the view of the body, rad.
@@ -94,8 +94,8 @@ SolutionState read_instant(Arguments& arguments) {
 
 /// The scene that the film would have for these settings.
 scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
-  const auto name = [](const std::vector<std::string>& names, double index) {
-    return names.at(static_cast<std::size_t>(index));
+  const auto chosen = [](const auto& enumerators, double index) {
+    return enumerators.at(static_cast<std::size_t>(index));
   };
   scene::Scene scene;
   scene.body.inertia = body.inertia();
@@ -103,17 +103,16 @@ scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   scene.motion.duration = settings.curve_end - settings.curve_begin;
   scene.film.speed = settings.interval;
   scene.film.fps = 1;
-  scene.look.theme = scene::theme_of(name(scene::theme_names(), settings.theme), "theme");
-  scene.camera.frame = scene::frame_of(name(scene::frame_names(), settings.frame), "frame");
+  scene.look.theme = chosen(enumerators<scene::Theme>, settings.theme);
+  scene.camera.frame = chosen(enumerators<scene::Frame>, settings.frame);
   scene.camera.azimuth = settings.azimuth;
   scene.camera.elevation = settings.elevation;
   scene.camera.distance = settings.distance;
   scene.camera.field_of_view = settings.field_of_view;
   scene.overlay.show.clear();
   const auto shown = static_cast<std::size_t>(settings.show);
-  for (std::size_t i = 0; i < scene::feature_names().size(); ++i) {
-    if ((shown >> i & 1) == 0) continue;
-    scene.overlay.show.insert(scene::feature_of(scene::feature_names()[i], "show"));
+  for (std::size_t i = 0; i < enumerators<scene::Feature>.size(); ++i) {
+    if ((shown >> i & 1) != 0) scene.overlay.show.insert(enumerators<scene::Feature>[i]);
   }
   scene.overlay.trail_length = settings.trail_length;
   scene.overlay.trail_point = Vector3d(settings.trail_x, settings.trail_y, settings.trail_z);
@@ -312,10 +311,11 @@ using namespace twrench::page;
   static std::string text;
   text.clear();
   for (const auto& [name, field] : fields) text += std::string(name) + " ";
-  for (const auto* names :
-       {&scene::theme_names(), &scene::frame_names(), &scene::feature_names()}) {
+  for (const std::vector<std::string>& names :
+       {enumerator_names<scene::Theme>(), enumerator_names<scene::Frame>(),
+        enumerator_names<scene::Feature>()}) {
     text += "\n";
-    for (const std::string& name : *names) text += name + " ";
+    for (const std::string& name : names) text += name + " ";
   }
   return text.c_str();
 }

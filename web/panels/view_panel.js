@@ -10,7 +10,7 @@ export class ViewPanel {
   constructor(store, data) {
     this.store = store;
     this.data = data;
-    this.theme = this.#select('theme', (theme) => store.set({ theme: /** @type {any} */ (theme) }));
+    this.theme = this.#select('theme', (theme) => store.set({ theme }));
     this.lang = this.#select('lang', (lang) => store.set({ lang: /** @type {any} */ (lang) }));
     this.frame = this.#select('frame', (frame) => store.set({ frame: /** @type {any} */ (frame) }));
     this.boxes = features.map((feature) => this.#checkbox(feature));
@@ -66,9 +66,7 @@ export class ViewPanel {
       this.theme,
       [
         ['auto', word('themeAuto')],
-        ['studio', word('themeStudio')],
-        ['paper', word('themePaper')],
-        ['space', word('themeSpace')],
+        ...Object.keys(this.data.themes).map((name) => /** @type {[string, string]} */ ([name, word(`theme_${name}`)])),
       ],
       theme,
     );

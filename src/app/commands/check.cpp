@@ -78,7 +78,7 @@ void check_bounds(const CheckOptions& options) {
 
 /// The fit of the initial state, if the rows begin in another state than the given one.
 std::optional<check::Fit> other_start_of(const CheckedFile& file, check::Problem problem) try {
-  if (verdict(file).finding != Finding::other_start) return std::nullopt;
+  if (verdict(file).finding != Finding::start) return std::nullopt;
   problem.omega.reset();
   problem.fit = true;
   return check::judge(file.name, file.judgement.convention, problem).fit;

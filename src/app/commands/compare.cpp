@@ -11,6 +11,7 @@
 #include "app/terminal/message.h"
 #include "app/terminal/output.h"
 #include "app/terminal/progress.h"
+#include "base/enumeration.h"
 #include "comparison/comparison.h"
 #include "comparison/page.h"
 #include "comparison/report.h"
@@ -69,7 +70,7 @@ Criteria criteria_of(const CompareOptions& options) {
   require_bound_of_metric(options, "--min-ssim", "ssim");
   constexpr int most_edges = 16;
   Criteria criteria;
-  criteria.metric = options.metric == "ssim" ? Metric::similarity : Metric::share;
+  criteria.metric = find_enumerator<Metric>(options.metric, "--metric");
   criteria.threshold = parse_whole(options.threshold, "--threshold", {0, 255});
   criteria.share = parse_number(options.share, "--share", scene::limits::fraction);
   criteria.min_similarity = parse_number(options.min_ssim, "--min-ssim", {-1, 1});
@@ -206,7 +207,7 @@ void add_bounds(CLI::App& command, CompareOptions& options) {
   command
       .add_option("--metric", options.metric,
                   "what decides: share, of pixels that differ, or ssim, structural similarity")
-      ->check(one_of("--metric", {"share", "ssim"}))
+      ->check(one_of("--metric", enumerator_names<Metric>()))
       ->type_name("METRIC")
       ->capture_default_str();
   command

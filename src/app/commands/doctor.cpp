@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "app/commands/commands.h"
@@ -79,6 +80,23 @@ std::string ffmpeg_version() {
   return line.empty() ? "unknown version" : line;
 }
 
+/// Each codec of the output formats, in their order, with alpha if it encodes that.
+std::vector<Finding> examine_codecs() {
+  std::vector<Finding> findings;
+  std::set<const video::Codec*> examined{nullptr};
+  for (const video::OutputFormat& output : video::output_formats()) {
+    for (const bool alpha : {true, false}) {
+      const video::Codec* const codec = output.encoding(alpha).codec;
+      if (!examined.insert(codec).second) continue;
+      findings.push_back(examine(fmt::format("ffmpeg's {}", codec->name), codec->use, [&] {
+        video::require_encoder({1920, 1080, 60, output.container, alpha});
+        return "encoded a test video";
+      }));
+    }
+  }
+  return findings;
+}
+
 std::string figure_formats() {
   for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) plot::require_gnuplot(path);
   return "writes SVG, PDF and PNG";
@@ -113,34 +131,16 @@ struct Diagnosis {
 };
 
 Diagnosis diagnose() {
-  constexpr video::VideoFormat usual{1920, 1080, 60, video::Container::mp4, false};
   Diagnosis diagnosis;
   diagnosis.backends = examine_backends();
   diagnosis.encoder.push_back(examine("ffmpeg", "videos", &ffmpeg_version));
-  const auto encoder = [&](const char* name, const char* use, video::Container container,
-                           bool alpha) {
-    video::VideoFormat format = usual;
-    format.container = container;
-    format.transparent = alpha;
-    return examine(fmt::format("ffmpeg's {}", name), use, [format] {
-      video::require_encoder(format);
-      return "encoded a test video";
-    });
-  };
-  diagnosis.encoder.push_back(
-      encoder("libx264", "H.264 video in MP4", video::Container::mp4, false));
+  const std::vector<Finding> codecs = examine_codecs();
+  diagnosis.encoder.push_back(codecs.front());  // of MP4, the container unless another is chosen
+  diagnosis.others.assign(codecs.begin() + 1, codecs.end());
   diagnosis.disk.push_back(examine("disk",
                                    "frames and videos in out/; -o and --frames-dir choose "
                                    "other folders",
                                    [] { return try_to_write_in("out"); }));
-  diagnosis.others.push_back(
-      encoder("libvpx-vp9", "video in WebM, optionally with alpha", video::Container::webm, true));
-  diagnosis.others.push_back(
-      encoder("prores_ks", "video with alpha in MOV", video::Container::mov, true));
-  diagnosis.others.push_back(
-      encoder("gif", "animated images in GIF", video::Container::gif, false));
-  diagnosis.others.push_back(
-      encoder("libwebp_anim", "animated images in WebP", video::Container::webp, true));
   diagnosis.others.push_back(examine("fonts", "text in the picture", [] {
     for (const char* name : {"sans", "mono"}) canvas::load_typeface(name);
     return "sans and mono, built in";

@@ -26,12 +26,18 @@ struct EncodeOptions {
   video::VideoOutput video_output() const;
 };
 
+std::string animated_images(const char* conjunction) {
+  return video::listed(
+      video::format_texts(&video::OutputFormat::label, &video::OutputFormat::is_animated_image),
+      conjunction);
+}
+
 video::VideoOutput EncodeOptions::video_output() const {
   const video::Container container = film.container(film.output);
   video::VideoOutput video{film.output, container, overwrite, film.chapters_in(container), {}};
   if (width.empty()) return video;
   if (!video::is_animated_image(container)) {
-    throw InvalidArgument("--width", "only GIF and WebP are scaled",
+    throw InvalidArgument("--width", fmt::format("only {} are scaled", animated_images("and")),
                           "leave it out, or render frames of that --size");
   }
   video.width = parse_whole(width, "--width", scene::limits::pixels);
@@ -63,7 +69,9 @@ void add_encode(CLI::App& app) {
                    "folder with frames and their manifest.json, or the manifests of all shards")
       ->required();
   options->film.add_to(*command, "");
-  command->add_option("--width", options->width, "width of a GIF or WebP in pixels")
+  command
+      ->add_option("--width", options->width,
+                   fmt::format("width of a {} in pixels", animated_images("or")))
       ->type_name("N")
       ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation));
   command->add_flag("--allow-missing", options->allow_missing,

@@ -11,6 +11,7 @@
 #include "app/options/arguments.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/output.h"
+#include "base/enumeration.h"
 #include "scene/prediction.h"
 #include "system/file.h"
 #include "text/escape.h"
@@ -90,7 +91,7 @@ nlohmann::ordered_json stability_json(const body::MassProperties& body) {
   for (int axis = 0; axis < 3; ++axis) {
     const motion::Stability stability = motion::stability(body.moments, axis, 1);
     nlohmann::ordered_json entry{{"axis", scene::axis_name(body.axes, axis)},
-                                 {"kind", scene::name_of(stability.kind)},
+                                 {"kind", enumerator_name(stability.kind)},
                                  {"rate", stability.rate}};
     if (stability.kind == motion::Stability::Kind::unstable) {
       entry["doubling_time"] = stability.doubling_time();

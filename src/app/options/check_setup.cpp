@@ -7,11 +7,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "app/options/arguments.h"
 #include "app/options/convention_options.h"
 #include "app/options/scene_options.h"
+#include "base/enumeration.h"
 #include "check/conventions/units.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/hypotheses/readings.h"
@@ -99,7 +101,7 @@ InvalidArgument ambiguous(const table::Header& header, const check::Convention& 
 
 template <typename Name>
 void add_unit_option(CLI::App& command, const std::string& option, std::string& text,
-                     const std::string& description, const std::vector<Name>& units,
+                     const std::string& description, std::span<const Name> units,
                      const std::string& otherwise) {
   std::vector<std::string> names;
   for (const Name& unit : units) names.emplace_back(unit.option);
@@ -111,7 +113,7 @@ void add_unit_option(CLI::App& command, const std::string& option, std::string& 
 
 /// The unit that an option names; nothing where it was not given.
 template <typename Name>
-auto unit_named(const std::vector<Name>& units, const std::string& text) {
+auto unit_named(std::span<const Name> units, const std::string& text) {
   std::optional<decltype(Name::unit)> found;
   for (const Name& unit : units) {
     if (unit.option == text) found = unit.unit;
@@ -171,7 +173,7 @@ void CheckSetup::add_options(CLI::App& command) {
           "--frame", frame_,
           "what the file's space frame is found from: first, the first row, or momentum, the "
           "mean direction of L")
-      ->check(one_of("--frame", {"first", "momentum"}))
+      ->check(one_of("--frame", enumerator_names<check::FrameFrom>()))
       ->type_name("FROM")
       ->capture_default_str();
   command
@@ -257,7 +259,7 @@ check::Problem CheckSetup::problem() const {
     problem.omega_time = parse_number(omega_at_, "--omega-at", scene::limits::coordinate);
   }
   problem.fit = fit_;
-  if (frame_ == "momentum") problem.frame = check::FrameFrom::momentum;
+  problem.frame = find_enumerator<check::FrameFrom>(frame_, "--frame");
   return problem;
 }
 

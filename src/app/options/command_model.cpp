@@ -6,11 +6,12 @@
 #include <map>
 
 #include "app/options/arguments.h"
+#include "base/enumeration.h"
 #include "cases/case.h"
 #include "scene/languages.h"
 #include "scene/materials.h"
-#include "scene/names.h"
 #include "scene/scene.h"
+#include "video/codec.h"
 
 namespace twrench::app {
 namespace {
@@ -30,16 +31,16 @@ std::map<std::string, Candidates> named_values() {
       {"--method", words(method_names())},
       {"--methods", list(method_names())},
       {"--compare", list(method_names())},
-      {"--theme", words(scene::theme_names())},
+      {"--theme", words(enumerator_names<scene::Theme>())},
       {"--language", words(scene::languages())},
       {"--material", words(scene::material_names())},
-      {"--shape", words(scene::equimomental_names())},
-      {"--view", words(scene::view_names())},
-      {"--show", list(scene::feature_names())},
-      {"--hide", list(scene::feature_names())},
+      {"--shape", words(enumerator_names<scene::Equimomental>())},
+      {"--view", words(enumerator_names<scene::View>())},
+      {"--show", list(enumerator_names<scene::Feature>())},
+      {"--hide", list(enumerator_names<scene::Feature>())},
       {"--background", words({"black", "gray", "white", "transparent"})},
       {"--color", words({"black", "gray", "white"})},
-      {"--container", words({"mp4", "mov", "mkv", "webm", "gif", "webp"})},
+      {"--container", words(video::format_texts(&video::OutputFormat::ending))},
       {"--egl-device", words({"software"})},
       {"SCENE",
        {Candidates::Kind::scene,

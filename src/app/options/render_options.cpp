@@ -1,5 +1,8 @@
 #include "app/options/render_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -41,11 +44,19 @@ void fit_animation(scene::Film& film) {
 RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(command) {
   scene.add_motion_options();
   scene.add_picture_options();
+  CLI::Option* const background = command.get_option("--background");
+  background->description(fmt::format(
+      "{} ({})", background->get_description(),
+      fmt::join(
+          video::format_texts(&video::OutputFormat::extension, &video::OutputFormat::keeps_alpha),
+          ", ")));
   video.add_to(command, "out/SCENE.mp4");
   command.add_option("--frames-dir", frames_dir, "folder of the PNG frames")
       ->type_name("DIR")
-      ->default_str(
-          "DIR/NAME/ for -o DIR/NAME.mp4, out/SCENE/ without -o; none for .gif and .webp");
+      ->default_str("DIR/NAME/ for -o DIR/NAME.mp4, out/SCENE/ without -o; none for " +
+                    video::listed(video::format_texts(&video::OutputFormat::extension,
+                                                      &video::OutputFormat::is_animated_image),
+                                  "and"));
   command
       .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
       ->type_name("RANGE");

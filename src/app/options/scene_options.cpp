@@ -9,10 +9,10 @@
 
 #include "app/options/arguments.h"
 #include "app/terminal/message.h"
+#include "base/enumeration.h"
 #include "scene/fields.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
-#include "scene/names.h"
 #include "scene/natural_times.h"
 #include "system/file.h"
 
@@ -139,9 +139,9 @@ void SceneOptions::add_motion_options() {
 void SceneOptions::add_shape_option() {
   add("--shape", "NAME",
       fmt::format("what a body is drawn as that is given by its inertia: {}",
-                  fmt::join(scene::equimomental_names(), ", ")),
+                  fmt::join(enumerator_names<scene::Equimomental>(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
-        const scene::Equimomental form = scene::equimomental_of(text, "--shape");
+        const scene::Equimomental form = find_enumerator<scene::Equimomental>(text, "--shape");
         if (!scene.body.inertia) {
           throw InvalidArgument("--shape", "the body has parts, which say what it looks like",
                                 "give its moments by --inertia, or leave --shape out");
@@ -179,16 +179,17 @@ void SceneOptions::add_picture_options() {
   // Declared in this order, so that --show adds to --bare.
   add_flag("--bare", "show only the body; --show adds to it",
            [](scene::Scene& scene) { scene.overlay.show.clear(); });
-  add("--show", "LIST", fmt::format("show also: {}", fmt::join(scene::feature_names(), ", ")),
+  add("--show", "LIST",
+      fmt::format("show also: {}", fmt::join(enumerator_names<scene::Feature>(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
         for (const std::string& word : parse_words(text)) {
-          scene.overlay.show.insert(scene::feature_of(word, "--show"));
+          scene.overlay.show.insert(find_enumerator<scene::Feature>(word, "--show"));
         }
       });
   add("--hide", "LIST", "hide items of the same list",
       [](scene::Scene& scene, const std::string& text) {
         for (const std::string& word : parse_words(text)) {
-          scene.overlay.show.erase(scene::feature_of(word, "--hide"));
+          scene.overlay.show.erase(find_enumerator<scene::Feature>(word, "--hide"));
         }
       });
 }

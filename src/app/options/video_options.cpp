@@ -1,23 +1,42 @@
 #include "app/options/video_options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
 namespace twrench::app {
+namespace {
+
+using video::format_texts;
+using video::listed;
+using video::OutputFormat;
+
+constexpr auto is_video = &OutputFormat::is_video;
+constexpr auto is_animation = &OutputFormat::is_animated_image;
+constexpr auto keeps_alpha = &OutputFormat::keeps_alpha;
+
+}  // namespace
 
 void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
   CLI::Option* const file =
       command
           .add_option(
               "-o,--output", output,
-              "video (.mp4, .mov, .mkv, .webm) or animated GIF or WebP for slides (.gif, .webp); "
-              ".mov, .webm, .webp and .gif keep a transparent background; - for standard output")
+              fmt::format("video ({}) or animated {} for slides ({}); {} keep a transparent "
+                          "background; - for standard output",
+                          fmt::join(format_texts(&OutputFormat::extension, is_video), ", "),
+                          listed(format_texts(&OutputFormat::label, is_animation), "or"),
+                          fmt::join(format_texts(&OutputFormat::extension, is_animation), ", "),
+                          listed(format_texts(&OutputFormat::extension, keeps_alpha), "and")))
           ->type_name("VIDEO")
           ->default_str(standard);
   if (standard.empty()) file->required();
-  command.add_option("--container", container_name, "container: mp4, mov, mkv, webm, gif or webp")
+  command
+      .add_option("--container", container_name,
+                  "container: " + listed(format_texts(&OutputFormat::ending), "or"))
       ->type_name("NAME")
       ->default_str("from the file name; mp4 for -");
   command.add_flag("--chapters", chapters,
@@ -37,8 +56,10 @@ bool VideoOptions::chapters_in(video::Container in) const {
   }
   const bool has_chapters = !video::is_animated_image(in);
   if (chapters && !has_chapters) {
-    throw InvalidArgument("--chapters", "GIF and WebP have none",
-                          "leave it out, or choose mp4, mov, mkv or webm");
+    throw InvalidArgument(
+        "--chapters",
+        listed(format_texts(&OutputFormat::label, is_animation), "and") + " have none",
+        "leave it out, or choose " + listed(format_texts(&OutputFormat::ending, is_video), "or"));
   }
   return has_chapters && !no_chapters;
 }

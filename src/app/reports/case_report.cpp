@@ -7,6 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/enumeration.h"
 #include "cases/case_json.h"
 #include "cases/solution.h"
 
@@ -75,8 +76,9 @@ std::string published_text(const Published& published, const State& exact) {
   const std::vector<double> components = cases::exact_components(published, exact);
   const std::string by = published.by.empty() ? "" : " by " + published.by;
   const std::string unit = published.unit.empty() ? "" : ", " + published.unit;
-  std::string text = fmt::format("\n{}{}, at t = {} s, published{}: ", name_of(published.quantity),
-                                 unit, published.time, by);
+  std::string text =
+      fmt::format("\n{}{}, at t = {} s, published{}: ", enumerator_name(published.quantity), unit,
+                  published.time, by);
   text += is_right_to_its_digits(published, exact)
               ? "right to its last digit\n"
               : fmt::format("off by up to {:.3g}\n", largest_difference(published, exact));

@@ -2,6 +2,7 @@
 
 #include "app/options/convention_options.h"
 #include "app/reports/check_report.h"
+#include "base/enumeration.h"
 #include "check/conventions/units.h"
 
 namespace twrench::app {
@@ -210,7 +211,7 @@ Json file_json(const CheckedFile& file) {
           {"nearest", nearest_json(file)},
           {"other_inertia", inertia_json(file)},
           {"bounds", bounds_json(file)},
-          {"finding", name_of(found.finding)},
+          {"finding", enumerator_name(found.finding)},
           {"passes", passes(file)},
           {"verdict", found.text}};
 }

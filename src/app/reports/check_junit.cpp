@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/reports/check_report.h"
+#include "base/enumeration.h"
 #include "text/xml.h"
 
 namespace twrench::app {
@@ -28,7 +29,7 @@ std::string follows_case(const CheckedFile& file) {
   if (passes(file)) return start + "/>\n";
   const Verdict found = verdict(file);
   return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start,
-                     name_of(found.finding), text::escape_xml(found.text));
+                     enumerator_name(found.finding), text::escape_xml(found.text));
 }
 
 std::string cases(const CheckedFile& file) {

@@ -54,16 +54,16 @@ RateScale rate_scale(const check::Judgement& judgement);
 /// rad in degrees.
 double degrees(double angle);
 
-/// The kind of a verdict.
+/// The kind of a verdict. Reports for programs contain the names.
 enum class Finding {
   exact,         ///< within the resolution of its digits
-  noisy,         ///< within that and noise
-  unit_or_axes,  ///< read in another convention than it was written in
-  other_start,   ///< from another initial state
-  other_body,    ///< of a body with other moments
-  other_law,     ///< no motion of this body
+  noise,         ///< within that and noise
+  convention,    ///< read in another convention than it was written in
+  start,         ///< from another initial state
+  body,          ///< of a body with other moments
+  law,           ///< no motion of this body
   inconsistent,  ///< the attitude is not that of the rates
-  inexact,       ///< the motion with errors of its computation
+  integration,   ///< the motion with errors of its computation
 };
 
 /// The verdict on a file.
@@ -75,9 +75,6 @@ Verdict verdict(const CheckedFile& file);
 
 /// How the numbers of a column are written: "6 decimals", "float32 (24 bits)".
 std::string precision_text(const check::Resolution& resolution);
-
-/// "exact", "noise", "convention" ...
-const char* name_of(Finding finding);
 
 /// Whether a file passes: it follows the exact motion within what its digits and its noise allow,
 /// or holds the bounds that were set for it.

@@ -242,12 +242,12 @@ std::string noise_verdict_text(const Judgement& judgement) {
 /// A body that does not turn at first.
 Verdict verdict_at_rest(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
-  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(file)};
+  if (begins_otherwise(judgement)) return {Finding::start, beginning_text(file)};
   if (judgement.within_digits) {
     return {Finding::exact, "cannot be faulted: the body is at rest, and stays so"};
   }
   return {
-      Finding::other_law,
+      Finding::law,
       "does not follow the motion of a free body: it is at rest at first and turns later, by up "
       "to " +
           sizes_text(judgement)};
@@ -274,63 +274,41 @@ Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(file);
   if (file.alternatives.inertia) {
-    return {Finding::other_body, body_text(judgement, *file.alternatives.inertia)};
+    return {Finding::body, body_text(judgement, *file.alternatives.inertia)};
   }
   if (is_foreign(judgement) || !file.alternatives.fitting.empty()) {
     const bool is_misread = !file.alternatives.fitting.empty();
     const bool rates_fit =
         judgement.misfit.rates && check::Misfit{judgement.misfit.rates, {}}.fits();
     const Finding of_none =
-        judgement.misfit.attitude && rates_fit ? Finding::inconsistent : Finding::other_law;
-    return {is_misread ? Finding::unit_or_axes : of_none, foreign_text(file)};
+        judgement.misfit.attitude && rates_fit ? Finding::inconsistent : Finding::law;
+    return {is_misread ? Finding::convention : of_none, foreign_text(file)};
   }
-  if (begins_otherwise(judgement)) return {Finding::other_start, beginning_text(file)};
+  if (begins_otherwise(judgement)) return {Finding::start, beginning_text(file)};
   if (is_no_rotation(judgement) && !judgement.attitude_contradicts_rates) {
-    return {Finding::inexact,
+    return {Finding::integration,
             no_rotation_text(judgement) +
                 (judgement.within_digits ? faultless_text(judgement) : error_text(judgement))};
   }
   if (judgement.within_digits) {
     return {Finding::exact, "cannot be faulted: " + faultless_text(judgement)};
   }
-  if (judgement.within_noise) return {Finding::noisy, noise_verdict_text(judgement)};
+  if (judgement.within_noise) return {Finding::noise, noise_verdict_text(judgement)};
   if (judgement.attitude_contradicts_rates) {
     const std::string of_rates = rates_within_digits(judgement)
                                      ? "the rates cannot be faulted: " + faultless_text(judgement)
                                      : "the rates are " + error_text(judgement);
     const Finding finding =
-        turns_about_momentum(judgement) ? Finding::inexact : Finding::inconsistent;
+        turns_about_momentum(judgement) ? Finding::integration : Finding::inconsistent;
     return {finding, contradiction_text(judgement) + "; " + of_rates};
   }
-  return {Finding::inexact, error_text(judgement)};
-}
-
-const char* name_of(Finding finding) {
-  switch (finding) {
-    case Finding::exact:
-      return "exact";
-    case Finding::noisy:
-      return "noise";
-    case Finding::unit_or_axes:
-      return "convention";
-    case Finding::other_start:
-      return "start";
-    case Finding::other_body:
-      return "body";
-    case Finding::other_law:
-      return "law";
-    case Finding::inconsistent:
-      return "inconsistent";
-    case Finding::inexact:
-      return "integration";
-  }
-  return "";
+  return {Finding::integration, error_text(judgement)};
 }
 
 bool passes(const CheckedFile& file) {
   if (!file.bounds.empty()) return std::ranges::none_of(file.bounds, &CheckBound::is_exceeded);
   const Finding finding = verdict(file).finding;
-  return finding == Finding::exact || finding == Finding::noisy;
+  return finding == Finding::exact || finding == Finding::noise;
 }
 
 std::string precision_text(const check::Resolution& resolution) {

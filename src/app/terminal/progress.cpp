@@ -10,8 +10,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <vector>
 
 #include "app/terminal/message.h"
+#include "base/enumeration.h"
 
 namespace twrench::app {
 namespace {
@@ -81,10 +83,8 @@ void Progress::tell_failure_of(const std::function<void()>& work, const std::str
 }
 
 Progress::Style Progress::style_called(const std::string& name) {
-  if (name == "json") return Style::json;
-  if (name == "openjd") return Style::openjd;
-  if (name == "none") return Style::none;
-  return name == "bar" || (name == "auto" && can_redraw()) ? Style::bar : Style::plain;
+  if (name == "auto") return can_redraw() ? Style::bar : Style::plain;
+  return find_enumerator<Style>(name, "--progress");
 }
 
 void Progress::update(int done, int total) {

@@ -4,6 +4,7 @@
 #include <twrench/base/nearest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/letters.h"
 #include "check/conventions/names.h"

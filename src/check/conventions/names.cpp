@@ -1,18 +1,34 @@
 #include "check/conventions/names.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+
+#include "base/enumeration.h"
 
 namespace twrench::check {
 namespace {
 
-std::vector<std::string> matrix_names() {
-  std::vector<std::string> names;
-  for (int i = 1; i <= 3; ++i) {
-    for (int j = 1; j <= 3; ++j) names.push_back(fmt::format("x{}{}", i, j));
+struct KindRow {
+  Kind kind;
+  const char* description;
+  std::array<const char*, 9> names;  ///< those behind the last are null
+};
+
+constexpr std::array kind_rows{
+    KindRow{Kind::time, "the time", {"t"}}, KindRow{Kind::rates, "the rates", {"wx", "wy", "wz"}},
+    KindRow{Kind::matrix,
+            "the matrix",
+            {"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"}},
+    KindRow{Kind::quaternion, "the quaternion", {"qw", "qx", "qy", "qz"}},
+    KindRow{Kind::euler, "the Euler angles", {"yaw", "pitch", "roll"}}};
+static_assert(has_row_for_each(kind_rows, &KindRow::kind));
+
+std::map<Kind, std::vector<std::string>> names_of_kinds() {
+  std::map<Kind, std::vector<std::string>> names;
+  for (const KindRow& row : kind_rows) {
+    names[row.kind] = {row.names.begin(), std::ranges::find(row.names, nullptr)};
   }
   return names;
 }
@@ -20,25 +36,19 @@ std::vector<std::string> matrix_names() {
 }  // namespace
 
 const std::vector<std::string>& names_of(Kind kind) {
-  static const std::array<std::vector<std::string>, all_kinds.size()> names{
-      {{"t"},
-       {"wx", "wy", "wz"},
-       matrix_names(),
-       {"qw", "qx", "qy", "qz"},
-       {"yaw", "pitch", "roll"}}};
-  return names.at(static_cast<std::size_t>(kind));
+  static const std::map<Kind, std::vector<std::string>> names = names_of_kinds();
+  return names.at(kind);
 }
 
 std::vector<std::string> all_names() {
   std::vector<std::string> all;
-  for (const Kind kind : all_kinds) std::ranges::copy(names_of(kind), std::back_inserter(all));
+  for (const Kind kind : enumerators<Kind>)
+    std::ranges::copy(names_of(kind), std::back_inserter(all));
   return all;
 }
 
 const char* description_of(Kind kind) {
-  constexpr std::array descriptions{"the time", "the rates", "the matrix", "the quaternion",
-                                    "the Euler angles"};
-  return descriptions.at(static_cast<std::size_t>(kind));
+  return std::ranges::find(kind_rows, kind, &KindRow::kind)->description;
 }
 
 }  // namespace twrench::check

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,9 +8,6 @@ namespace twrench::check {
 
 /// What columns tell together.
 enum class Kind { time, rates, matrix, quaternion, euler };
-
-inline constexpr std::array all_kinds{Kind::time, Kind::rates, Kind::matrix, Kind::quaternion,
-                                      Kind::euler};
 
 /// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "x11", "x12" ... "x33";
 /// "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll".

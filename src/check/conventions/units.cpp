@@ -1,42 +1,49 @@
 #include "check/conventions/units.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
-namespace twrench::check {
+#include "base/enumeration.h"
 
-const std::vector<RateUnitName>& rate_units() {
-  static const std::vector<RateUnitName> units{
-      {RateUnit::rad_s, "rad", "rad/s", 1},
-      {RateUnit::deg_s, "deg", "deg/s", std::numbers::pi / 180},
-      {RateUnit::rev_s, "rev", "rev/s", 2 * std::numbers::pi},
-      {RateUnit::rpm, "rpm", "rpm", 2 * std::numbers::pi / 60}};
-  return units;
-}
+namespace twrench::check {
+namespace {
+
+constexpr std::array rate_unit_names{
+    RateUnitName{RateUnit::rad_s, "rad", "rad/s", 1},
+    RateUnitName{RateUnit::deg_s, "deg", "deg/s", std::numbers::pi / 180},
+    RateUnitName{RateUnit::rev_s, "rev", "rev/s", 2 * std::numbers::pi},
+    RateUnitName{RateUnit::rpm, "rpm", "rpm", 2 * std::numbers::pi / 60}};
+static_assert(has_row_for_each(rate_unit_names, &RateUnitName::unit));
+
+constexpr std::array angle_names{AngleName{Angle::radians, "rad", 1},
+                                 AngleName{Angle::degrees, "deg", std::numbers::pi / 180}};
+static_assert(has_row_for_each(angle_names, &AngleName::unit));
+
+constexpr std::array time_unit_names{
+    TimeUnitName{TimeUnit::s, "s", 1},      TimeUnitName{TimeUnit::ms, "ms", 1e-3},
+    TimeUnitName{TimeUnit::us, "us", 1e-6}, TimeUnitName{TimeUnit::ns, "ns", 1e-9},
+    TimeUnitName{TimeUnit::min, "min", 60}, TimeUnitName{TimeUnit::h, "h", 3600}};
+static_assert(has_row_for_each(time_unit_names, &TimeUnitName::unit));
+
+}  // namespace
+
+std::span<const RateUnitName> rate_units() { return rate_unit_names; }
 
 const RateUnitName& name_of(RateUnit unit) {
-  return *std::ranges::find(rate_units(), unit, &RateUnitName::unit);
+  return *std::ranges::find(rate_unit_names, unit, &RateUnitName::unit);
 }
 
-const std::vector<AngleName>& angle_units() {
-  static const std::vector<AngleName> units{{Angle::radians, "rad", 1},
-                                            {Angle::degrees, "deg", std::numbers::pi / 180}};
-  return units;
-}
+std::span<const AngleName> angle_units() { return angle_names; }
 
 const AngleName& name_of(Angle unit) {
-  return *std::ranges::find(angle_units(), unit, &AngleName::unit);
+  return *std::ranges::find(angle_names, unit, &AngleName::unit);
 }
 
-const std::vector<TimeUnitName>& time_units() {
-  static const std::vector<TimeUnitName> units{
-      {TimeUnit::s, "s", 1},      {TimeUnit::ms, "ms", 1e-3}, {TimeUnit::us, "us", 1e-6},
-      {TimeUnit::ns, "ns", 1e-9}, {TimeUnit::min, "min", 60}, {TimeUnit::h, "h", 3600}};
-  return units;
-}
+std::span<const TimeUnitName> time_units() { return time_unit_names; }
 
 const TimeUnitName& name_of(TimeUnit unit) {
-  return *std::ranges::find(time_units(), unit, &TimeUnitName::unit);
+  return *std::ranges::find(time_unit_names, unit, &TimeUnitName::unit);
 }
 
 std::optional<Angle> angle_of(RateUnit unit) {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/conventions/convention.h"
@@ -14,7 +17,7 @@ struct RateUnitName {
   const char* symbol;  ///< "deg/s"
   double in_rad_s;     ///< how many rad/s one of it has
 };
-const std::vector<RateUnitName>& rate_units();
+std::span<const RateUnitName> rate_units();
 const RateUnitName& name_of(RateUnit unit);
 
 /// The same of angles.
@@ -23,7 +26,7 @@ struct AngleName {
   const char* option;  ///< "deg"
   double in_rad;
 };
-const std::vector<AngleName>& angle_units();
+std::span<const AngleName> angle_units();
 const AngleName& name_of(Angle unit);
 
 /// The same of times.
@@ -32,7 +35,7 @@ struct TimeUnitName {
   const char* option;  ///< "ms"
   double in_s;
 };
-const std::vector<TimeUnitName>& time_units();
+std::span<const TimeUnitName> time_units();
 const TimeUnitName& name_of(TimeUnit unit);
 
 /// The unit of angles that a rate has in each second; nothing for revolutions, in which nobody

@@ -9,8 +9,8 @@ namespace twrench::check {
 
 /// From what a file's space frame is found, which is its own: X_file = R X_exact.
 enum class FrameFrom {
-  first_row,  ///< the attitude of the first row
-  momentum,   ///< the mean direction of L over all rows; the angle about L is that of the first row
+  first,     ///< the attitude of the first row
+  momentum,  ///< the mean direction of L over all rows; the angle about L is that of the first row
 };
 
 /// What a recorded trajectory is held against.
@@ -24,7 +24,7 @@ struct Problem {
   std::optional<double> omega_time = 0;
   /// Whether the initial state is fitted to all rows by least squares.
   bool fit = false;
-  FrameFrom frame = FrameFrom::first_row;
+  FrameFrom frame = FrameFrom::first;
 };
 
 /// The exact motion on the clock and in the space frame of a file.

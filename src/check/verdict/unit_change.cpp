@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "check/conventions/units.h"
 #include "check/reading/row_reader.h"
@@ -58,7 +58,7 @@ class Level {
 
 /// Whether the factor is about the ratio of two units.
 template <typename Name>
-bool is_between_units(double factor, const std::vector<Name>& units, double Name::*size) {
+bool is_between_units(double factor, std::span<const Name> units, double Name::*size) {
   constexpr double about = 0.05;
   for (const Name& a : units) {
     for (const Name& b : units) {

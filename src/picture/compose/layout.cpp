@@ -2,8 +2,8 @@
 
 #include <twrench/base/error.h>
 
+#include "base/enumeration.h"
 #include "picture/compose/layout_draft.h"
-#include "scene/names.h"
 
 namespace twrench::picture {
 namespace {
@@ -42,9 +42,10 @@ Layout compute_layout(const scene::Scene& scene) {
                           "compare either methods or initial angular velocities");
   }
   if (overlay.motion_count() > 1 && overlay.view != scene::View::wrench) {
-    throw InvalidArgument(overlay.compare.empty() ? "compare_omega" : "compare",
-                          "the view '" + scene::name_of(overlay.view) + "' shows only one motion",
-                          "use the view 'wrench' to compare motions");
+    throw InvalidArgument(
+        overlay.compare.empty() ? "compare_omega" : "compare",
+        "the view '" + std::string(enumerator_name(overlay.view)) + "' shows only one motion",
+        "use the view 'wrench' to compare motions");
   }
   Parts parts = parts_of(scene.overlay);
   for (bool& part : parts) {

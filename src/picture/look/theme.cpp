@@ -1,6 +1,10 @@
 #include "picture/look/theme.h"
 
+#include <array>
 #include <cmath>
+#include <map>
+
+#include "base/enumeration.h"
 
 namespace twrench::picture {
 namespace {
@@ -44,7 +48,7 @@ OverlayColors on_dark() {
           .curve = curves(axis, {255, 255, 255})};
 }
 
-OverlayColors on_paper() {
+OverlayColors on_white() {
   const std::array<scene::Color, 3> axis{{{199, 43, 5}, {0, 118, 100}, {32, 7, 231}}};
   return {.text = {16, 18, 22},
           .dim = {70, 74, 82},
@@ -58,6 +62,34 @@ OverlayColors on_paper() {
           .curve = curves(axis, {0, 0, 0})};
 }
 
+constexpr PageColors dark_page{.is_light = false,
+                               .ground = {11, 13, 18},
+                               .panel = {20, 23, 30},
+                               .raised = {31, 35, 45},
+                               .line = {59, 65, 80},
+                               .control = {134, 142, 160},
+                               .dim = {195, 201, 212},
+                               .on_momentum = {20, 18, 10},
+                               .warning = {255, 180, 160}};
+
+constexpr PageColors white_page{.is_light = true,
+                                .ground = {244, 244, 241},
+                                .panel = {255, 255, 255},
+                                .raised = {238, 238, 234},
+                                .line = {207, 207, 201},
+                                .control = {112, 116, 124},
+                                .dim = {70, 74, 82},
+                                .on_momentum = {255, 255, 255},
+                                .warning = {140, 29, 0}};
+
+PageColors black_page() {
+  PageColors colors = dark_page;
+  colors.ground = {2, 3, 6};
+  colors.panel = {12, 14, 20};
+  colors.raised = {24, 27, 36};
+  return colors;
+}
+
 constexpr scene::Color steel{184, 188, 196};
 
 ThemeStyle studio() {
@@ -67,7 +99,8 @@ ThemeStyle studio() {
           .studio = dark_studio(),
           .backdrop = {{11, 13, 20}, {53, 55, 62}, 0.16, 0},
           .floor = FloorStyle{{41, 41, 41}, 0.5, 0.16, 0.14},
-          .overlay = on_dark()};
+          .overlay = on_dark(),
+          .page = dark_page};
 }
 
 ThemeStyle paper() {
@@ -77,7 +110,8 @@ ThemeStyle paper() {
           .studio = white_studio(),
           .backdrop = {{250, 250, 248}, {237, 237, 235}, 0.02, 0},
           .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10, 0.03},
-          .overlay = on_paper()};
+          .overlay = on_white(),
+          .page = white_page};
 }
 
 ThemeStyle space() {
@@ -87,14 +121,30 @@ ThemeStyle space() {
           .studio = sunlight(),
           .backdrop = {{3, 4, 8}, {8, 9, 13}, 0.2, 420},
           .floor = std::nullopt,
-          .overlay = on_dark()};
+          .overlay = on_dark(),
+          .page = black_page()};
+}
+
+struct ThemeRow {
+  scene::Theme theme;
+  ThemeStyle (*make_style)();
+};
+constexpr std::array theme_rows{ThemeRow{scene::Theme::studio, studio},
+                                ThemeRow{scene::Theme::paper, paper},
+                                ThemeRow{scene::Theme::space, space}};
+static_assert(has_row_for_each(theme_rows, &ThemeRow::theme));
+
+std::map<scene::Theme, ThemeStyle> make_styles() {
+  std::map<scene::Theme, ThemeStyle> styles;
+  for (const auto& [theme, make_style] : theme_rows) styles.emplace(theme, make_style());
+  return styles;
 }
 
 }  // namespace
 
 const ThemeStyle& style_of(scene::Theme theme) {
-  static const std::array<ThemeStyle, 3> styles{studio(), paper(), space()};
-  return styles[static_cast<std::size_t>(theme)];
+  static const std::map<scene::Theme, ThemeStyle> styles = make_styles();
+  return styles.at(theme);
 }
 
 }  // namespace twrench::picture

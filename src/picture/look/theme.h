@@ -62,6 +62,29 @@ struct FloorStyle {
   double clouds;
 };
 
+/// The colours of a web page around the picture, beside the overlays' `text`, `momentum` and
+/// `omega`.
+struct PageColors {
+  /// Whether the browser draws controls and scroll bars for a light page.
+  bool is_light;
+  /// The page.
+  scene::Color ground;
+  /// Panels on the page.
+  scene::Color panel;
+  /// Buttons and fields.
+  scene::Color raised;
+  /// Lines between panels.
+  scene::Color line;
+  /// The outlines of buttons and fields.
+  scene::Color control;
+  /// For secondary content.
+  scene::Color dim;
+  /// Text on the colour of `momentum`.
+  scene::Color on_momentum;
+  /// Warnings.
+  scene::Color warning;
+};
+
 /// Everything that a theme determines.
 struct ThemeStyle {
   /// Colour of the body, metal or paint, unless the scene sets it.
@@ -78,6 +101,8 @@ struct ThemeStyle {
   std::optional<FloorStyle> floor;
   /// Colours of overlays.
   OverlayColors overlay;
+  /// Colours of a web page.
+  PageColors page;
 };
 
 const ThemeStyle& style_of(scene::Theme theme);

@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "base/enumeration.h"
 #include "picture/t_wrench.h"
-#include "scene/names.h"
 
 namespace twrench::picture {
 namespace {
@@ -99,7 +99,9 @@ void for_each_layout(scene::View view, int compared,
 
 std::string text(const scene::Scene& scene) {
   std::string shown;
-  for (const scene::Feature feature : scene.overlay.show) shown += " " + scene::name_of(feature);
+  for (const scene::Feature feature : scene.overlay.show) {
+    shown += " " + std::string(enumerator_name(feature));
+  }
   return std::to_string(scene.film.width) + "x" + std::to_string(scene.film.height) + shown;
 }
 

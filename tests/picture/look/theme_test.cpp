@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "base/enumeration.h"
 #include "picture/color_vision.h"
 
 namespace twrench::picture {
@@ -49,9 +51,10 @@ class ThemeTest : public testing::TestWithParam<scene::Theme> {
   const OverlayColors& colors = style.overlay;
 };
 
-INSTANTIATE_TEST_SUITE_P(Each, ThemeTest,
-                         testing::Values(scene::Theme::studio, scene::Theme::paper,
-                                         scene::Theme::space));
+INSTANTIATE_TEST_SUITE_P(Each, ThemeTest, testing::ValuesIn(enumerators<scene::Theme>),
+                         [](const auto& theme) {
+                           return std::string(enumerator_name(theme.param));
+                         });
 
 TEST_P(ThemeTest, HasTextThatCanBeReadOnAPanelOverAnything) {
   for (const scene::Color& ground : own_grounds(style)) {
@@ -85,6 +88,17 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
       EXPECT_GE(distance(colors.curve[i], colors.curve[j]), 20) << "curves " << i << " and " << j;
     }
   }
+}
+
+TEST_P(ThemeTest, HasTextThatCanBeReadOnAWebPage) {
+  const PageColors& page = style.page;
+  for (const scene::Color& ground : {page.ground, page.panel, page.raised}) {
+    for (const scene::Color& text : {colors.text, page.dim, page.warning}) {
+      EXPECT_GE(contrast(text, ground), 4.5)
+          << scene::to_string(text) << " on " << scene::to_string(ground);
+    }
+  }
+  EXPECT_GE(contrast(page.on_momentum, colors.momentum), 4.5);
 }
 
 TEST(Contrast, IsThatOfTheStandard) {
