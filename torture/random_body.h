@@ -10,7 +10,7 @@ namespace twrench::torture {
 /// is no solid.
 scene::Body random_body(SceneDice& dice);
 
-inline scene::Color random_color(SceneDice& dice) {
+inline Color random_color(SceneDice& dice) {
   const int red = dice.whole(0, 255), green = dice.whole(0, 255);
   return {red, green, dice.whole(0, 255)};
 }

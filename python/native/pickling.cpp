@@ -167,7 +167,7 @@ body::Shape Reader::shape(const py::tuple& part) {
 scene::PartLook look_with(const py::tuple& state) {
   scene::PartLook look;
   if (const auto color = state[0].cast<std::optional<std::array<int, 3>>>()) {
-    look.color = scene::Color{(*color)[0], (*color)[1], (*color)[2]};
+    look.color = Color{(*color)[0], (*color)[1], (*color)[2]};
   }
   look.metallic = state[1].cast<std::optional<double>>();
   look.roughness = state[2].cast<std::optional<double>>();

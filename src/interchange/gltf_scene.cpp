@@ -30,7 +30,7 @@ std::vector<double> numbers_of(const Vector3d& v) { return {v.begin(), v.end()};
 std::vector<double> numbers_of(const Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 /// Returns linear R, G, B and A.
-std::vector<double> linear(const scene::Color& color, double factor = 1) {
+std::vector<double> linear(const Color& color, double factor = 1) {
   const auto channel = [&](int value) { return picture::linear_from_srgb(factor * value); };
   return {channel(color.red), channel(color.green), channel(color.blue)};
 }
@@ -74,7 +74,7 @@ class SceneWriter {
   void add_body(std::size_t camera);
   std::size_t material_of(std::size_t part, bool is_colored);
   std::size_t add_arrow_mesh(const std::string& name, double length, double shaft,
-                             const scene::Color& color);
+                             const Color& color);
   std::size_t add_mesh(const std::string& name, const Surface& surface, std::size_t material);
   void add_momentum();
   void add_omega();
@@ -135,7 +135,7 @@ std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
 
 /// An arrow keeps most of its colour in the shade, as in the film, and without any light.
 std::size_t SceneWriter::add_arrow_mesh(const std::string& name, double length, double shaft,
-                                        const scene::Color& color) {
+                                        const Color& color) {
   constexpr double in_shade = 0.72;  // as DrawList has it
   const std::vector<double> dark = linear(color, in_shade), full = linear(color);
   std::vector<double> base;

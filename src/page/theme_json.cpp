@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json color_json(const scene::Color& color) { return {color.red, color.green, color.blue}; }
+ordered_json color_json(const Color& color) { return {color.red, color.green, color.blue}; }
 
 ordered_json backdrop_json(const picture::Backdrop& backdrop) {
   return {{"above", color_json(backdrop.above)},
@@ -31,8 +31,8 @@ ordered_json floor_json(const std::optional<picture::FloorStyle>& floor) {
 
 ordered_json overlay_json(const picture::OverlayColors& colors) {
   ordered_json axis = ordered_json::array(), curve = ordered_json::array();
-  for (const scene::Color& color : colors.axis) axis.push_back(color_json(color));
-  for (const scene::Color& color : colors.curve) curve.push_back(color_json(color));
+  for (const Color& color : colors.axis) axis.push_back(color_json(color));
+  for (const Color& color : colors.curve) curve.push_back(color_json(color));
   return {{"text", color_json(colors.text)},   {"dim", color_json(colors.dim)},
           {"panel", color_json(colors.panel)}, {"panel_opacity", colors.panel_opacity},
           {"axis", std::move(axis)},           {"momentum", color_json(colors.momentum)},

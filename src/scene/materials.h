@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/color.h"
+#include "base/color.h"
 
 namespace twrench::scene {
 

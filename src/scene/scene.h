@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/color.h"
+#include "base/color.h"
 #include "scene/speed_curve.h"
 #include "system/error.h"
 

@@ -6,7 +6,7 @@
 namespace twrench::check {
 namespace {
 
-constexpr std::uint32_t seed = 2020;
+constexpr std::uint32_t seed_of_recordings = 2020;
 
 // torture_verdicts tries twenty starts of each, and thousands of combinations.
 TEST(Verdict, IsRightOfEverySingleMistake) {
@@ -15,7 +15,7 @@ TEST(Verdict, IsRightOfEverySingleMistake) {
   for (const std::string& mistake : single_mistakes()) {
     for (const RecordedBody body :
          {RecordedBody::t_wrench, RecordedBody::nearly_symmetric, RecordedBody::toutatis}) {
-      const RandomRecording recording = recording_with(mistake, body, seed, number++);
+      const RandomRecording recording = recording_with(mistake, body, seed_of_recordings, number++);
       EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << recording.description;
     }
   }
@@ -24,7 +24,7 @@ TEST(Verdict, IsRightOfEverySingleMistake) {
 TEST(Verdict, IsRightOfRandomConventions) {
   const ScratchFolder folder;
   for (std::uint32_t number = 0; number < 30; ++number) {
-    const RandomRecording recording = random_recording(seed, number);
+    const RandomRecording recording = random_recording(seed_of_recordings, number);
     EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << number << recording.description;
   }
 }

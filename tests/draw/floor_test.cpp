@@ -40,7 +40,7 @@ class FloorTest : public testing::Test {
 
   static scene::Scene white() {
     scene::Scene scene = t_wrench(320, 180);
-    scene.look.background = scene::Color{255, 255, 255};
+    scene.look.background = Color{255, 255, 255};
     scene.camera.distance = 1.5;
     return scene;
   }

@@ -54,8 +54,8 @@ std::vector<Golden> golden_scenes() {
   scene::Scene transparent = t_wrench(240, 240);
   transparent.look.transparent = true;
   scene::Scene painted = t_wrench(320, 180);
-  painted.look.background = scene::Color{250, 250, 245};
-  painted.look.color = scene::Color{190, 60, 40};
+  painted.look.background = Color{250, 250, 245};
+  painted.look.color = Color{190, 60, 40};
   painted.look.metallic = 0;
   painted.look.roughness = 0.6;
   scene::Scene moments = t_wrench(320, 180);

@@ -38,18 +38,18 @@ using picture::trail_point;
 constexpr int full_width = 1280, full_height = 720;
 const image::Area whole{0, 0, full_width, full_height};
 
-scene::Color color_at(const image::Image& image, int x, int y) {
+Color color_at(const image::Image& image, int x, int y) {
   const std::uint8_t* p = &image.pixels[static_cast<std::size_t>(y) * image.row_bytes() +
                                         static_cast<std::size_t>(x * image.channels)];
   return {p[0], p[1], p[2]};
 }
 
-int difference(const scene::Color& a, const scene::Color& b) {
+int difference(const Color& a, const Color& b) {
   return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
 /// What the viewer sees of a transparent frame over a background.
-image::Image composited(const image::Image& frame, const scene::Color& ground) {
+image::Image composited(const image::Image& frame, const Color& ground) {
   if (frame.channels == 3) return frame;
   image::Image image(frame.width, frame.height, 3);
   const std::array behind{ground.red, ground.green, ground.blue};
@@ -65,7 +65,7 @@ image::Image composited(const image::Image& frame, const scene::Color& ground) {
 
 /// The highest contrast between a pixel and any other within `reach` px.
 double contrast_around(const image::Image& image, int x, int y, int reach) {
-  const scene::Color here = color_at(image, x, y);
+  const Color here = color_at(image, x, y);
   double most = 1;
   for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v) {
     for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u) {
@@ -77,13 +77,13 @@ double contrast_around(const image::Image& image, int x, int y, int reach) {
 
 /// The contrasts of the pixels in `area` that have the colour of an ink, up to a sixth of coverage,
 /// and are other than without what was drawn with it.
-std::vector<double> contrasts_of(const scene::Color& ink, const image::Image& image,
+std::vector<double> contrasts_of(const Color& ink, const image::Image& image,
                                  const image::Area& area, const image::Image& without) {
   constexpr int same = 60, other = 10, reach = 3;
   std::vector<double> contrasts;
   for (int y = area.y; y < area.y + area.height; ++y) {
     for (int x = area.x; x < area.x + area.width; ++x) {
-      const scene::Color here = color_at(image, x, y);
+      const Color here = color_at(image, x, y);
       if (difference(here, ink) > same) continue;
       if (difference(here, color_at(without, x, y)) < other) continue;
       contrasts.push_back(contrast_around(image, x, y, reach));
@@ -101,12 +101,12 @@ struct Look {
   const char* name;
   scene::Theme theme;
   bool transparent;
-  std::optional<scene::Color> background;
+  std::optional<Color> background;
 };
 
 void PrintTo(const Look& look, std::ostream* out) { *out << look.name; }
 
-constexpr scene::Color white{255, 255, 255}, black{0, 0, 0}, violet{138, 43, 226};
+constexpr Color white{255, 255, 255}, black{0, 0, 0}, violet{138, 43, 226};
 
 class Legibility : public testing::TestWithParam<Look> {
  protected:
@@ -128,14 +128,14 @@ class Legibility : public testing::TestWithParam<Look> {
   }
 
   /// The backgrounds over which a frame is composited: one if it has its own.
-  std::vector<scene::Color> grounds() const {
+  std::vector<Color> grounds() const {
     return GetParam().transparent ? std::vector{white, black, violet} : std::vector{black};
   }
 
   /// The frame over each of the backgrounds.
   std::vector<image::Image> seen(const image::Image& frame) const {
     std::vector<image::Image> images;
-    for (const scene::Color& ground : grounds()) images.push_back(composited(frame, ground));
+    for (const Color& ground : grounds()) images.push_back(composited(frame, ground));
     return images;
   }
 
@@ -162,14 +162,14 @@ TEST_P(Legibility, OfLabelsIsThatOfText) {
   for (const int frame : {40, 71}) {
     const image::Image bare = drawn({axes, momentum, omega}, frame);
     const image::Image labelled = drawn({axes, momentum, omega, labels}, frame);
-    for (const scene::Color& ground : grounds()) {
+    for (const Color& ground : grounds()) {
       const image::Image without = composited(bare, ground), with = composited(labelled, ground);
-      for (const scene::Color& ink :
+      for (const Color& ink :
            {colors.axis[0], colors.axis[1], colors.axis[2], colors.momentum, colors.omega}) {
         const auto contrasts = contrasts_of(ink, with, whole, without);
-        ASSERT_GE(contrasts.size(), 3U) << scene::to_string(ink) << " in " << frame;
+        ASSERT_GE(contrasts.size(), 3U) << to_string(ink) << " in " << frame;
         EXPECT_GE(median(contrasts), 4.5)
-            << scene::to_string(ink) << " on " << scene::to_string(ground) << " in " << frame;
+            << to_string(ink) << " on " << to_string(ground) << " in " << frame;
       }
     }
   }
@@ -181,13 +181,13 @@ TEST_P(Legibility, OfTextAndCurvesIsThatOfText) {
   const Layout layout = compute_layout(scene);
   const image::Area &title = layout.title.value(), &readouts = layout.readouts.value(),
                     &panel = layout.components.value();
-  for (const scene::Color& ground : grounds()) {
+  for (const Color& ground : grounds()) {
     const image::Image without = composited(none, ground), with = composited(all, ground);
-    const auto expect_legible = [&](const scene::Color& ink, const image::Area& area) {
+    const auto expect_legible = [&](const Color& ink, const image::Area& area) {
       const auto contrasts = contrasts_of(ink, with, area, without);
-      ASSERT_GT(contrasts.size(), 10U) << scene::to_string(ink);
+      ASSERT_GT(contrasts.size(), 10U) << to_string(ink);
       EXPECT_GE(median(contrasts), 4.5)
-          << scene::to_string(ink) << " on " << scene::to_string(ground);
+          << to_string(ink) << " on " << to_string(ground);
     };
     expect_legible(colors.text, title);
     expect_legible(colors.text, readouts);
@@ -206,7 +206,7 @@ TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
     const double radius = bounding_radius(scene::visible_parts(scene.body));
     const BodyOverlay overlay(scene, timeline.solutions()[0].body, radius);
     const motion::Sample sample = timeline.frame_state(0).solutions[0].sample;
-    std::map<std::string, std::pair<Vector3d, scene::Color>> arrows{
+    std::map<std::string, std::pair<Vector3d, Color>> arrows{
         {"L", {overlay.momentum_tip(), colors.momentum}},
         {"omega", {overlay.omega_tip(sample), colors.omega}}};
     for (int i = 0; i < 3; ++i) {
@@ -217,7 +217,7 @@ TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
       for (double share = 0.6; share < 0.98; share += 0.01) {
         const Vector2d place = pixel_of(camera, whole, share * arrow.first);
         const auto x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
-        const scene::Color here = color_at(images[0], x, y);
+        const Color here = color_at(images[0], x, y);
         // Of that hue, nearly as light: not hidden by the body or another arrow.
         const Eigen::Vector3d ink(arrow.second.red, arrow.second.green, arrow.second.blue),
             shown(here.red, here.green, here.blue);
@@ -235,7 +235,7 @@ TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
   const auto mean = [&](const std::string& name) {
     EXPECT_GT(counts[name], 10) << name;
     const Eigen::Vector3i color = (sums[name] / counts[name]).cast<int>();
-    return scene::Color{color.x(), color.y(), color.z()};
+    return Color{color.x(), color.y(), color.z()};
   };
   EXPECT_GE(distance(mean("L"), mean("omega")), 20);
   EXPECT_GE(distance(mean("y"), mean("z")), 20);
@@ -258,7 +258,7 @@ TEST_P(Legibility, OfTheTrailIsThatOfGraphics) {
 }
 
 /// The contrasts of the pixels that have nearly the colour of an ink.
-std::vector<double> contrasts_near(const scene::Color& ink, const image::Image& image) {
+std::vector<double> contrasts_near(const Color& ink, const image::Image& image) {
   constexpr int nearly = 60, reach = 7;
   std::vector<double> contrasts;
   for (int y = 0; y < image.height; ++y) {
@@ -276,8 +276,8 @@ TEST_P(Legibility, OfCurvesOnTheMomentumSphereIsThatOfGraphics) {
   for (const image::Image& image : seen(drawn({trail}, 118))) {
     for (const auto& ink : {colors.axis[0], colors.axis[1], colors.axis[2], colors.momentum}) {
       const std::vector<double> contrasts = contrasts_near(ink, image);
-      ASSERT_GE(contrasts.size(), 40U) << scene::to_string(ink);
-      EXPECT_GE(median(contrasts), 3) << scene::to_string(ink);
+      ASSERT_GE(contrasts.size(), 40U) << to_string(ink);
+      EXPECT_GE(median(contrasts), 3) << to_string(ink);
     }
   }
 }
@@ -288,8 +288,8 @@ TEST_P(Legibility, OfCurvesOnPoinsotsEllipsoidIsThatOfGraphics) {
   for (const image::Image& image : seen(drawn({trail}, 118))) {
     for (const auto& ink : {colors.momentum, colors.omega}) {
       const std::vector<double> contrasts = contrasts_near(ink, image);
-      ASSERT_GE(contrasts.size(), 40U) << scene::to_string(ink);
-      EXPECT_GE(median(contrasts), 3) << scene::to_string(ink);
+      ASSERT_GE(contrasts.size(), 40U) << to_string(ink);
+      EXPECT_GE(median(contrasts), 3) << to_string(ink);
     }
   }
 }

@@ -54,7 +54,7 @@ class RendererTest : public testing::Test {
 
 TEST_F(RendererTest, DrawsOnTheBackgroundInTheFilmsSize) {
   scene::Scene scene = t_wrench(160, 90);
-  scene.look.background = scene::Color{0, 255, 0};
+  scene.look.background = Color{0, 255, 0};
   const image::Image image = PoseRenderer(*context, scene).draw(Matrix3d::Identity());
   ASSERT_EQ(image.width, 160);
   ASSERT_EQ(image.height, 90);
@@ -149,7 +149,7 @@ TEST_F(RendererTest, GivesStraightAlphaWithoutADarkFringe) {
 
 TEST_F(RendererTest, LaysTheTransparentFrameOnTheBackgroundItDrawsItself) {
   scene::Scene scene = t_wrench(320, 180);
-  scene.look.background = scene::Color{255, 255, 255};
+  scene.look.background = Color{255, 255, 255};
   const Matrix3d X = turned(0.5, {1, 1, 0});
   const image::Image opaque = PoseRenderer(*context, scene).draw(X);
   const image::Image clear = PoseRenderer(*context, transparent()).draw(X);
@@ -224,7 +224,7 @@ TEST_F(RendererTest, FollowsTheLook) {
     return mean_difference(plain, PoseRenderer(*context, scene).draw(X));
   };
   EXPECT_EQ(difference([](scene::Scene&) {}), 0);
-  EXPECT_GT(difference([](scene::Scene& s) { s.look.color = scene::Color{255, 120, 40}; }), 1);
+  EXPECT_GT(difference([](scene::Scene& s) { s.look.color = Color{255, 120, 40}; }), 1);
   EXPECT_GT(difference([](scene::Scene& s) { s.look.metallic = 0; }), 1);
   EXPECT_GT(difference([](scene::Scene& s) { s.look.roughness = 0.1; }), 0.5);
   EXPECT_GT(difference([](scene::Scene& s) { s.camera.azimuth = 0.25; }), 1);

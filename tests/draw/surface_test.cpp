@@ -126,8 +126,8 @@ TEST_F(Surface, HasTheColourOfEachPart) {
       320, 180);
   scene.look.metallic = 0;
   scene.body.descriptions.resize(2);
-  scene.body.descriptions[0].look.color = scene::Color{220, 20, 20};
-  scene.body.descriptions[1].look.color = scene::Color{20, 20, 220};
+  scene.body.descriptions[0].look.color = Color{220, 20, 20};
+  scene.body.descriptions[1].look.color = Color{20, 20, 220};
   for (const int samples : {1, 4}) {
     scene.look.samples = samples;
     expect_two_colors(PoseRenderer(*context, scene).draw(Matrix3d::Identity()));

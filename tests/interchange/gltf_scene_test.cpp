@@ -93,7 +93,7 @@ TEST(GltfScene, HasAMaterialForEachLookOfAPart) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   scene.body.parts.push_back(scene.body.parts.back());
   scene.body.descriptions.resize(3);
-  scene.body.descriptions[1].look.color = scene::Color{255, 0, 0};
+  scene.body.descriptions[1].look.color = Color{255, 0, 0};
   scene.body.descriptions[1].look.metallic = 0;
   const GlbReader glb = read(scene);
   const auto material = [&](std::size_t mesh) -> std::size_t {
@@ -123,7 +123,7 @@ TEST(GltfScene, HasTheTrianglesAndColoursOfAMesh) {
 
 TEST(GltfScene, HasTheMaterialOfTheScene) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
-  scene.look.color = scene::Color{255, 128, 0};
+  scene.look.color = Color{255, 128, 0};
   scene.look.metallic = 0.25;
   scene.look.roughness = 0.5;
   const GlbReader glb = read(scene);

@@ -5,22 +5,22 @@
 #include <cmath>
 #include <vector>
 
+#include "base/color.h"
 #include "picture/look/material.h"
-#include "scene/color.h"
 
 namespace twrench::picture {
 
-inline Eigen::Vector3d linear(const scene::Color& color) {
+inline Eigen::Vector3d linear(const Color& color) {
   return {linear_from_srgb(color.red), linear_from_srgb(color.green), linear_from_srgb(color.blue)};
 }
 
 /// WCAG 2.1, "relative luminance".
-inline double luminance(const scene::Color& color) {
+inline double luminance(const Color& color) {
   return Eigen::Vector3d(0.2126, 0.7152, 0.0722).dot(linear(color));
 }
 
 /// WCAG 2.1, "contrast ratio".
-inline double contrast(const scene::Color& a, const scene::Color& b) {
+inline double contrast(const Color& a, const Color& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);
 }
@@ -51,7 +51,7 @@ inline Eigen::Vector3d lab(const Eigen::Vector3d& rgb) {
 }
 
 /// The CIE76 difference for the type of vision that sees the least; 2.3 is just noticeable.
-inline double distance(const scene::Color& a, const scene::Color& b) {
+inline double distance(const Color& a, const Color& b) {
   double least = 1e9;
   for (const Eigen::Matrix3d& eye : eyes()) {
     least = std::min(least, (lab(eye * linear(a)) - lab(eye * linear(b))).norm());

@@ -6,7 +6,7 @@ namespace twrench::picture {
 
 std::optional<Label> label_at(const std::string& text, const Camera& camera,
                               const image::Area& pane, const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& to, const scene::Color& color) {
+                              const Eigen::Vector3d& to, const Color& color) {
   constexpr double least_depth = 1e-3;  // in front of the eye, as a fraction of the distance
   const auto is_in_front = [&](const Eigen::Vector3d& place) {
     return -(camera.view.row(2) * place.homogeneous()).value() > least_depth * camera.distance;

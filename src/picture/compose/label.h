@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "base/color.h"
 #include "picture/space/camera.h"
-#include "scene/color.h"
 
 namespace twrench::picture {
 
@@ -18,7 +18,7 @@ struct Label {
   /// Unit vector, y down, in which direction there is room for the text.
   Eigen::Vector2d away;
   /// Colour of the text.
-  scene::Color color;
+  Color color;
   /// Where the object begins, in pixels too: other labels stay clear of it from there to the
   /// anchor.
   std::optional<Eigen::Vector2d> root = {};
@@ -28,6 +28,6 @@ struct Label {
 /// camera whose picture fills `pane`; nothing if the end is outside.
 std::optional<Label> label_at(const std::string& text, const Camera& camera,
                               const image::Area& pane, const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& to, const scene::Color& color);
+                              const Eigen::Vector3d& to, const Color& color);
 
 }  // namespace twrench::picture

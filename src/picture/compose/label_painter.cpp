@@ -32,7 +32,7 @@ double kept_off(double s, double least) {
 
 }  // namespace
 
-LabelPainter::LabelPainter(const canvas::Font& font, double size, const scene::Color& halo,
+LabelPainter::LabelPainter(const canvas::Font& font, double size, const Color& halo,
                            const image::Area& pane, const std::vector<image::Area>& taken)
     : font_(font), size_(size), halo_(halo), pane_(pane) {
   for (const auto& [x, y, width, height] : taken) {

@@ -16,8 +16,8 @@ class LabelPainter {
   /// `size` is in px per em; `halo` is the colour around each letter that keeps it legible on any
   /// background; labels stay inside `pane` and avoid the areas `taken`. The font must outlive the
   /// painter.
-  LabelPainter(const canvas::Font& font, double size, const scene::Color& halo,
-               const image::Area& pane, const std::vector<image::Area>& taken);
+  LabelPainter(const canvas::Font& font, double size, const Color& halo, const image::Area& pane,
+               const std::vector<image::Area>& taken);
 
   /// Draws the labels; earlier ones have priority.
   std::vector<Layer> paint(const std::vector<Label>& labels) const;
@@ -35,7 +35,7 @@ class LabelPainter {
 
   const canvas::Font& font_;
   double size_;
-  scene::Color halo_;
+  Color halo_;
   image::Area pane_;
   std::vector<Box> taken_;
 };

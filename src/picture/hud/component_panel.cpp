@@ -40,7 +40,7 @@ void ComponentPanel::place_plots(const image::Area& area, double label_size) {
 void ComponentPanel::draw_names(double size, const canvas::Typeface& typeface) {
   canvas::Canvas canvas = ground();
   for (const Plot& plot : plots_) {
-    const scene::Color color = compares() ? colors_.dim : ink(plot, 0);
+    const Color color = compares() ? colors_.dim : ink(plot, 0);
     canvas.text(canvas::typeset(typeface.regular, name_of(plot)), size,
                 {static_cast<double>(plot.area.x), plot.area.y - 0.35 * size}, {color});
   }

@@ -16,7 +16,7 @@ constexpr double name_baseline = 0.95;
 /// A text of the row, with a sample of an arrow before it unless it has none.
 struct Entry {
   canvas::Line name;
-  scene::Color color;
+  Color color;
   bool has_sample;
 
   double width() const { return name.width + (has_sample ? sample_length + after_sample : 0); }
@@ -35,7 +35,7 @@ double width_of(const std::vector<Entry>& row) {
 
 /// Draws the sample, an arrow, from `x` to the right; returns where the name begins.
 double draw_sample(canvas::Canvas& canvas, double x, double middle, double size,
-                   const scene::Color& color) {
+                   const Color& color) {
   const double tip = x + sample_length * size, barb = 0.22 * size, width = 0.12 * size;
   const canvas::Canvas::Point shaft[]{{x, middle}, {tip, middle}};
   const canvas::Canvas::Point head[]{

@@ -132,7 +132,7 @@ void Typesetter::add_readouts() {
 
 void Typesetter::add_legend(std::size_t solution) {
   TextBlock& block = blocks_.emplace_back(style_, layout_.legends[solution]);
-  const scene::Color curve = solution_color(style_.colors, solution);
+  const Color curve = solution_color(style_.colors, solution);
   const bool plotted = layout_.components || layout_.curve;
   block.add_line(solutions_[solution].name, style_.typeface.strong, 0.85 * layout_.text.title,
                  style_.colors.text, plotted ? &curve : nullptr);
@@ -188,7 +188,7 @@ bool needs_panels(const scene::Look& look) {
   return look.transparent || look.background.has_value();
 }
 
-scene::Color solution_color(const OverlayColors& colors, std::size_t solution) {
+Color solution_color(const OverlayColors& colors, std::size_t solution) {
   const std::array inks{colors.axis[0], colors.axis[2], colors.axis[1], colors.omega};
   return inks.at(solution);
 }

@@ -11,7 +11,7 @@ namespace twrench::picture {
 bool needs_panels(const scene::Look& look);
 
 /// Returns the colour that identifies a method in a comparison.
-scene::Color solution_color(const OverlayColors& colors, std::size_t solution);
+Color solution_color(const OverlayColors& colors, std::size_t solution);
 
 /// The text of the video: the title, the readouts of time, drift and flips with a remark on what
 /// happens, and what the views show.

@@ -29,7 +29,7 @@ std::string moment_text(double moment) {
 
 /// Draws an arrow that turns once around `centre`, open at the top.
 void draw_turn(canvas::Canvas& canvas, const Point& centre, double radius, double width,
-               const scene::Color& color) {
+               const Color& color) {
   constexpr double from = -0.3 * std::numbers::pi, to = 1.3 * std::numbers::pi;
   constexpr int pieces = 40;
   std::vector<Point> arc;
@@ -49,7 +49,7 @@ void draw_turn(canvas::Canvas& canvas, const Point& centre, double radius, doubl
 struct Bar {
   double moment;
   std::string name;
-  scene::Color color;
+  Color color;
   bool turns;
 };
 

@@ -79,7 +79,7 @@ std::string PlotPanel::name_of(const Plot& plot) {
                      digits[static_cast<std::size_t>(plot.column)]);
 }
 
-scene::Color PlotPanel::ink(const Plot& plot, std::size_t solution) const {
+Color PlotPanel::ink(const Plot& plot, std::size_t solution) const {
   if (compares()) return solution_color(colors_, solution);
   return colors_
       .curve[3 * static_cast<std::size_t>(plot.row) + static_cast<std::size_t>(plot.column)];

@@ -47,7 +47,7 @@ class PlotPanel : public Element {
   static std::string name_of(const Plot& plot);
 
   bool compares() const { return solutions_ > 1; }
-  scene::Color ink(const Plot& plot, std::size_t solution) const;
+  Color ink(const Plot& plot, std::size_t solution) const;
 
   const OverlayColors& colors_;
   double duration_;

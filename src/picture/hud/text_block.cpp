@@ -65,7 +65,7 @@ void TextBlock::extend(double right, double bottom) {
 }
 
 void TextBlock::add_line(const std::string& text, const canvas::Font& font, double size,
-                         const scene::Color& ink, const scene::Color* curve) {
+                         const Color& ink, const Color* curve) {
   const double height = line_height * size;
   if (!has_room_below(height)) return;
   double x = area_.x;
@@ -87,7 +87,7 @@ void TextBlock::add_line(const std::string& text, const canvas::Font& font, doub
 }
 
 void TextBlock::add_title(const std::string& text, const canvas::Font& font, double size,
-                          const scene::Color& ink) {
+                          const Color& ink) {
   const bool fits = width_of(text, font, size) <= room(area_.x);
   const auto [first, second] = fits || !has_room_below(2 * line_height * size)
                                    ? std::pair(text, std::string())
@@ -101,7 +101,7 @@ void TextBlock::add_title(const std::string& text, const canvas::Font& font, dou
 }
 
 void TextBlock::add_paragraph(const std::string& text, const canvas::Font& font, double size,
-                              const scene::Color& ink) {
+                              const Color& ink) {
   const std::vector<std::string> words = words_of(text);
   const double height = paragraph_line * size, width = room(area_.x);
   for (std::size_t i = 0; i < words.size() && has_room_below(height);) {
@@ -142,7 +142,7 @@ void TextBlock::place(const Readout& readout, double x, double y, double caption
   values_.push_back({readout.value, size, {x + caption_width, base}, canvas::Canvas::Align::left});
 }
 
-void TextBlock::add_bar(double share, const scene::Color& color) {
+void TextBlock::add_bar(double share, const Color& color) {
   const double size = style_.sizes.readout;
   if (!has_room_below(bar_height * size)) return;
   const image::Area bar{area_.x, static_cast<int>(std::lround(y_ + 0.3 * size)),

@@ -53,23 +53,22 @@ class TextBlock {
 
   /// Adds a line. If it is too long, it is set smaller, down to the readouts' size, and then
   /// truncated. With `curve`, a sample of the curve precedes it.
-  void add_line(const std::string& text, const canvas::Font& font, double size,
-                const scene::Color& ink, const scene::Color* curve = nullptr);
+  void add_line(const std::string& text, const canvas::Font& font, double size, const Color& ink,
+                const Color* curve = nullptr);
 
   /// Adds a line that is broken in two where it would otherwise be set smaller.
-  void add_title(const std::string& text, const canvas::Font& font, double size,
-                 const scene::Color& ink);
+  void add_title(const std::string& text, const canvas::Font& font, double size, const Color& ink);
 
   /// Adds a text in as many lines as it needs, truncated where there is not enough room.
   void add_paragraph(const std::string& text, const canvas::Font& font, double size,
-                     const scene::Color& ink);
+                     const Color& ink);
 
   /// Adds a line for a remark, at most as long as `widest`.
   void add_remark(const std::string& widest,
                   std::function<Remark(const timeline::FrameState&)> remark);
 
   /// Adds a bar whose length is that share of the area's width.
-  void add_bar(double share, const scene::Color& color);
+  void add_bar(double share, const Color& color);
 
   /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
   /// there is not enough room.
@@ -94,7 +93,7 @@ class TextBlock {
     canvas::Line line;
     double size;
     canvas::Canvas::Point at;
-    scene::Color ink;
+    Color ink;
   };
   struct Value {
     std::function<std::string(const timeline::FrameState&)> text;
@@ -124,7 +123,7 @@ class TextBlock {
   std::vector<Text> texts_;
   std::vector<Value> values_;
   std::vector<PlacedRemark> remarks_;
-  std::vector<std::pair<image::Area, scene::Color>> samples_;  ///< Samples of curves.
+  std::vector<std::pair<image::Area, Color>> samples_;  ///< Samples of curves.
   Layer ground_;
 };
 

@@ -28,7 +28,7 @@ struct ColumnTerms {
   double droop, darkening;
 };
 
-Array3d array_of(const scene::Color& color) {
+Array3d array_of(const Color& color) {
   return Eigen::Array3i(color.red, color.green, color.blue).cast<double>();
 }
 
@@ -63,7 +63,7 @@ void add_stars(image::Image& image, int count) {
   }
 }
 
-image::Image flat(const scene::Color& color, int width, int height) {
+image::Image flat(const Color& color, int width, int height) {
   image::Image image(width, height, 3);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
     image.pixels[i] = static_cast<std::uint8_t>(color.red);

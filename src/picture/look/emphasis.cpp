@@ -11,8 +11,8 @@ int mixed(int from, int to) {
 
 }  // namespace
 
-scene::Color dimmed(const scene::Color& color, const OverlayColors& colors) {
-  const scene::Color& ground = colors.panel;
+Color dimmed(const Color& color, const OverlayColors& colors) {
+  const Color& ground = colors.panel;
   return {mixed(ground.red, color.red), mixed(ground.green, color.green),
           mixed(ground.blue, color.blue)};
 }
@@ -26,10 +26,10 @@ double thickness_of(const scene::Overlay& overlay, scene::Feature feature) {
 }
 
 OverlayColors emphasised(OverlayColors colors, const scene::Overlay& overlay) {
-  const auto dim = [&](scene::Feature feature, scene::Color& color) {
+  const auto dim = [&](scene::Feature feature, Color& color) {
     if (is_dimmed(overlay, feature)) color = dimmed(color, colors);
   };
-  for (scene::Color& axis : colors.axis) dim(scene::Feature::axes, axis);
+  for (Color& axis : colors.axis) dim(scene::Feature::axes, axis);
   dim(scene::Feature::momentum, colors.momentum);
   dim(scene::Feature::omega, colors.omega);
   dim(scene::Feature::trail, colors.trail);

@@ -14,7 +14,7 @@ bool is_dimmed(const scene::Overlay& overlay, scene::Feature feature);
 double thickness_of(const scene::Overlay& overlay, scene::Feature feature);
 
 /// Returns the colour of a dimmed feature, mixed with the panel's.
-scene::Color dimmed(const scene::Color& color, const OverlayColors& colors);
+Color dimmed(const Color& color, const OverlayColors& colors);
 
 /// Returns the colours with those of the dimmed features among axes, momentum, omega, trail and
 /// plane dimmed.

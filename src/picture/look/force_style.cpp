@@ -17,7 +17,7 @@ std::string name_of(Force force) {
   return names[static_cast<std::size_t>(force)];
 }
 
-scene::Color color_of(Force force, const OverlayColors& colors) {
+Color color_of(Force force, const OverlayColors& colors) {
   // Those of the axes are apart for every type of colour vision, and axes are seldom shown too.
   if (force == Force::constraint) return colors.dim;
   return colors.axis[static_cast<std::size_t>(force)];

@@ -20,6 +20,6 @@ const std::vector<Force>& forces_in(scene::Frame frame);
 std::string name_of(Force force);
 
 /// Returns the colour of its arrows and of its name.
-scene::Color color_of(Force force, const OverlayColors& colors);
+Color color_of(Force force, const OverlayColors& colors);
 
 }  // namespace twrench::picture

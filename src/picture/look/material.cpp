@@ -25,7 +25,7 @@ Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colo
 }
 
 Material material(const scene::Look& look, const scene::PartLook& part, bool is_colored) {
-  const scene::Color srgb = part.color.value_or(look.color.value_or(style_of(look.theme).metal));
+  const Color srgb = part.color.value_or(look.color.value_or(style_of(look.theme).metal));
   const auto [metallic, roughness] = finish(look, part, is_colored);
   const Eigen::Vector3d color(linear_from_srgb(srgb.red), linear_from_srgb(srgb.green),
                               linear_from_srgb(srgb.blue));

@@ -10,7 +10,7 @@ namespace twrench::picture {
 namespace {
 
 /// Interpolates from a to b, each channel by `share`.
-scene::Color mixed(const scene::Color& a, const scene::Color& b, double share) {
+Color mixed(const Color& a, const Color& b, double share) {
   const auto channel = [&](int from, int to) {
     return static_cast<int>(std::lround(from + share * (to - from)));
   };
@@ -18,9 +18,8 @@ scene::Color mixed(const scene::Color& a, const scene::Color& b, double share) {
 }
 
 /// The axes' colours for the columns; rows from nearest to `end` to the axes' colours themselves.
-std::array<scene::Color, 9> curves(const std::array<scene::Color, 3>& axis,
-                                   const scene::Color& end) {
-  std::array<scene::Color, 9> result{};
+std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& end) {
+  std::array<Color, 9> result{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       result[3 * row + column] = mixed(axis[column], end, 0.4 - 0.2 * static_cast<double>(row));
@@ -35,7 +34,7 @@ std::array<scene::Color, 9> curves(const std::array<scene::Color, 3>& axis,
 // (Machado et al. 2009), also where an arrow is in shade, at 0.65 of its colour.
 
 OverlayColors on_dark() {
-  const std::array<scene::Color, 3> axis{{{243, 82, 49}, {0, 248, 151}, {118, 124, 255}}};
+  const std::array<Color, 3> axis{{{243, 82, 49}, {0, 248, 151}, {118, 124, 255}}};
   return {.text = {245, 247, 250},
           .dim = {216, 220, 228},
           .panel = {14, 16, 21},
@@ -49,7 +48,7 @@ OverlayColors on_dark() {
 }
 
 OverlayColors on_white() {
-  const std::array<scene::Color, 3> axis{{{199, 43, 5}, {0, 118, 100}, {32, 7, 231}}};
+  const std::array<Color, 3> axis{{{199, 43, 5}, {0, 118, 100}, {32, 7, 231}}};
   return {.text = {16, 18, 22},
           .dim = {70, 74, 82},
           .panel = {255, 255, 255},
@@ -90,7 +89,7 @@ PageColors black_page() {
   return colors;
 }
 
-constexpr scene::Color steel{184, 188, 196};
+constexpr Color steel{184, 188, 196};
 
 ThemeStyle studio() {
   return {.metal = steel,

@@ -13,26 +13,26 @@ namespace twrench::picture {
 /// They are distinguishable with every type of colour vision.
 struct OverlayColors {
   /// Text.
-  scene::Color text;
+  Color text;
   /// For secondary content: units, grid lines, the future of a curve.
-  scene::Color dim;
+  Color dim;
   /// Panels behind text and curves.
-  scene::Color panel;
+  Color panel;
   /// 0 to 1.
   double panel_opacity;
   /// The body's x, y and z axes.
-  std::array<scene::Color, 3> axis;
+  std::array<Color, 3> axis;
   /// The angular momentum L.
-  scene::Color momentum;
+  Color momentum;
   /// The angular velocity.
-  scene::Color omega;
+  Color omega;
   /// The trail of a point.
-  scene::Color trail;
+  Color trail;
   /// The invariable plane.
-  scene::Color plane;
+  Color plane;
   /// The components of X row by row: a column has its axis' hue, a row its lightness. Curves of one
   /// row are distinguishable.
-  std::array<scene::Color, 9> curve;
+  std::array<Color, 9> curve;
 };
 
 /// The background: a vertical gradient, and stars. Its colours, and so all between them, have the
@@ -40,9 +40,9 @@ struct OverlayColors {
 /// that varies with the brightness into visible contours.
 struct Backdrop {
   /// Colour at the top of the picture.
-  scene::Color above;
+  Color above;
   /// Colour at the bottom of the picture.
-  scene::Color below;
+  Color below;
   /// Darkening of the sides, 0 to 1.
   double vignette;
   /// Number of stars.
@@ -52,7 +52,7 @@ struct Backdrop {
 /// The floor of a theme.
 struct FloorStyle {
   /// Light added in the middle of the pool. It is gray, so that the background keeps its hue.
-  scene::Color light;
+  Color light;
   /// Fraction of the light that the deepest shadow removes, 0 to 1.
   double shadow;
   /// Visible fraction of the body's mirror image, 0 to 1.
@@ -68,27 +68,27 @@ struct PageColors {
   /// Whether the browser draws controls and scroll bars for a light page.
   bool is_light;
   /// The page.
-  scene::Color ground;
+  Color ground;
   /// Panels on the page.
-  scene::Color panel;
+  Color panel;
   /// Buttons and fields.
-  scene::Color raised;
+  Color raised;
   /// Lines between panels.
-  scene::Color line;
+  Color line;
   /// The outlines of buttons and fields.
-  scene::Color control;
+  Color control;
   /// For secondary content.
-  scene::Color dim;
+  Color dim;
   /// Text on the colour of `momentum`.
-  scene::Color on_momentum;
+  Color on_momentum;
   /// Warnings.
-  scene::Color warning;
+  Color warning;
 };
 
 /// Everything that a theme determines.
 struct ThemeStyle {
   /// Colour of the body, metal or paint, unless the scene sets it.
-  scene::Color metal;
+  Color metal;
   /// Metalness of the body, 0 (paint) to 1 (metal).
   double metallic;
   /// Surface roughness of the body, 0.05 (mirror) to 1 (chalk).

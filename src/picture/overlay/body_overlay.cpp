@@ -126,7 +126,7 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
 /// them visible against anything.
 template <typename Place>
 void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
-                             const scene::Color& color, Place place, DrawList& translucent) const {
+                             const Color& color, Place place, DrawList& translucent) const {
   constexpr double dot = 1.15;  // radius in widths of the line
   std::vector<DrawList::Point> line;
   for (const motion::Sample& sample : instant.trail) {
@@ -162,7 +162,7 @@ std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, c
                                        const image::Area& pane) const {
   std::vector<Label> labels;
   if (!shows_labels_) return labels;
-  const auto add = [&](const char* text, const Vector3d& tip, const scene::Color& color) {
+  const auto add = [&](const char* text, const Vector3d& tip, const Color& color) {
     if (auto label = label_at(text, camera, pane, Vector3d::Zero(), tip, color)) {
       labels.push_back(std::move(*label));
     }

@@ -56,7 +56,7 @@ class BodyOverlay {
   void draw_plane(DrawList& translucent) const;
   void draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const;
   template <typename Place>
-  void draw_track(const timeline::SolutionState& instant, double width, const scene::Color& color,
+  void draw_track(const timeline::SolutionState& instant, double width, const Color& color,
                   Place place, DrawList& translucent) const;
 
   OverlayColors colors_;

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "base/color.h"
 #include "picture/space/camera.h"
 #include "picture/space/screen_area.h"
-#include "scene/color.h"
 
 namespace twrench::picture {
 
@@ -20,7 +20,7 @@ inline constexpr double arrow_head_length = 5.5, arrow_head_radius = 2.4;
 /// The colour of an item.
 struct Ink {
   /// sRGB colour.
-  scene::Color color;
+  Color color;
   /// 0 to 1.
   double opacity = 1;
 };
@@ -70,7 +70,7 @@ class DrawList {
   void line(std::span<const Point> points);
 
   /// Adds a line on a halo of that colour, which keeps it visible against what is behind it.
-  void line_on_halo(std::span<const Point> points, const scene::Color& halo);
+  void line_on_halo(std::span<const Point> points, const Color& halo);
 
   /// Returns by how many pixels a halo reaches beyond something that is so many pixels wide.
   static double halo_of(double width) { return std::max(0.4 * width, 1.0); }

@@ -23,12 +23,12 @@ constexpr double outline_width = 0.3, least_outline = 1;  // radii of the shaft,
 constexpr double outline_opacity = 0.9;
 
 /// Returns black or white, whichever has the higher contrast (WCAG 2.1, "contrast ratio").
-scene::Color contrasting(const scene::Color& color) {
+Color contrasting(const Color& color) {
   const double luminance = 0.2126 * linear_from_srgb(color.red) +
                            0.7152 * linear_from_srgb(color.green) +
                            0.0722 * linear_from_srgb(color.blue);
   constexpr double even = 0.179;  // (even + 0.05)^2 = 0.05 * 1.05
-  return luminance > even ? scene::Color{8, 9, 12} : scene::Color{255, 255, 255};
+  return luminance > even ? Color{8, 9, 12} : Color{255, 255, 255};
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void DrawList::line(std::span<const Point> points) {
   add_line(points, items_.faces);
 }
 
-void DrawList::line_on_halo(std::span<const Point> points, const scene::Color& halo) {
+void DrawList::line_on_halo(std::span<const Point> points, const Color& halo) {
   std::vector<Point> around(points.begin(), points.end());
   for (Point& point : around) {
     point.width += 2 * halo_of(point.width);

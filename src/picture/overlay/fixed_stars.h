@@ -27,7 +27,7 @@ class FixedStars {
   };
 
   std::vector<Star> stars_;
-  scene::Color color_;
+  Color color_;
   double half_open_;  ///< Half the time in s of motion for which the shutter is open.
 };
 

@@ -95,7 +95,7 @@ void ForceArrows::draw(const timeline::SolutionState& instant, DrawList& opaque)
   visit(frame, instant.sample, [&](const Vector3d& start, const Vector3d& force, Force kind) {
     const Vector3d arrow = scale_ * force;
     if (arrow.norm() < shortest_force * radius_) return;
-    const scene::Color color = color_of(kind, colors_);
+    const Color color = color_of(kind, colors_);
     opaque.arrow(start, start + arrow, shaft_ * radius_,
                  {is_dimmed_ ? dimmed(color, colors_) : color});
   });

@@ -98,7 +98,7 @@ void MomentumView::add_sphere(ViewContents& contents) const {
 }
 
 void MomentumView::add_momentum(const timeline::SolutionState& instant, const std::string& name,
-                                const scene::Color& color, ViewContents& contents) const {
+                                const Color& color, ViewContents& contents) const {
   DrawList& list = contents.translucent;
   const auto fading = [&](const Vector3d& point, double opacity) {
     return opacity * shown(point, point, list.eye());

@@ -21,7 +21,7 @@ class MomentumView : public SolutionView {
 
   /// Adds the momentum at an instant of a motion of this body, with its trail and its name.
   void add_momentum(const timeline::SolutionState& instant, const std::string& name,
-                    const scene::Color& color, ViewContents& contents) const;
+                    const Color& color, ViewContents& contents) const;
 
   /// Adds the names of the axes.
   void add_axis_labels(ViewContents& contents) const;

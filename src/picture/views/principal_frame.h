@@ -19,7 +19,7 @@ struct PrincipalFrame {
   /// left-handed as often as not.
   Eigen::Matrix3d axes;
   /// The body axis' colour, if the principal axis coincides with one.
-  std::array<scene::Color, 3> colors;
+  std::array<Color, 3> colors;
   /// Likewise x, y or z; otherwise I1, I2, I3.
   std::array<std::string, 3> names;
   /// The energy level of the momentum.

@@ -46,7 +46,7 @@ double SolutionView::hairline() const {
 }
 
 void SolutionView::add_label(ViewContents& contents, const std::string& text,
-                             const Eigen::Vector3d& tip, const scene::Color& color) const {
+                             const Eigen::Vector3d& tip, const Color& color) const {
   if (!shows_labels_) return;
   auto label = label_at(text, contents.camera, pane().area, Eigen::Vector3d::Zero(), tip, color);
   if (label) contents.labels.push_back(std::move(*label));

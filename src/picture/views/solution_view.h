@@ -36,7 +36,7 @@ class SolutionView : public View {
 
   /// Adds the name of what points from the centre to `tip`, if there is room for it.
   void add_label(ViewContents& contents, const std::string& text, const Eigen::Vector3d& tip,
-                 const scene::Color& color) const;
+                 const Color& color) const;
 
   OverlayColors colors_;
   scene::CameraPath path_;

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double em = 24;
-const scene::Color yellow{255, 216, 39}, pink{247, 120, 201};
+const Color yellow{255, 216, 39}, pink{247, 120, 201};
 const image::Area whole_picture{0, 0, 640, 360};
 const Vector2d arrow_start(200, 180);
 
@@ -29,14 +29,14 @@ class LabelPainterTest : public testing::Test {
   canvas::Typeface typeface = canvas::load_typeface("sans");
   LabelPainter painter{typeface.regular, em, {14, 16, 21}, whole_picture, {}};
 
-  static bool is_ink(const Layer& layer, int x, int y, const scene::Color& ink) {
+  static bool is_ink(const Layer& layer, int x, int y, const Color& ink) {
     const std::uint8_t* p =
         &layer.image.pixels[static_cast<std::size_t>(4 * (y * layer.image.width + x))];
     return std::abs(p[0] - ink.red) + std::abs(p[1] - ink.green) + std::abs(p[2] - ink.blue) < 60;
   }
 
   /// Where the letters are: of rows with more ink than a leader has.
-  static image::Area letters(const Layer& layer, const scene::Color& ink) {
+  static image::Area letters(const Layer& layer, const Color& ink) {
     constexpr int of_leader = 4;
     int left = 1 << 20, top = left, right = -1, bottom = -1;
     for (int y = 0; y < layer.image.height; ++y) {

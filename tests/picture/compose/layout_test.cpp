@@ -141,7 +141,7 @@ TEST_P(LayoutOf, CoversNothing) {
 TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
   check_each([](const scene::Scene& scene, const Layout& layout) {
     long long pixels = 0;
-    for (const auto& [area, focus, named, heading] : all_panes(layout)) {
+    for (const auto& [area, focus, named, heading, thinnest] : all_panes(layout)) {
       EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
       EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
           << text(focus) << " of " << text(scene);

@@ -21,7 +21,7 @@ std::vector<Layer> legend_of(const OverlayScene& all) {
   return legend.draw(all.timeline.frame_state(0));
 }
 
-bool has(const Layer& layer, const scene::Color& color) {
+bool has(const Layer& layer, const Color& color) {
   for (std::size_t i = 0; i < layer.image.pixels.size(); i += 4) {
     const std::uint8_t* p = &layer.image.pixels[i];
     if (p[0] == color.red && p[1] == color.green && p[2] == color.blue) return true;

@@ -26,7 +26,7 @@ double luminance(const std::array<double, 3>& color) {
   return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
-std::array<double, 3> of(const scene::Color& color) {
+std::array<double, 3> of(const Color& color) {
   return {color.red / 255.0, color.green / 255.0, color.blue / 255.0};
 }
 
@@ -206,7 +206,7 @@ TEST(Hud, LaysAPanelUnderAllItsWordsOnABackgroundOfAnotherColour) {
   for (const bool transparent : {false, true}) {
     scene::Scene scene = film_of(1920, 1080);
     scene.look.transparent = transparent;
-    if (!transparent) scene.look.background = scene::Color{255, 255, 255};
+    if (!transparent) scene.look.background = Color{255, 255, 255};
     const OverlayScene film(scene);
     Hud hud = hud_of(film);
     const auto layers = hud.draw(film.timeline.frame_state(0));

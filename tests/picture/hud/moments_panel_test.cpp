@@ -24,7 +24,7 @@ std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*
 }
 
 /// The rows that have pixels of exactly this colour.
-int height_of(const Layer& layer, const scene::Color& color) {
+int height_of(const Layer& layer, const Color& color) {
   int rows = 0;
   for (int y = 0; y < layer.image.height; ++y) {
     int count = 0;
@@ -68,7 +68,7 @@ TEST(MomentsPanel, GivesEachPrincipalAxisAColourOfItsOwn) {
 TEST(MomentsPanel, MarksNoAxisOfABodyAtRest) {
   const OverlayColors* colors = nullptr;
   const auto rest = moments_of({0, 0, 0}, colors);
-  for (const scene::Color& color : colors->axis) EXPECT_EQ(height_of(rest[0], color), 0);
+  for (const Color& color : colors->axis) EXPECT_EQ(height_of(rest[0], color), 0);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ double mean_of_row(const image::Image& image, int y) {
 
 TEST(Background, IsExactlyTheFlatColour) {
   scene::Look look;
-  look.background = scene::Color{1, 200, 255};
+  look.background = Color{1, 200, 255};
   const image::Image image = background(look, 3, 2);
   ASSERT_EQ(image.pixels.size(), 18U);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {

@@ -14,7 +14,7 @@ TEST(LinearFromSrgb, FollowsTheStandard) {
 
 TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
   scene::Look look;
-  look.color = scene::Color{255, 128, 0};
+  look.color = Color{255, 128, 0};
   look.metallic = 1;
   look.roughness = 0.3;
   const Material metal = material(look);
@@ -28,7 +28,7 @@ TEST(Material, OfAMetalReflectsItsColourAndScattersNothing) {
 
 TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
   scene::Look look;
-  look.color = scene::Color{255, 128, 0};
+  look.color = Color{255, 128, 0};
   look.metallic = 0;
   const Material plastic = material(look);
   EXPECT_NEAR(plastic.diffuse.y, 0.2158605, 1e-6);

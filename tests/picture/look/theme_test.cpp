@@ -13,9 +13,9 @@ namespace twrench::picture {
 namespace {
 
 /// From the theme's darkest to its brightest background, with the floor's light.
-std::vector<scene::Color> own_grounds(const ThemeStyle& style) {
-  const scene::Color& below = style.backdrop.below;
-  const scene::Color light = style.floor ? style.floor->light : scene::Color{0, 0, 0};
+std::vector<Color> own_grounds(const ThemeStyle& style) {
+  const Color& below = style.backdrop.below;
+  const Color light = style.floor ? style.floor->light : Color{0, 0, 0};
   return {style.backdrop.above,
           below,
           {std::min(255, below.red + light.red), std::min(255, below.green + light.green),
@@ -23,15 +23,15 @@ std::vector<scene::Color> own_grounds(const ThemeStyle& style) {
 }
 
 /// With what a user may choose, or composite a transparent video over.
-std::vector<scene::Color> any_ground(const ThemeStyle& style) {
-  std::vector<scene::Color> grounds = own_grounds(style);
+std::vector<Color> any_ground(const ThemeStyle& style) {
+  std::vector<Color> grounds = own_grounds(style);
   grounds.insert(grounds.end(),
                  {{255, 255, 255}, {0, 0, 0}, {128, 128, 128}, {138, 43, 226}, {255, 255, 0}});
   return grounds;
 }
 
 /// The panel composited over a background.
-scene::Color panel_on(const OverlayColors& colors, const scene::Color& ground) {
+Color panel_on(const OverlayColors& colors, const Color& ground) {
   const auto over = [&](int panel, int behind) {
     return static_cast<int>(
         std::lround(colors.panel_opacity * panel + (1 - colors.panel_opacity) * behind));
@@ -41,7 +41,7 @@ scene::Color panel_on(const OverlayColors& colors, const scene::Color& ground) {
 }
 
 /// The colours of what has a name or a trail.
-std::vector<scene::Color> named(const OverlayColors& c) {
+std::vector<Color> named(const OverlayColors& c) {
   return {c.axis[0], c.axis[1], c.axis[2], c.momentum, c.omega, c.trail};
 }
 
@@ -57,30 +57,30 @@ INSTANTIATE_TEST_SUITE_P(Each, ThemeTest, testing::ValuesIn(enumerators<scene::T
                          });
 
 TEST_P(ThemeTest, HasTextThatCanBeReadOnAPanelOverAnything) {
-  for (const scene::Color& ground : own_grounds(style)) {
-    for (const scene::Color& text : {colors.text, colors.dim}) {
+  for (const Color& ground : own_grounds(style)) {
+    for (const Color& text : {colors.text, colors.dim}) {
       EXPECT_GE(contrast(text, ground), 4.5)
-          << scene::to_string(text) << " on " << scene::to_string(ground);
+          << to_string(text) << " on " << to_string(ground);
     }
   }
-  std::vector<scene::Color> texts = named(colors);
+  std::vector<Color> texts = named(colors);
   texts.insert(texts.end(), {colors.text, colors.dim});
   texts.insert(texts.end(), colors.curve.begin(), colors.curve.end());  // their names
-  for (const scene::Color& ground : any_ground(style)) {
-    for (const scene::Color& text : texts) {
+  for (const Color& ground : any_ground(style)) {
+    for (const Color& text : texts) {
       EXPECT_GE(contrast(text, panel_on(colors, ground)), 4.5)
-          << scene::to_string(text) << " on a panel on " << scene::to_string(ground);
+          << to_string(text) << " on a panel on " << to_string(ground);
     }
   }
 }
 
 TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
-  std::vector<scene::Color> told = named(colors);
+  std::vector<Color> told = named(colors);
   told.push_back(colors.plane);
   for (std::size_t i = 0; i < told.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_GE(distance(told[i], told[j]), 20)
-          << scene::to_string(told[i]) << " " << scene::to_string(told[j]);
+          << to_string(told[i]) << " " << to_string(told[j]);
     }
   }
   for (std::size_t i = 0; i < 9; ++i) {
@@ -92,10 +92,10 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
 
 TEST_P(ThemeTest, HasTextThatCanBeReadOnAWebPage) {
   const PageColors& page = style.page;
-  for (const scene::Color& ground : {page.ground, page.panel, page.raised}) {
-    for (const scene::Color& text : {colors.text, page.dim, page.warning}) {
+  for (const Color& ground : {page.ground, page.panel, page.raised}) {
+    for (const Color& text : {colors.text, page.dim, page.warning}) {
       EXPECT_GE(contrast(text, ground), 4.5)
-          << scene::to_string(text) << " on " << scene::to_string(ground);
+          << to_string(text) << " on " << to_string(ground);
     }
   }
   EXPECT_GE(contrast(page.on_momentum, colors.momentum), 4.5);

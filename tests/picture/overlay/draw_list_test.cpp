@@ -135,7 +135,7 @@ TEST_F(DrawListTest, FacesOfArrowsAreAnticlockwiseFromOutside) {
 }
 
 TEST_F(DrawListTest, ArrowsHaveAnOutlineOfTheOppositeLightness) {
-  const auto outline = [&](const scene::Color& color) {
+  const auto outline = [&](const Color& color) {
     list.begin(camera(), list_pane);
     list.arrow({-1, 0, 0}, {1, 0, 0}, 0.02, {color});
     EXPECT_FALSE(list.outlines().faces.empty());
