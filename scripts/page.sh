@@ -38,7 +38,7 @@ core_sources() {
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point} \
     picture/views/{body_view,momentum_view,poinsot_view,principal_frame,solution_view,view}
-  printf 'web/core/%s.cpp\n' bindings pictures platform recorded_run stars surfaces
+  printf 'web/core/%s.cpp\n' bindings page_views pictures platform recorded_run stars surfaces
 }
 
 # build_core: build/page/core.wasm, unless it is newer than all that it is made of.

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "motion.h"
 #include "recorded_run.h"
 #include "scratch.h"
 

@@ -1,24 +1,14 @@
 // What the views of the page show: those of the film, for a motion that is under way and a camera
 // that is turned by hand. pictures.js hands over the settings and draws what is returned.
 
-#include <twrench/motion/method.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/enumeration.h"
-#include "picture/views/body_view.h"
-#include "picture/views/momentum_view.h"
-#include "picture/views/poinsot_view.h"
+#include "page_views.h"
 #include "scratch.h"
 #include "stars.h"
 
@@ -29,45 +19,6 @@ using Eigen::Vector3d;
 using picture::ViewContents;
 using picture::Viewpoint;
 using timeline::SolutionState;
-
-/// What the page chooses of a picture beside the motion and the viewpoint.
-struct Settings {
-  double width = 1, height = 1;       ///< Of the pane in pixels.
-  double thinnest = 1;                ///< Width in pixels of the thinnest line.
-  double theme = 0, frame = 0;        ///< Indices of enumerators.
-  double show = 0;                    ///< A bit for each feature.
-  double azimuth = 0, elevation = 0;  ///< Of the camera for which things are framed, rad.
-  double distance = 1;                ///< In units of the one at which things just fit.
-  double field_of_view = 0.5;         ///< Of the view of the body, rad.
-  double interval = 0;                ///< Seconds of motion in the time of one frame.
-  double radius = 1;                  ///< Bounding radius of the body, cm.
-  double trail_length = 1;            ///< s
-  double trail_x = 0, trail_y = 0, trail_z = 0;  ///< What draws the trail, body axes, cm.
-  double curve_begin = 0, curve_end = 1;         ///< Times of the herpolhode that is drawn, s.
-
-  bool operator==(const Settings&) const = default;
-};
-
-/// The settings by their names in JavaScript.
-constexpr std::array<std::pair<const char*, double Settings::*>, 18> fields{
-    {{"width", &Settings::width},
-     {"height", &Settings::height},
-     {"thinnest", &Settings::thinnest},
-     {"theme", &Settings::theme},
-     {"frame", &Settings::frame},
-     {"show", &Settings::show},
-     {"azimuth", &Settings::azimuth},
-     {"elevation", &Settings::elevation},
-     {"distance", &Settings::distance},
-     {"fieldOfView", &Settings::field_of_view},
-     {"interval", &Settings::interval},
-     {"radius", &Settings::radius},
-     {"trailLength", &Settings::trail_length},
-     {"trailX", &Settings::trail_x},
-     {"trailY", &Settings::trail_y},
-     {"trailZ", &Settings::trail_z},
-     {"curveBegin", &Settings::curve_begin},
-     {"curveEnd", &Settings::curve_end}}};
 
 Settings read_settings(Arguments& arguments) {
   Settings settings;
@@ -92,121 +43,6 @@ SolutionState read_instant(Arguments& arguments) {
   return state;
 }
 
-/// The scene that the film would have for these settings.
-scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
-  const auto chosen = [](const auto& enumerators, double index) {
-    return enumerators.at(static_cast<std::size_t>(index));
-  };
-  scene::Scene scene;
-  scene.body.inertia = body.inertia();
-  scene.motion.omega = body.omega();
-  scene.motion.duration = settings.curve_end - settings.curve_begin;
-  scene.film.speed = settings.interval;
-  scene.film.fps = 1;
-  scene.look.theme = chosen(enumerators<scene::Theme>, settings.theme);
-  scene.camera.frame = chosen(enumerators<scene::Frame>, settings.frame);
-  scene.camera.azimuth = settings.azimuth;
-  scene.camera.elevation = settings.elevation;
-  scene.camera.distance = settings.distance;
-  scene.camera.field_of_view = settings.field_of_view;
-  scene.overlay.show.clear();
-  const auto shown = static_cast<std::size_t>(settings.show);
-  for (std::size_t i = 0; i < enumerators<scene::Feature>.size(); ++i) {
-    if ((shown >> i & 1) != 0) scene.overlay.show.insert(enumerators<scene::Feature>[i]);
-  }
-  scene.overlay.trail_length = settings.trail_length;
-  scene.overlay.trail_point = Vector3d(settings.trail_x, settings.trail_y, settings.trail_z);
-  return scene;
-}
-
-/// The exact motion at these times, s.
-std::vector<timeline::Solution> solution_of(const Motion& motion, std::span<const double> times) {
-  return {{.method = &motion::find_method("exact"),
-           .control = {},
-           .body = motion.body,
-           .initial_energy = motion.initial_energy,
-           .whole = motion.exact.at(times, 1),
-           .flips = std::nullopt,
-           .flip_times = {}}};
-}
-
-std::vector<double> evenly_spaced(double begin, double end, int intervals) {
-  std::vector<double> times;
-  for (int i = 0; i <= intervals; ++i) times.push_back(begin + (end - begin) * i / intervals);
-  return times;
-}
-
-picture::Layout::Pane pane_of(const Settings& settings) {
-  const image::Area area{0, 0, static_cast<int>(settings.width), static_cast<int>(settings.height)};
-  return {.area = area, .focus = area, .thinnest = settings.thinnest};
-}
-
-/// A view, and what it was made for.
-template <typename View>
-class Kept {
- public:
-  /// Returns the view, made anew by make(scene, pane) if the motion or a setting has changed.
-  template <typename Make>
-  View& get(const Motion& motion, const Settings& settings, Make make) {
-    if (!view_ || serial_ != motion.serial || settings_ != settings) {
-      view_.reset();  // gives its memory to the next
-      view_ = make(scene_of(settings, motion.body), pane_of(settings));
-      serial_ = motion.serial;
-      settings_ = settings;
-    }
-    return *view_;
-  }
-
- private:
-  std::unique_ptr<View> view_;
-  int serial_ = 0;
-  Settings settings_;
-};
-
-Kept<picture::BodyView> body_pane;
-Kept<picture::MomentumView> sphere;
-Kept<picture::PoinsotView> poinsot;
-ViewContents contents;
-
-/// Both show all that they can.
-scene::Scene with_all(scene::Scene scene) {
-  scene.overlay.show.insert({scene::Feature::trail, scene::Feature::labels});
-  return scene;
-}
-
-/// The times at which a camera that turns with a frame has the arrows in view.
-std::vector<double> framed_times(const Motion& motion, double trail_length) {
-  const auto flips = motion.exact.flips();
-  const bool turns_over = flips && flips->swing >= std::numbers::pi / 2;
-  const bool is_short = turns_over && std::isfinite(flips->interval);
-  return evenly_spaced(0, is_short ? 2 * flips->interval : 8 * trail_length, 720);
-}
-
-picture::BodyView& body_view(const Motion& motion, const Settings& settings) {
-  return body_pane.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
-    const auto times = framed_times(motion, settings.trail_length);
-    return std::make_unique<picture::BodyView>(scene, solution_of(motion, times), 0, pane,
-                                               settings.radius);
-  });
-}
-
-picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings) {
-  return sphere.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
-    auto view =
-        std::make_unique<picture::MomentumView>(with_all(scene), solution_of(motion, {}), 0, pane);
-    if (std::isfinite(settings.azimuth)) view->set_home(settings.azimuth, settings.elevation);
-    return view;
-  });
-}
-
-picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings) {
-  return poinsot.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
-    const auto times = evenly_spaced(settings.curve_begin, settings.curve_end, 1200);
-    return std::make_unique<picture::PoinsotView>(with_all(scene), solution_of(motion, times), 0,
-                                                  pane);
-  });
-}
-
 void write_home(const picture::View& view) {
   const Viewpoint home = view.viewpoint(0);
   Results(2) << home.azimuth << home.elevation;
@@ -223,33 +59,6 @@ void write_list(Results& results, const picture::DrawList& list) {
        {&list.items(), &list.outlines(), &list.ghosts()}) {
     write_span(results, triangles->faces);
     write_span(results, triangles->edge_quads);
-  }
-}
-
-/// Returns where the motion starts on the sphere.
-Vector3d start_of(const Motion& motion, const picture::MomentumView& view) {
-  return view.view_from_body() * motion.body.momentum().stableNormalized();
-}
-
-/// A ring around the start, by which it can be dragged.
-void add_handle(const Vector3d& start, double unit, const picture::OverlayColors& colors) {
-  constexpr int points = 40;
-  picture::DrawList& list = contents.translucent;
-  const Vector3d normal = (list.eye() - start).normalized();
-  const Vector3d right = Vector3d::UnitY().cross(normal).normalized();
-  const Vector3d above = normal.cross(right);
-  const double radius = 7.5 * unit / std::max(list.pixels(start), 1.0);
-  const double opacity = 0.35 + 0.65 * picture::shown(start, start, list.eye());
-  std::vector<picture::DrawList::Point> ring;
-  for (const auto& [width, color] : {std::pair(4.2, colors.panel), {2.0, colors.text}}) {
-    ring.clear();
-    for (int i = 0; i <= points; ++i) {
-      const double angle = 2 * std::numbers::pi * i / points;
-      ring.push_back({start + radius * (std::cos(angle) * right + std::sin(angle) * above),
-                      width * unit,
-                      {color, opacity}});
-    }
-    list.line(ring);
   }
 }
 
@@ -277,7 +86,7 @@ void write_camera(Results& results, const picture::Camera& camera) {
 }
 
 /// Writes where the contents lie in memory.
-void write_contents() {
+void write_contents(const ViewContents& contents) {
   Results results(64);
   write_camera(results, contents.camera);
   results << contents.opaque.clip_z_nearer(1);
@@ -289,12 +98,6 @@ void write_contents() {
             << label.color.red << label.color.green << label.color.blue
             << static_cast<const void*>(label.text.c_str());
   }
-}
-
-timeline::FrameState state_of(SolutionState instant) {
-  timeline::FrameState state;
-  state.solutions.push_back(std::move(instant));
-  return state;
 }
 
 }  // namespace
@@ -337,20 +140,9 @@ using namespace twrench::page;
                                                        double zoom) {
   Arguments arguments;
   const Settings settings = read_settings(arguments);
-  const picture::MomentumView& view = sphere_view(*motion, settings);
-  contents.begin(view.camera_from({azimuth, elevation, zoom}), view.pane().area);
-  view.add_still(contents);
-  view.add_axis_labels(contents);
-  if (motion->body.momentum().isZero(0)) return write_contents();
-  const picture::OverlayColors& colors =
-      picture::style_of(scene_of(settings, motion->body).look.theme).overlay;
   std::vector<SolutionState> instants;
   for (std::size_t i = 0; i < paths; ++i) instants.push_back(read_instant(arguments));
-  // The first is the one that counts, so it is drawn last.
-  if (paths > 1) view.add_momentum(instants[1], "B", colors.omega, contents);
-  view.add_momentum(instants[0], paths > 1 ? "A" : "L", colors.momentum, contents);
-  add_handle(start_of(*motion, view), settings.thinnest, colors);
-  write_contents();
+  write_contents(sphere_contents(*motion, settings, {azimuth, elevation, zoom}, instants));
 }
 
 /// Where the start of the motion is in the picture, in pixels.
@@ -384,23 +176,17 @@ using namespace twrench::page;
 [[clang::export_name("show_poinsot")]] void show_poinsot(const Motion* motion, double azimuth,
                                                          double elevation, double zoom) {
   Arguments arguments;
-  const picture::PoinsotView& view = poinsot_view(*motion, read_settings(arguments));
-  contents.begin(view.camera_from({azimuth, elevation, zoom}), view.pane().area);
-  view.add(state_of(read_instant(arguments)), contents);
-  write_contents();
+  const Settings settings = read_settings(arguments);
+  write_contents(
+      poinsot_contents(*motion, settings, {azimuth, elevation, zoom}, read_instant(arguments)));
 }
 
-/// The direction from which the scene's camera sees the body is a setting; the viewpoint adds to
-/// it.
 [[clang::export_name("show_body")]] void show_body(const Motion* motion, double azimuth,
                                                    double elevation, double zoom) {
   Arguments arguments;
-  const picture::BodyView& view = body_view(*motion, read_settings(arguments));
-  const timeline::FrameState state = state_of(read_instant(arguments));
-  const picture::Camera own = view.camera_from({azimuth, elevation, zoom});
-  contents.begin(view.in_space(own, state), view.pane().area);
-  view.add(state, contents);
-  write_contents();
+  const Settings settings = read_settings(arguments);
+  write_contents(
+      body_contents(*motion, settings, {azimuth, elevation, zoom}, read_instant(arguments)));
 }
 
 /// The stars of a theme, `count` of them in the picture of the scene's own camera: of each the

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <twrench/motion/diagnostics.h>
-#include <twrench/motion/exact.h>
-
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
@@ -66,16 +63,6 @@ class Results {
 
  private:
   std::size_t next_ = 0;
-};
-
-/// A body and its exact motion.
-struct Motion {
-  motion::FreeBody body;
-  motion::ExactMotion exact{body};
-  double initial_energy = motion::energy(body.inertia(), body.omega());
-  /// Tells it from others that lay in the same place.
-  int serial = ++count;
-  static inline int count = 0;
 };
 
 }  // namespace twrench::page

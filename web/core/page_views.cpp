@@ -1,0 +1,207 @@
+#include "page_views.h"
+
+#include <twrench/motion/method.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/enumeration.h"
+
+namespace twrench::page {
+namespace {
+
+using Eigen::Vector3d;
+using picture::ViewContents;
+using picture::Viewpoint;
+using timeline::SolutionState;
+
+/// The scene that the film would have for these settings.
+scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
+  const auto chosen = [](const auto& enumerators, double index) {
+    return enumerators.at(static_cast<std::size_t>(index));
+  };
+  scene::Scene scene;
+  scene.body.inertia = body.inertia();
+  scene.motion.omega = body.omega();
+  scene.motion.duration = settings.curve_end - settings.curve_begin;
+  scene.film.speed = settings.interval;
+  scene.film.fps = 1;
+  scene.look.theme = chosen(enumerators<scene::Theme>, settings.theme);
+  scene.camera.frame = chosen(enumerators<scene::Frame>, settings.frame);
+  scene.camera.azimuth = settings.azimuth;
+  scene.camera.elevation = settings.elevation;
+  scene.camera.distance = settings.distance;
+  scene.camera.field_of_view = settings.field_of_view;
+  scene.overlay.show.clear();
+  const auto shown = static_cast<std::size_t>(settings.show);
+  for (std::size_t i = 0; i < enumerators<scene::Feature>.size(); ++i) {
+    if ((shown >> i & 1) != 0) scene.overlay.show.insert(enumerators<scene::Feature>[i]);
+  }
+  scene.overlay.trail_length = settings.trail_length;
+  scene.overlay.trail_point = Vector3d(settings.trail_x, settings.trail_y, settings.trail_z);
+  return scene;
+}
+
+/// The exact motion at these times, s.
+std::vector<timeline::Solution> solution_of(const Motion& motion, std::span<const double> times) {
+  return {{.method = &motion::find_method("exact"),
+           .control = {},
+           .body = motion.body,
+           .initial_energy = motion.initial_energy,
+           .whole = motion.exact.at(times, 1),
+           .flips = std::nullopt,
+           .flip_times = {}}};
+}
+
+std::vector<double> evenly_spaced(double begin, double end, int intervals) {
+  std::vector<double> times;
+  for (int i = 0; i <= intervals; ++i) times.push_back(begin + (end - begin) * i / intervals);
+  return times;
+}
+
+picture::Layout::Pane pane_of(const Settings& settings) {
+  const image::Area area{0, 0, static_cast<int>(settings.width), static_cast<int>(settings.height)};
+  return {.area = area, .focus = area, .thinnest = settings.thinnest};
+}
+
+/// A view, and what it was made for.
+template <typename View>
+class Kept {
+ public:
+  /// Returns the view, made anew by make(scene, pane) if the motion or a setting has changed.
+  template <typename Make>
+  View& get(const Motion& motion, const Settings& settings, Make make) {
+    if (!view_ || serial_ != motion.serial || settings_ != settings) {
+      view_.reset();  // gives its memory to the next
+      view_ = make(scene_of(settings, motion.body), pane_of(settings));
+      serial_ = motion.serial;
+      settings_ = settings;
+    }
+    return *view_;
+  }
+
+ private:
+  std::unique_ptr<View> view_;
+  int serial_ = 0;
+  Settings settings_;
+};
+
+Kept<picture::BodyView> body_pane;
+Kept<picture::MomentumView> sphere;
+Kept<picture::PoinsotView> poinsot;
+ViewContents contents;
+
+/// Both show all that they can.
+scene::Scene with_all(scene::Scene scene) {
+  scene.overlay.show.insert({scene::Feature::trail, scene::Feature::labels});
+  return scene;
+}
+
+/// The times at which a camera that turns with a frame has the arrows in view.
+std::vector<double> framed_times(const Motion& motion, double trail_length) {
+  const auto flips = motion.exact.flips();
+  const bool turns_over = flips && flips->swing >= std::numbers::pi / 2;
+  const bool is_short = turns_over && std::isfinite(flips->interval);
+  return evenly_spaced(0, is_short ? 2 * flips->interval : 8 * trail_length, 720);
+}
+
+/// A ring around the start, by which it can be dragged.
+void add_handle(const Vector3d& start, double unit, const picture::OverlayColors& colors) {
+  constexpr int points = 40;
+  picture::DrawList& list = contents.translucent;
+  const Vector3d normal = (list.eye() - start).normalized();
+  const Vector3d right = Vector3d::UnitY().cross(normal).normalized();
+  const Vector3d above = normal.cross(right);
+  const double radius = 7.5 * unit / std::max(list.pixels(start), 1.0);
+  const double opacity = 0.35 + 0.65 * picture::shown(start, start, list.eye());
+  std::vector<picture::DrawList::Point> ring;
+  for (const auto& [width, color] : {std::pair(4.2, colors.panel), {2.0, colors.text}}) {
+    ring.clear();
+    for (int i = 0; i <= points; ++i) {
+      const double angle = 2 * std::numbers::pi * i / points;
+      ring.push_back({start + radius * (std::cos(angle) * right + std::sin(angle) * above),
+                      width * unit,
+                      {color, opacity}});
+    }
+    list.line(ring);
+  }
+}
+
+timeline::FrameState state_of(SolutionState instant) {
+  timeline::FrameState state;
+  state.solutions.push_back(std::move(instant));
+  return state;
+}
+
+}  // namespace
+
+picture::BodyView& body_view(const Motion& motion, const Settings& settings) {
+  return body_pane.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
+    const auto times = framed_times(motion, settings.trail_length);
+    return std::make_unique<picture::BodyView>(scene, solution_of(motion, times), 0, pane,
+                                               settings.radius);
+  });
+}
+
+picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings) {
+  return sphere.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
+    auto view =
+        std::make_unique<picture::MomentumView>(with_all(scene), solution_of(motion, {}), 0, pane);
+    if (std::isfinite(settings.azimuth)) view->set_home(settings.azimuth, settings.elevation);
+    return view;
+  });
+}
+
+picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings) {
+  return poinsot.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
+    const auto times = evenly_spaced(settings.curve_begin, settings.curve_end, 1200);
+    return std::make_unique<picture::PoinsotView>(with_all(scene), solution_of(motion, times), 0,
+                                                  pane);
+  });
+}
+
+/// Returns where the motion starts on the sphere.
+Vector3d start_of(const Motion& motion, const picture::MomentumView& view) {
+  return view.view_from_body() * motion.body.momentum().stableNormalized();
+}
+
+const ViewContents& body_contents(const Motion& motion, const Settings& settings,
+                                  const Viewpoint& from, const SolutionState& instant) {
+  const picture::BodyView& view = body_view(motion, settings);
+  const timeline::FrameState state = state_of(instant);
+  contents.begin(view.in_space(view.camera_from(from), state), view.pane().area);
+  view.add(state, contents);
+  return contents;
+}
+
+const ViewContents& sphere_contents(const Motion& motion, const Settings& settings,
+                                    const Viewpoint& from,
+                                    std::span<const SolutionState> instants) {
+  const picture::MomentumView& view = sphere_view(motion, settings);
+  contents.begin(view.camera_from(from), view.pane().area);
+  view.add_still(contents);
+  view.add_axis_labels(contents);
+  if (motion.body.momentum().isZero(0)) return contents;
+  const picture::OverlayColors& colors =
+      picture::style_of(scene_of(settings, motion.body).look.theme).overlay;
+  const bool is_comparison = instants.size() > 1;
+  // The first is the one that counts, so it is drawn last.
+  if (is_comparison) view.add_momentum(instants[1], "B", colors.omega, contents);
+  view.add_momentum(instants[0], is_comparison ? "A" : "L", colors.momentum, contents);
+  add_handle(start_of(motion, view), settings.thinnest, colors);
+  return contents;
+}
+
+const ViewContents& poinsot_contents(const Motion& motion, const Settings& settings,
+                                     const Viewpoint& from, const SolutionState& instant) {
+  const picture::PoinsotView& view = poinsot_view(motion, settings);
+  contents.begin(view.camera_from(from), view.pane().area);
+  view.add(state_of(instant), contents);
+  return contents;
+}
+
+}  // namespace twrench::page

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "motion.h"
+#include "picture/views/body_view.h"
+#include "picture/views/momentum_view.h"
+#include "picture/views/poinsot_view.h"
+
+namespace twrench::page {
+
+/// What the page chooses of a picture beside the motion and the viewpoint.
+struct Settings {
+  double width = 1, height = 1;       ///< Of the pane in pixels.
+  double thinnest = 1;                ///< Width in pixels of the thinnest line.
+  double theme = 0, frame = 0;        ///< Indices of enumerators.
+  double show = 0;                    ///< A bit for each feature.
+  double azimuth = 0, elevation = 0;  ///< Of the camera for which things are framed, rad.
+  double distance = 1;                ///< In units of the one at which things just fit.
+  double field_of_view = 0.5;         ///< Of the view of the body, rad.
+  double interval = 0;                ///< Seconds of motion in the time of one frame.
+  double radius = 1;                  ///< Bounding radius of the body, cm.
+  double trail_length = 1;            ///< s
+  double trail_x = 0, trail_y = 0, trail_z = 0;  ///< What draws the trail, body axes, cm.
+  double curve_begin = 0, curve_end = 1;         ///< Times of the herpolhode that is drawn, s.
+
+  bool operator==(const Settings&) const = default;
+};
+
+/// The settings by their names in JavaScript.
+inline constexpr std::array<std::pair<const char*, double Settings::*>, 18> fields{
+    {{"width", &Settings::width},
+     {"height", &Settings::height},
+     {"thinnest", &Settings::thinnest},
+     {"theme", &Settings::theme},
+     {"frame", &Settings::frame},
+     {"show", &Settings::show},
+     {"azimuth", &Settings::azimuth},
+     {"elevation", &Settings::elevation},
+     {"distance", &Settings::distance},
+     {"fieldOfView", &Settings::field_of_view},
+     {"interval", &Settings::interval},
+     {"radius", &Settings::radius},
+     {"trailLength", &Settings::trail_length},
+     {"trailX", &Settings::trail_x},
+     {"trailY", &Settings::trail_y},
+     {"trailZ", &Settings::trail_z},
+     {"curveBegin", &Settings::curve_begin},
+     {"curveEnd", &Settings::curve_end}}};
+
+// The views. A view is kept until the motion or a setting changes.
+
+picture::BodyView& body_view(const Motion& motion, const Settings& settings);
+/// Unless azimuth and elevation are NaN, the sphere is framed as it is seen from there.
+picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings);
+picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings);
+
+// What they show, until the next call.
+
+const picture::ViewContents& body_contents(const Motion& motion, const Settings& settings,
+                                           const picture::Viewpoint& from,
+                                           const timeline::SolutionState& instant);
+/// Shows one motion or two, and a handle where they start.
+const picture::ViewContents& sphere_contents(const Motion& motion, const Settings& settings,
+                                             const picture::Viewpoint& from,
+                                             std::span<const timeline::SolutionState> instants);
+const picture::ViewContents& poinsot_contents(const Motion& motion, const Settings& settings,
+                                              const picture::Viewpoint& from,
+                                              const timeline::SolutionState& instant);
+
+/// Returns where the motion starts on the sphere, in the picture's coordinates.
+Eigen::Vector3d start_of(const Motion& motion, const picture::MomentumView& view);
+
+}  // namespace twrench::page
