@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # page_test.sh [TEST]: builds the page and the program with it, checks the types of the page's scripts,
-# compares what the page's views show with what the program's show, and tests pages in Chromium, and in Firefox where it is installed; with a word, the tests whose names
-# have it.
+# compares what the page's views show with what the program's show, and tests pages in Chromium, and in
+# Firefox where it is installed; with a word, the tests of pages whose names have it.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 scripts/setup.sh browser
 scripts/page.sh --check
-scripts/build.sh release twrench random_views
+scripts/build.sh --tests release twrench random_views
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json
 CORE=$PWD/build/page/core.wasm WEB=$PWD/web RANDOM_VIEWS=$PWD/build/release/bin/random_views \
   node tests/page/views_test.mjs
