@@ -62,6 +62,16 @@ TEST(Report, OfASceneIsAboutItsMotion) {
   EXPECT_THAT(one, HasSubstr("<h1>Stable rotation about z</h1>"));
 }
 
+TEST(Report, HasARowForEachPrincipalAxis) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "report --inertia 2,3,4 --duration 10 --static -o b.md").code, 0);
+  const std::string text = text_of(folder / "b.md");
+  for (const char* row :
+       {"| x | 2 | (1, 0, 0) |", "| y | 3 | (0, 1, 0) |", "| z | 4 | (0, 0, 1) |"}) {
+    EXPECT_EQ(count(text, row), 1U) << row;
+  }
+}
+
 TEST(Report, HasTheNumbersOfTheOtherCommands) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, "report dzhanibekov --static -o a.html").code, 0);

@@ -50,6 +50,11 @@ TEST(ManPages, HaveTheExitStatusOfCommandsThatDescribeIt) {
   EXPECT_THAT(written("twrench-scenes.1"), testing::Not(HasSubstr(".SH EXIT STATUS")));
 }
 
+TEST(ManPages, HaveTheExamplesOfTheirCommand) {
+  EXPECT_THAT(written("twrench-render.1"),
+              HasSubstr(".SH EXAMPLES\n.nf\n.RS 4\ntwrench render dzhanibekov"));
+}
+
 TEST(ManPages, OfTheSceneHaveEachField) {
   const std::string page = written("twrench-scene.5");
   for (const scene::Field& field : scene::fields()) {
