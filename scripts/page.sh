@@ -29,15 +29,17 @@ clang_version() {
 
 # The sources that the page needs. bindings.cpp is compiled with them, as are those beside it.
 core_sources() {
-  printf 'src/%s.cpp\n' base/{color,error,nearest,require} math/{elliptic,so3} body/{equimomental,mass_properties,shape} \
-    body/{extent,triangle_mesh} \
+  printf 'src/%s.cpp\n' base/{color,error,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
+    body/triangle_mesh \
     motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
     motion/{stability,stepper,taylor,trajectory} study/flip_search \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
-    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} picture/look/{emphasis,force_style,material,studio,theme} \
+    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} \
+    picture/look/{emphasis,force_style,material,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point} \
     picture/views/{body_view,momentum_view,poinsot_view,principal_frame,solution_view,view}
+  printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp
   printf 'web/core/%s.cpp\n' bindings page_views pictures platform recorded_run stars surfaces
 }
 

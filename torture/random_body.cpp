@@ -2,11 +2,15 @@
 
 #include <twrench/math/so3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "body/dimensions.h"
 #include "mesh/mesh_file.h"
 
 namespace twrench::torture {
@@ -101,30 +105,20 @@ body::Shape random_mesh(SceneDice& dice, const Vector3d& radii) {
 body::Shape random_shape(SceneDice& dice, double size) {
   const double least = dice.chance(0.1) ? 1e-4 : 0.02;  // wires, needles and sheets too
   const auto length = [&] { return size * dice.spread(least, 2); };
-  const auto lengths = [&] {
+  const std::vector<body::Shape> shapes = body::all_shapes();
+  body::Shape shape = dice.pick(shapes);
+  if (std::holds_alternative<body::Mesh>(shape)) {
     const double x = length(), y = length();
-    return Vector3d(x, y, length());
-  };
-  const double radius = length();
-  const auto less = [&] { return radius * dice.uniform(0.01, 0.99); };
-  switch (dice.whole(0, 7)) {
-    case 0:
-      return body::Cylinder{radius, length()};
-    case 1:
-      return body::Box{lengths()};
-    case 2:
-      return body::Cone{radius, length(), dice.chance(0.5) ? 0.0 : length()};
-    case 3:
-      return body::Torus{radius, less()};
-    case 4:
-      return body::Capsule{radius, length()};
-    case 5:
-      return body::Tube{radius, less(), length()};
-    case 6:
-      return random_mesh(dice, lengths());
-    default:
-      return body::Ellipsoid{dice.chance(0.3) ? Vector3d(Vector3d::Constant(radius)) : lengths()};
+    return random_mesh(dice, Vector3d(x, y, length()));
   }
+  for (const body::Dimension& dimension : body::dimensions(shape)) {
+    const bool are_equal = dice.chance(0.3);
+    for (double& value : dimension.values) value = length();
+    if (are_equal) std::ranges::fill(dimension.values, dimension.values[0]);
+    if (dimension.may_be_zero && dice.chance(0.5)) dimension.values[0] = 0;
+    if (dimension.greater) dimension.values[0] = *dimension.greater * dice.uniform(0.01, 0.99);
+  }
+  return shape;
 }
 
 body::Part random_part(SceneDice& dice, double size) {

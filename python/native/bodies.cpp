@@ -45,8 +45,8 @@ struct Part {
   scene::PartDescription description;
 };
 
-Shape make_solid(const std::string& name, const std::vector<double>& dimensions) {
-  return {solid_called(name, dimensions)};
+Shape make_solid(const std::string& name, const std::vector<double>& numbers) {
+  return {solid_called(name, numbers)};
 }
 
 Shape mesh_of_file(const std::string& file, std::optional<double> scale, double weld,
@@ -129,6 +129,7 @@ void add_bodies(py::module_& module) {
   py::class_<Shape>(module, "Shape").def_property_readonly("volume", [](const Shape& s) {
     return body::volume(s.shape);
   });
+  module.attr("shapes") = shapes();
   module.def("solid", &make_solid);
   module.def("mesh_of_file", &mesh_of_file);
   module.def("mesh_of_arrays", &mesh_of_arrays);

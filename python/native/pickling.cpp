@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/dimensions.h"
+#include "body/dimensions.h"
 #include "scene/fields.h"
 #include "solids.h"
 
@@ -100,7 +100,7 @@ py::tuple origins_state(const scene::Origins& origins) {
 }
 
 py::tuple Writer::part(const body::Part& part, const scene::PartDescription& description) {
-  return py::make_tuple(scene::shape_name(part.shape), dimensions_of(part.shape), mesh(part.shape),
+  return py::make_tuple(body::shape_name(part.shape), dimensions_of(part.shape), mesh(part.shape),
                         part.density, part.position, part.body_from_part, description.name,
                         look_state(description.look), source_state(description.mesh));
 }

@@ -1,55 +1,44 @@
 #include "solids.h"
 
-#include "scene/dimensions.h"
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <optional>
+
+#include "body/dimensions.h"
 
 namespace twrench::python {
-namespace {
 
-using Eigen::Vector3d;
-using scene::limits::Limit;
-
-/// Sets the dimensions of a shape one after the other.
-struct SetDimensions {
-  std::vector<double>::const_iterator& next;
-  void operator()(const char*, double& value, const Limit&) const { value = *next++; }
-  void operator()(const char*, Vector3d& value, const Limit&) const {
-    for (double& entry : value) entry = *next++;
+std::map<std::string, std::vector<Dimension>> shapes() {
+  std::map<std::string, std::vector<Dimension>> result;
+  for (body::Shape shape : body::all_shapes()) {
+    std::vector<Dimension>& keys = result[body::shape_name(shape)];
+    for (const body::Dimension& dimension : body::dimensions(shape)) {
+      keys.emplace_back(dimension.key, dimension.values.size());
+    }
   }
-};
-
-struct GetDimensions {
-  std::vector<double>& to;
-  void operator()(const char*, double value, const Limit&) const { to.push_back(value); }
-  void operator()(const char*, const Vector3d& value, const Limit&) const {
-    to.insert(to.end(), value.begin(), value.end());
-  }
-};
-
-template <typename Solid>
-body::Shape solid_of(const std::vector<double>& dimensions) {
-  Solid solid{};
-  auto next = dimensions.begin();
-  scene::for_dimensions(solid, SetDimensions{next});
-  return solid;
+  return result;
 }
 
-}  // namespace
-
-body::Shape solid_called(const std::string& name, const std::vector<double>& dimensions) {
-  if (name == "cylinder") return solid_of<body::Cylinder>(dimensions);
-  if (name == "box") return solid_of<body::Box>(dimensions);
-  if (name == "ellipsoid") return solid_of<body::Ellipsoid>(dimensions);
-  if (name == "cone") return solid_of<body::Cone>(dimensions);
-  if (name == "torus") return solid_of<body::Torus>(dimensions);
-  if (name == "capsule") return solid_of<body::Capsule>(dimensions);
-  return solid_of<body::Tube>(dimensions);
+body::Shape solid_called(const std::string& name, const std::vector<double>& numbers) {
+  std::optional<body::Shape> solid = body::shape_named(name);
+  // A mesh is made of more than numbers.
+  if (!solid || std::holds_alternative<body::Mesh>(*solid)) {
+    throw InvalidArgument("shape", fmt::format("'{}' is not the name of a solid", name));
+  }
+  std::size_t next = 0;
+  for (const body::Dimension& dimension : body::dimensions(*solid)) {
+    for (double& value : dimension.values) value = numbers.at(next++);
+  }
+  return *solid;
 }
 
-std::vector<double> dimensions_of(const body::Shape& shape) {
-  std::vector<double> dimensions;
-  std::visit([&](const auto& known) { scene::for_dimensions(known, GetDimensions{dimensions}); },
-             shape);
-  return dimensions;
+std::vector<double> dimensions_of(body::Shape shape) {
+  std::vector<double> numbers;
+  for (const body::Dimension& dimension : body::dimensions(shape)) {
+    numbers.insert(numbers.end(), dimension.values.begin(), dimension.values.end());
+  }
+  return numbers;
 }
 
 }  // namespace twrench::python

@@ -2,17 +2,25 @@
 
 #include <twrench/body/shape.h>
 
-#include <Eigen/Core>
+#include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace twrench::python {
 
-/// Returns the shape with that name, but for a mesh, whose dimensions are in the order of
-/// scene::for_dimensions().
-body::Shape solid_called(const std::string& name, const std::vector<double>& dimensions);
+/// The key of a dimension, and of how many numbers it consists.
+using Dimension = std::pair<std::string, std::size_t>;
 
-/// Returns the dimensions of a shape in that order.
-std::vector<double> dimensions_of(const body::Shape& shape);
+/// Returns the dimensions of all shapes by their names.
+std::map<std::string, std::vector<Dimension>> shapes();
+
+/// Returns the solid with that name, which is not "mesh", from the numbers of its dimensions in
+/// that order. Throws InvalidArgument for an unknown name.
+body::Shape solid_called(const std::string& name, const std::vector<double>& numbers);
+
+/// Returns the numbers of a shape's dimensions.
+std::vector<double> dimensions_of(body::Shape shape);
 
 }  // namespace twrench::python

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from os import PathLike
-from typing import Sequence, Union
+from typing import ClassVar, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +32,8 @@ StrPath = Union[str, "PathLike[str]"]
 class Solid:
     """A homogeneous solid, placed in the frame in which the body is described."""
 
+    _name: ClassVar[str]  # in scene files; its dimensions are attributes
+
     #: Density in g/cm^3; give it or ``mass``.
     density: float | None = None
     #: Position of the solid's own origin in cm, three numbers.
@@ -54,7 +56,14 @@ class Solid:
     roughness: float | None = field(default=None, kw_only=True)
 
     def _shape(self) -> _native.Shape:
-        raise NotImplementedError
+        numbers: list[float] = []
+        for key, count in _native.shapes[self._name]:
+            value = getattr(self, key)
+            if count == 1:
+                numbers.append(_arguments.number(key, value))
+            else:
+                numbers.extend(_arguments.vector(key, value))
+        return _native.solid(self._name, numbers)
 
     def _crease(self) -> float | None:
         return None
@@ -84,9 +93,6 @@ class Solid:
             self._crease(),
         )
 
-    def _solid(self, shape: str, **lengths: float) -> _native.Shape:
-        return _native.solid(shape, [_arguments.number(*length) for length in lengths.items()])
-
 
 def _number_or_none(name: str, value: float | None) -> float | None:
     return None if value is None else _arguments.number(name, value)
@@ -96,35 +102,32 @@ def _number_or_none(name: str, value: float | None) -> float | None:
 class Cylinder(Solid):
     """A solid cylinder whose axis is its own z axis, with its origin in the centre."""
 
+    _name = "cylinder"
+
     #: Radius in cm.
     radius: float
     #: Length in cm.
     length: float
-
-    def _shape(self) -> _native.Shape:
-        return self._solid("cylinder", radius=self.radius, length=self.length)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Box(Solid):
     """A solid box, with its origin in the centre."""
 
+    _name = "box"
+
     #: Lengths of the edges along its own x, y and z axes in cm.
     size: ArrayLike
-
-    def _shape(self) -> _native.Shape:
-        return _native.solid("box", list(_arguments.vector("size", self.size)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ellipsoid(Solid):
     """A solid ellipsoid, with its origin in the centre."""
 
+    _name = "ellipsoid"
+
     #: Semi-axes along its own x, y and z axes in cm.
     radii: ArrayLike
-
-    def _shape(self) -> _native.Shape:
-        return _native.solid("ellipsoid", list(_arguments.vector("radii", self.radii)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,6 +146,8 @@ class Cone(Solid):
     """A solid cone, or a frustum, whose axis is its own z axis, with its origin halfway between base
     and top."""
 
+    _name = "cone"
+
     #: Radius of the base, at z = -length/2, in cm.
     radius: float
     #: Length in cm.
@@ -150,23 +155,17 @@ class Cone(Solid):
     #: Radius of the top, at z = length/2, in cm; 0 for a cone with an apex.
     top_radius: float = 0.0
 
-    def _shape(self) -> _native.Shape:
-        return self._solid(
-            "cone", radius=self.radius, length=self.length, top_radius=self.top_radius
-        )
-
 
 @dataclass(frozen=True, kw_only=True)
 class Torus(Solid):
     """A solid ring torus in its own xy plane, with its origin in the centre."""
 
+    _name = "torus"
+
     #: Radius of the circle in the middle of the tube in cm.
     radius: float
     #: Radius of the tube in cm, less than ``radius``.
     tube_radius: float
-
-    def _shape(self) -> _native.Shape:
-        return self._solid("torus", radius=self.radius, tube_radius=self.tube_radius)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,13 +173,12 @@ class Capsule(Solid):
     """A solid cylinder with hemispherical ends, whose axis is its own z axis, with its origin in the
     centre."""
 
+    _name = "capsule"
+
     #: Radius of the cylinder and of its ends in cm.
     radius: float
     #: Length of the cylinder, between the centres of the hemispheres, in cm.
     length: float
-
-    def _shape(self) -> _native.Shape:
-        return self._solid("capsule", radius=self.radius, length=self.length)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -188,17 +186,14 @@ class Tube(Solid):
     """A cylinder with a coaxial hole from end to end, whose axis is its own z axis, with its origin in
     the centre."""
 
+    _name = "tube"
+
     #: Outer radius in cm.
     radius: float
     #: Radius of the hole in cm, less than ``radius``.
     inner_radius: float
     #: Length in cm.
     length: float
-
-    def _shape(self) -> _native.Shape:
-        return self._solid(
-            "tube", radius=self.radius, inner_radius=self.inner_radius, length=self.length
-        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -209,6 +204,8 @@ class Mesh(Solid):
     The surface is a ``file``, or ``vertices`` and ``triangles``. It is read and checked when a
     :class:`Body` is made of it.
     """
+
+    _name = "mesh"
 
     #: An OBJ, STL, PLY or glTF file, or the name of a built-in mesh.
     file: StrPath | None = None

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <variant>
 
+#include "body/shape_functions.h"
+
 namespace twrench::body {
 namespace {
 
@@ -32,54 +34,10 @@ Matrix3d with_definite_signs(Matrix3d axes) {
   return axes;
 }
 
-void require_less(const char* quantity, double value, const char* other, double limit) {
-  if (value < limit) return;
-  throw InvalidArgument(quantity,
-                        fmt::format("is {}, but must be less than {}, {}", value, other, limit));
-}
-
-/// Throws unless its dimensions are those of a solid.
-struct CheckShape {
-  void operator()(const Cylinder& c) const {
-    require_positive("radius", c.radius);
-    require_positive("length", c.length);
-  }
-  void operator()(const Box& b) const {
-    for (const double edge : b.size) require_positive("size", edge);
-  }
-  void operator()(const Ellipsoid& e) const {
-    for (const double radius : e.radii) require_positive("radii", radius);
-  }
-  void operator()(const Cone& c) const {
-    require_positive("radius", c.radius);
-    require_positive("length", c.length);
-    if (c.top_radius != 0.0) require_positive("top_radius", c.top_radius);
-  }
-  void operator()(const Torus& t) const {
-    require_positive("tube_radius", t.tube_radius);
-    require_finite("radius", t.radius);
-    require_less("tube_radius", t.tube_radius, "radius", t.radius);
-  }
-  void operator()(const Capsule& c) const {
-    require_positive("radius", c.radius);
-    require_positive("length", c.length);
-  }
-  void operator()(const Tube& t) const {
-    require_positive("inner_radius", t.inner_radius);
-    require_positive("length", t.length);
-    require_finite("radius", t.radius);
-    require_less("inner_radius", t.inner_radius, "radius", t.radius);
-  }
-  void operator()(const Mesh& m) const {
-    if (!m.surface) throw InvalidArgument("mesh", "has no surface");
-    require_positive("mesh", m.integrals.volume);
-  }
-};
-
 // Eigen's functions are inlined: those of a program that is compiled with -ffast-math, which the
 // linker may use for both, might accept a NaN.
 [[gnu::flatten]] void check(const Part& part) {
-  std::visit(CheckShape(), part.shape);
+  std::visit([](const auto& solid) { shapes::check(solid); }, part.shape);
   require_positive("density", part.density);
   for (const double coordinate : part.position) require_finite("position", coordinate);
   constexpr double round_off = 1e-9;

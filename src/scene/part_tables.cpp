@@ -5,8 +5,7 @@
 #include <twrench/math/so3.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "scene/dimensions.h"
@@ -25,18 +24,16 @@ void read_dimension(TomlTable& part, const std::string& key, double& value,
   if (limit.low > 0 || part.has(key)) value = part.required_number(key, limit);
 }
 
-void read_dimension(TomlTable& part, const std::string& key, Vector3d& value,
-                    const limits::Limit& limit) {
-  value = part.required_vector(key, limit);
-}
-
-template <typename Shape>
-body::Shape read_solid(TomlTable& part) {
-  Shape shape{};
-  for_dimensions(shape, [&](const char* key, auto& value, const limits::Limit& limit) {
-    read_dimension(part, key, value, limit);
-  });
-  return shape;
+body::Shape read_solid(TomlTable& part, body::Shape solid) {
+  for (const body::Dimension& dimension : body::dimensions(solid)) {
+    const limits::Limit& limit = limit_of(dimension);
+    if (dimension.values.size() == 1) {
+      read_dimension(part, dimension.key, dimension.values[0], limit);
+    } else {
+      std::ranges::copy(part.required_vector(dimension.key, limit), dimension.values.begin());
+    }
+  }
+  return solid;
 }
 
 body::Shape read_sphere(TomlTable& part) {
@@ -78,21 +75,23 @@ body::Shape read_mesh(TomlTable& part, MeshFiles& meshes, PartDescription& descr
   }
 }
 
+/// Returns the names of the shapes that a part can have.
+std::vector<std::string> shape_words() {
+  std::vector<std::string> words;
+  for (const body::Shape& shape : body::all_shapes()) {
+    words.push_back(body::shape_name(shape));
+    if (std::holds_alternative<body::Ellipsoid>(shape)) words.emplace_back("sphere");
+  }
+  return words;
+}
+
 body::Shape read_shape(TomlTable& part, MeshFiles& meshes, PartDescription& description) {
-  using Read = body::Shape (*)(TomlTable&);
-  static const std::vector<std::pair<std::string, Read>> solids{
-      {"cylinder", read_solid<body::Cylinder>},   {"box", read_solid<body::Box>},
-      {"ellipsoid", read_solid<body::Ellipsoid>}, {"sphere", read_sphere},
-      {"cone", read_solid<body::Cone>},           {"torus", read_solid<body::Torus>},
-      {"capsule", read_solid<body::Capsule>},     {"tube", read_solid<body::Tube>}};
-  const std::string name = part.required_text("shape");
-  if (name == "mesh") return read_mesh(part, meshes, description);
-  const auto solid = std::ranges::find(solids, name, &std::pair<std::string, Read>::first);
-  if (solid != solids.end()) return solid->second(part);
-  std::vector<std::string> names;
-  std::ranges::transform(solids, std::back_inserter(names), &std::pair<std::string, Read>::first);
-  names.emplace_back("mesh");
-  throw unknown_name(part.place("shape"), name, names);
+  const std::string word = part.required_text("shape");
+  if (word == "sphere") return read_sphere(part);
+  const std::optional<body::Shape> shape = body::shape_named(word);
+  if (!shape) throw unknown_name(part.place("shape"), word, shape_words());
+  if (std::holds_alternative<body::Mesh>(*shape)) return read_mesh(part, meshes, description);
+  return read_solid(part, *shape);
 }
 
 double read_density(TomlTable& part, const body::Shape& shape) {

@@ -3,7 +3,7 @@
 #include <twrench/math/so3.h>
 
 #include "base/enumeration.h"
-#include "scene/dimensions.h"
+#include "body/dimensions.h"
 #include "scene/fields.h"
 #include "system/sha256.h"
 
@@ -14,15 +14,13 @@ using nlohmann::ordered_json;
 
 ordered_json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-ordered_json number(double value) { return value; }
-
-ordered_json number(const Eigen::Vector3d& value) { return numbers(value); }
-
-void add_dimensions(ordered_json& json, const body::Shape& shape) {
-  const auto add = [&](const char* key, const auto& value, const limits::Limit&) {
-    json[key] = number(value);
-  };
-  std::visit([&](const auto& known) { for_dimensions(known, add); }, shape);
+void add_dimensions(ordered_json& json, body::Shape shape) {
+  for (const body::Dimension& dimension : body::dimensions(shape)) {
+    const std::span<double> values = dimension.values;
+    json[dimension.key] = values.size() == 1
+                              ? ordered_json(values[0])
+                              : ordered_json(std::vector(values.begin(), values.end()));
+  }
 }
 
 /// SHA-256 of a mesh that is of no file.
@@ -56,7 +54,7 @@ void add_look(ordered_json& json, const PartLook& look) {
 }
 
 ordered_json part_json(const body::Part& part, const PartDescription& description) {
-  ordered_json json{{"shape", shape_name(part.shape)}};
+  ordered_json json{{"shape", body::shape_name(part.shape)}};
   add_dimensions(json, part.shape);
   if (const auto* mesh = std::get_if<body::Mesh>(&part.shape)) add_mesh(json, *mesh, description);
   if (!description.name.empty()) json["name"] = description.name;

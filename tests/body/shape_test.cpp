@@ -7,8 +7,10 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <set>
 #include <utility>
 
+#include "body/dimensions.h"
 #include "body/sample_meshes.h"
 
 namespace twrench::body {
@@ -117,6 +119,29 @@ TEST(Shape, CapsuleIntegrals) {
 
 TEST(Shape, TubeIntegrals) {
   expect_profile(Tube{1.5, 1.2, 4}, -2, 2, [](double) { return std::pair(1.2, 1.5); });
+}
+
+TEST(Shape, IsFoundByItsName) {
+  for (const Shape& shape : all_shapes()) {
+    const auto found = shape_named(shape_name(shape));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->index(), shape.index());
+  }
+  EXPECT_FALSE(shape_named("sphere"));
+}
+
+TEST(Shape, HasDimensionsThatCanBeSetOneAfterAnother) {
+  for (Shape shape : all_shapes()) {
+    std::set<std::string> keys;
+    std::set<const double*> set;
+    for (const Dimension& dimension : dimensions(shape)) {
+      EXPECT_TRUE(keys.insert(dimension.key).second) << dimension.key;
+      EXPECT_TRUE(dimension.greater == nullptr || set.contains(dimension.greater));
+      EXPECT_EQ(dimension.greater != nullptr, keys.contains(dimension.greater_key));
+      for (const double& value : dimension.values) EXPECT_TRUE(set.insert(&value).second);
+    }
+    EXPECT_FALSE(keys.empty()) << shape_name(shape);
+  }
 }
 
 TEST(Shape, KnownVolumes) {

@@ -1,9 +1,11 @@
-// "Add a shape" of CONTRIBUTING.md, for every shape that there is. A shape without an example here
-// does not compile; one that a place of the recipe forgot does not compile there, or fails here.
+// "Add a shape" of CONTRIBUTING.md, for every alternative of body::Shape. A shape without an
+// example here is a link error; so is one without its functions, unless it is a compile error or
+// fails here.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,6 +16,7 @@
 #include "picture/body/mesh.h"
 #include "picture/body/occluders.h"
 #include "picture/overlay/trail_point.h"
+#include "picture/shapes/shapes.h"
 #include "scene/scene_json.h"
 
 namespace twrench::picture {
@@ -159,6 +162,29 @@ TYPED_TEST(ShapeRecipe, LiesInItsBounds) {
   EXPECT_GE(farthest, bound * 0.96);
   EXPECT_LE(farthest_of_all,
             bounding_radius(std::span<const body::Part>(&this->part, 1)) * (1 + 1e-6));
+}
+
+TYPED_TEST(ShapeRecipe, HoldsWhatIsInsideItsSurface) {
+  if constexpr (IsRings<TypeParam>) {
+    const auto shape = example<TypeParam>();
+    for (const auto& ring : rings_of(shape, 1e-4).rings) {
+      for (const auto& [position, normal] : ring) {
+        EXPECT_TRUE(holds(shape, position, 1e-3));
+        EXPECT_FALSE(holds(shape, position + 0.2 * normal, 1e-3));
+      }
+    }
+  }
+}
+
+TYPED_TEST(ShapeRecipe, HasTheSymmetryOfItsExtent) {
+  const body::Shape shape = example<TypeParam>();
+  const auto extent = [&](double angle) {
+    const Vector3d direction(std::cos(angle), std::sin(angle), 0.3);
+    return direction.dot(body::support(shape, direction));
+  };
+  bool is_round = true;
+  for (int i = 1; i < 12; ++i) is_round = is_round && std::abs(extent(i) - extent(0)) < 1e-12;
+  EXPECT_EQ(traits_of(shape).symmetry == of_revolution, is_round);
 }
 
 // What shades other parts in its stead, and the end that draws a trail, lie about it.

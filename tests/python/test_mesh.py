@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import math
 import pickle
 from pathlib import Path
@@ -11,7 +12,8 @@ import numpy as np
 import pytest
 
 import twrench
-from twrench import Body, Box, Capsule, Cone, Cylinder, Mesh, Sphere, Torus, Tube
+from twrench import Body, Box, Capsule, Cone, Cylinder, Mesh, Sphere, Torus, Tube, _native
+from twrench.solids import Solid
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
 QUADS = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
@@ -32,6 +34,14 @@ def by_quadrature(inside, half):
     x, y, z = np.meshgrid(*axes, indexing="ij")
     mask = inside(x, y, z)
     return mask.mean() * 8 * np.prod(half), [float((q**2)[mask].mean()) for q in (x, y, z)]
+
+
+def test_every_shape_is_a_class_with_its_dimensions():
+    classes = {kind._name: kind for kind in Solid.__subclasses__() if kind is not Sphere}
+    for name, dimensions in _native.shapes.items():
+        assert classes[name].__name__ in twrench.__all__
+        attributes = {attribute.name for attribute in dataclasses.fields(classes[name])}
+        assert attributes >= {key for key, _ in dimensions}
 
 
 @pytest.mark.parametrize(

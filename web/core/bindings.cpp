@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "body/dimensions.h"
 #include "motion.h"
 #include "recorded_run.h"
 #include "scratch.h"
@@ -41,33 +42,20 @@ std::vector<double> times_at_beginning(std::size_t n) {
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-body::Shape shape_at(const double* p) {
-  switch (static_cast<int>(p[0])) {
-    case 0:
-      return body::Cylinder{p[1], p[2]};
-    case 1:
-      return body::Box{Vector3d(p + 1)};
-    case 2:
-      return body::Ellipsoid{Vector3d(p + 1)};
-    case 3:
-      return body::Cone{p[1], p[2], p[3]};
-    case 4:
-      return body::Torus{p[1], p[2]};
-    case 5:
-      return body::Capsule{p[1], p[2]};
-    case 6:
-      return body::Tube{p[1], p[2], p[3]};
-    default:
-      return body::Mesh{nullptr, 0, {p[1], Vector3d(p + 2), Eigen::Map<const RowMajor>(p + 5)}};
-  }
-}
-
+/// Each as the index of its shape in shapes(), its dimensions in their order, density, position and
+/// rotation.
 std::vector<body::Part> parts_at_beginning(std::size_t count) {
-  constexpr std::size_t per_part = 27;
+  std::size_t next = 0;
   std::vector<body::Part> parts;
   for (std::size_t i = 0; i < count; ++i) {
-    const double* p = &numbers[per_part * i];
-    parts.push_back({shape_at(p), p[14], Vector3d(p + 15), Eigen::Map<const RowMajor>(p + 18)});
+    body::Shape shape = body::all_shapes().at(static_cast<std::size_t>(numbers.at(next++)));
+    for (const body::Dimension& dimension : body::dimensions(shape)) {
+      for (double& value : dimension.values) value = numbers.at(next++);
+    }
+    constexpr std::size_t rest = 1 + 3 + 9;
+    if (next + rest > numbers.size()) throw InvalidArgument("parts", "lack numbers");
+    parts.push_back({shape, numbers[next], vector_at(next + 1), matrix_at(next + 4)});
+    next += rest;
   }
   return parts;
 }
@@ -92,6 +80,22 @@ extern "C" {
                         json.size() > 1 ? "," : "", m.name,
                         m.order ? fmt::to_string(*m.order) : "null", m.exact(), m.adaptive(),
                         m.linear(), m.conserves_energy, m.reversible, m.summary, m.source);
+  }
+  json += "]";
+  return json.c_str();
+}
+
+/// The names of all shapes and the keys of their dimensions as JSON.
+[[clang::export_name("shapes")]] const char* shapes() {
+  static std::string json;
+  json = "[";
+  for (body::Shape shape : body::all_shapes()) {
+    std::string keys;
+    for (const body::Dimension& dimension : body::dimensions(shape)) {
+      keys += fmt::format(R"({}"{}")", keys.empty() ? "" : ",", dimension.key);
+    }
+    json += fmt::format(R"({}{{"name":"{}","keys":[{}]}})", json.size() > 1 ? "," : "",
+                        body::shape_name(shape), keys);
   }
   json += "]";
   return json.c_str();

@@ -85,25 +85,23 @@ export { Motion, Run } from './motion.js';
  */
 
 /**
- * A part of a body. Dimensions in cm as in scene files: cylinder {radius, length}, box {size}, ellipsoid
- * {radii}, cone {radius, length, top_radius}, torus {radius, tube_radius}, capsule {radius, length},
- * tube {radius, inner_radius, length}; mesh {volume, centroid, inertia}, of density 1.
- * @typedef {object} Part
+ * A part of a body, which has the dimensions of its shape in cm under their keys in scene files; it
+ * cannot be a mesh.
+ * @typedef {object} PartValues
  * @property {string} shape
  * @property {number} density g/cm^3
  * @property {Vector} position cm
  * @property {Matrix} body_from_part rotation
  * @property {string} [name]
- * @property {number} [radius]
- * @property {number} [length]
- * @property {number} [top_radius]
- * @property {number} [tube_radius]
- * @property {number} [inner_radius]
- * @property {Vector} [size]
- * @property {Vector} [radii]
- * @property {number} [volume]
- * @property {Vector} [centroid]
- * @property {Matrix} [inertia]
+ */
+
+/** @typedef {PartValues & Record<string, any>} Part */
+
+/**
+ * A shape and the keys of its dimensions, each a number or a vector.
+ * @typedef {object} Shape
+ * @property {string} name
+ * @property {string[]} keys
  */
 
 /**
@@ -124,33 +122,6 @@ export { Motion, Run } from './motion.js';
 
 const stabilities = /** @type {const} */ (['unstable', 'stable', 'neutral']);
 
-/** The dimensions of each shape, in the order in which bindings.cpp reads them. */
-const shapes = /** @type {[string, (part: any) => number[]][]} */ ([
-  ['cylinder', (p) => [p.radius, p.length]],
-  ['box', (p) => p.size],
-  ['ellipsoid', (p) => p.radii],
-  ['cone', (p) => [p.radius, p.length, p.top_radius ?? 0]],
-  ['torus', (p) => [p.radius, p.tube_radius]],
-  ['capsule', (p) => [p.radius, p.length]],
-  ['tube', (p) => [p.radius, p.inner_radius, p.length]],
-  ['mesh', (p) => [p.volume, ...p.centroid, ...p.inertia]],
-]);
-
-const doublesPerPart = 1 + 13 + 1 + 3 + 9;
-
-/** @param {readonly Part[]} parts */
-function packed(parts) {
-  const numbers = new Float64Array(parts.length * doublesPerPart);
-  parts.forEach((part, i) => {
-    const shape = shapes.findIndex(([name]) => name === part.shape);
-    if (shape < 0) throw new CoreError(`shape: ${part.shape} is unknown`);
-    const at = i * doublesPerPart;
-    numbers.set([shape, ...shapes[shape][1](part)], at);
-    numbers.set([part.density, ...part.position, ...part.body_from_part], at + 14);
-  });
-  return numbers;
-}
-
 /** The diagonal matrix of moments. @param {Vector} m @returns {Matrix} */
 export const diagonal = (m) => [m[0], 0, 0, 0, m[1], 0, 0, 0, m[2]];
 
@@ -168,6 +139,8 @@ export class Core {
     this.instance = instance;
     /** @type {Method[]} All methods, in the order in which the program lists them. */
     this.methods = JSON.parse(instance.text(instance.call('methods')));
+    /** @type {Shape[]} */
+    this.shapes = JSON.parse(instance.text(instance.call('shapes')));
   }
 
   /** Throws a CoreError for a name that no method has. @param {string} name */
@@ -189,7 +162,8 @@ export class Core {
 
   /** @param {readonly Part[]} parts @returns {MassProperties} */
   massProperties(parts) {
-    const r = this.instance.compute(25, packed(parts), 'mass_properties', parts.length);
+    const numbers = parts.flatMap((part) => this.packed(part));
+    const r = this.instance.compute(25, numbers, 'mass_properties', parts.length);
     return {
       mass: r[0],
       centreOfMass: vector(r, 1),
@@ -197,6 +171,14 @@ export class Core {
       moments: vector(r, 13),
       axes: matrix(r, 16),
     };
+  }
+
+  /** A part as bindings.cpp reads it; a dimension that is not given is 0. @param {Part} part */
+  packed(part) {
+    const index = this.shapes.findIndex(({ name }) => name === part.shape);
+    if (index < 0) throw new CoreError(`shape: ${part.shape} is unknown`);
+    const dimensions = this.shapes[index].keys.flatMap((key) => part[key] ?? 0);
+    return [index, ...dimensions, part.density, ...part.position, ...part.body_from_part];
   }
 
   /** The box that is drawn for a body given by its moments about x, y, z. @param {Vector} moments */

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "picture/body/gap_closing.h"
-#include "picture/body/outline_radii.h"
 #include "picture/look/theme.h"
+#include "picture/shapes/shapes.h"
 #include "picture/space/glm_from_eigen.h"
 
 namespace twrench::picture {
@@ -37,7 +37,7 @@ std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh
   std::vector<PartModel> models;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::optional<CylinderSide>& side = mesh.sides[i];
-    const auto [outline, round] = outline_radii(parts[i].shape);
+    const auto [outline, round] = traits_of(parts[i].shape).outline;
     const double rim = side ? side->bevel : 0;
     models.push_back(
         {.side_begin = side ? side->begin : mesh.part_ends[i],

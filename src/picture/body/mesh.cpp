@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "picture/body/polygon.h"
-#include "picture/body/rings.h"
 #include "picture/body/triangle_surface.h"
+#include "picture/shapes/shapes.h"
 #include "picture/space/glm_from_eigen.h"
 
 namespace twrench::picture {
@@ -124,8 +124,8 @@ struct PartMesher {
   Mesh operator()(const body::Mesh& mesh) const {
     return triangle_surface(mesh, part.position, part.body_from_part, tolerance, crease_angle);
   }
-  Mesh operator()(const auto& shape) const {
-    return surface_of_rings(part, rings_of(shape, tolerance));
+  Mesh operator()(const IsRings auto& solid) const {
+    return surface_of_rings(part, rings_of(solid, tolerance));
   }
 };
 

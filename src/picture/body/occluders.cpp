@@ -5,20 +5,12 @@
 #include <utility>
 
 #include "picture/body/lumps.h"
+#include "picture/shapes/shapes.h"
 
 namespace twrench::picture {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Half the sizes of a box that has about the shape's volume.
-Vector3d half_sizes(const body::Shape& shape) {
-  const Vector3d half = body::bounding_box(shape).sizes() / 2;
-  const auto* const cone = std::get_if<body::Cone>(&shape);
-  if (cone == nullptr) return half;
-  const double radius = (cone->radius + cone->top_radius) / 2;
-  return {radius, radius, half.z()};
-}
 
 /// Returns the point on the capsule's segment that is nearest to `point`.
 Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {
@@ -48,41 +40,23 @@ double gap(const std::vector<Capsule>& some, const Capsule& other) {
   return least;
 }
 
-/// Whether the seam where another part enters it can be found in the shader.
-bool has_round_side(const body::Shape& shape) {
-  return std::holds_alternative<body::Cylinder>(shape) ||
-         std::holds_alternative<body::Capsule>(shape);
-}
-
 }  // namespace
 
-Capsule capsule_of(const body::Part& part) {
-  const Vector3d half = half_sizes(part.shape);
-  const Vector3d centre =
-      part.position + part.body_from_part * body::bounding_box(part.shape).center();
-  Eigen::Index longest = 2;
-  half.maxCoeff(&longest);
-  const double radius = (half.sum() - half[longest]) / 2;
-  const double half_length = std::max(0.0, half[longest] - radius / 2);
-  const Vector3d along = half_length * part.body_from_part.col(longest);
-  return {centre - along, centre + along, radius};
-}
-
 std::vector<Capsule> capsules_of(const body::Part& part) {
-  if (const auto* const capsule = std::get_if<body::Capsule>(&part.shape)) {
-    const Vector3d along = capsule->length / 2 * part.body_from_part.col(2);
-    return {{part.position - along, part.position + along, capsule->radius}};
-  }
-  const bool is_lumpy = std::holds_alternative<body::Torus>(part.shape) ||
-                        std::holds_alternative<body::Tube>(part.shape) ||
-                        std::holds_alternative<body::Mesh>(part.shape);
-  return is_lumpy ? lumps(part) : std::vector{capsule_of(part)};
+  const std::optional<AxisCapsule> own = traits_of(part.shape).occluder;
+  if (!own) return lumps(part);
+  const Vector3d along = own->half_length * part.body_from_part.col(own->axis);
+  return {{part.position - along, part.position + along, own->radius}};
 }
 
 std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
                                                  std::size_t most) {
   std::vector<std::vector<Capsule>> capsules;
-  for (const body::Part& part : parts) capsules.push_back(capsules_of(part));
+  std::vector<bool> have_round_side;
+  for (const body::Part& part : parts) {
+    capsules.push_back(capsules_of(part));
+    have_round_side.push_back(traits_of(part.shape).has_round_side);
+  }
   std::vector<std::vector<Capsule>> result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<std::pair<double, Capsule>> near;
@@ -91,7 +65,7 @@ std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> par
       for (Capsule other : capsules[j]) {
         const double distance = gap(capsules[i], other);
         if (distance >= 2 * other.radius) continue;
-        other.meets = distance < 0 && j < i && has_round_side(parts[j].shape);
+        other.meets = distance < 0 && j < i && have_round_side[j];
         other.part = j;
         near.emplace_back(distance, other);
       }

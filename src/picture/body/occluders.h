@@ -20,12 +20,8 @@ struct Capsule {
   std::size_t part = 0;
 };
 
-/// Returns a capsule that approximates a convex part for soft shading: about its longest axis, with
-/// ends inset by half a radius.
-Capsule capsule_of(const body::Part& part);
-
-/// Returns the capsules that approximate a part for soft shading: one, or several for a ring, a
-/// tube or a mesh.
+/// Returns the capsules that approximate a part for soft shading: one, or several for a part
+/// with hollows.
 std::vector<Capsule> capsules_of(const body::Part& part);
 
 /// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are

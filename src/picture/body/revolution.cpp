@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "picture/shapes/shapes.h"
 #include "picture/space/glm_from_eigen.h"
 
 namespace twrench::picture {
@@ -12,15 +13,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A diagonal tensor with the symmetry of the shape under rotations by small angles.
-struct SymmetryTensor {
-  Vector3d operator()(const body::Box&) const { return {1, 2, 3}; }
-  Vector3d operator()(const body::Ellipsoid& e) const { return e.radii / e.radii.maxCoeff(); }
-  Vector3d operator()(const body::Mesh&) const { return {1, 2, 3}; }
-  Vector3d operator()(const auto&) const { return {1, 1, 0}; }  // shapes of revolution
-};
-
-Vector3d symmetry(const body::Part& part) { return std::visit(SymmetryTensor(), part.shape); }
+std::vector<Vector3d> symmetries_of(std::span<const body::Part> parts) {
+  std::vector<Vector3d> symmetries;
+  for (const body::Part& part : parts) symmetries.push_back(traits_of(part.shape).symmetry);
+  return symmetries;
+}
 
 /// How far the shape extends from its own origin along a unit vector in body axes.
 double radius_along(const body::Part& part, const Vector3d& direction) {
@@ -28,13 +25,13 @@ double radius_along(const body::Part& part, const Vector3d& direction) {
   return own.dot(body::support(part.shape, own));
 }
 
-bool turns_into_itself(const body::Part& part, const Vector3d& axis) {
+bool turns_into_itself(const body::Part& part, const Vector3d& symmetry, const Vector3d& axis) {
   constexpr double round_off = 1e-9;
   const Vector3d& place = part.position;
   if ((place - place.dot(axis) * axis).norm() > round_off * body::bounding_radius(part.shape))
     return false;
   const Matrix3d Q = Eigen::AngleAxisd(1, axis).toRotationMatrix() * part.body_from_part;
-  const Matrix3d tensor = symmetry(part).asDiagonal();
+  const Matrix3d tensor = symmetry.asDiagonal();
   const Matrix3d& R = part.body_from_part;
   return (Q * tensor * Q.transpose() - R * tensor * R.transpose()).norm() <= round_off;
 }
@@ -60,31 +57,42 @@ AcrossFromBody across_all(std::span<const body::Part> parts, const Vector3d& axi
   return across_axis(frame, Vector3d::Zero(), radius);
 }
 
-}  // namespace
-
-std::optional<Vector3d> axis_of_revolution(std::span<const body::Part> parts) {
+/// The axis about which all parts turn into themselves.
+std::optional<Vector3d> common_axis(std::span<const body::Part> parts,
+                                    std::span<const Vector3d> symmetries) {
   std::vector<Vector3d> candidates;
   for (const body::Part& part : parts) {
     for (const int i : {2, 0, 1}) candidates.emplace_back(part.body_from_part.col(i));
     if (!part.position.isZero()) candidates.push_back(part.position.normalized());
   }
-  const auto found = std::ranges::find_if(candidates, [&](const Vector3d& axis) {
-    return std::ranges::all_of(
-        parts, [&](const body::Part& part) { return turns_into_itself(part, axis); });
-  });
+  const auto is_common = [&](const Vector3d& axis) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!turns_into_itself(parts[i], symmetries[i], axis)) return false;
+    }
+    return true;
+  };
+  const auto found = std::ranges::find_if(candidates, is_common);
   return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
+}  // namespace
+
+std::optional<Vector3d> axis_of_revolution(std::span<const body::Part> parts) {
+  return common_axis(parts, symmetries_of(parts));
+}
+
 std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts) {
-  if (const auto axis = axis_of_revolution(parts)) {
+  const std::vector<Vector3d> symmetries = symmetries_of(parts);
+  if (const auto axis = common_axis(parts, symmetries)) {
     return std::vector(parts.size(), across_all(parts, *axis));
   }
   std::vector<AcrossFromBody> result;
-  for (const body::Part& part : parts) {
-    const bool has_axis = symmetry(part) == Vector3d(1, 1, 0);
-    result.push_back(has_axis ? across_axis(part.body_from_part, part.position,
-                                            radius_along(part, part.body_from_part.col(0)))
-                              : AcrossFromBody{});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Matrix3d& frame = parts[i].body_from_part;
+    result.push_back(
+        symmetries[i] == of_revolution
+            ? across_axis(frame, parts[i].position, radius_along(parts[i], frame.col(0)))
+            : AcrossFromBody{});
   }
   return result;
 }

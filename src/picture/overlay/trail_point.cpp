@@ -1,34 +1,19 @@
 #include "picture/overlay/trail_point.h"
 
-#include <twrench/body/mass_properties.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "picture/shapes/shapes.h"
+
 namespace twrench::picture {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// The directions from a shape's centre of mass to its ends, as columns in its own axes.
-struct EndDirections {
-  Matrix3d operator()(const body::Box&) const { return Matrix3d::Identity(); }
-  Matrix3d operator()(const body::Ellipsoid&) const { return Matrix3d::Identity(); }
-  Matrix3d operator()(const body::Mesh& m) const {
-    return body::principal_axes(m.integrals.inertia).axes;
-  }
-  Eigen::Matrix<double, 3, 2> operator()(const body::Torus&) const {
-    return Matrix3d::Identity().leftCols<2>();
-  }
-  Vector3d operator()(const auto&) const { return Vector3d::UnitZ(); }  // the axis of rotation
-};
 
 /// The ends of a shape in its own frame: where it ends along a line through its centre of mass.
 std::vector<Vector3d> ends_of(const body::Shape& shape) {
-  const Eigen::Matrix3Xd directions =
-      std::visit([](const auto& s) -> Eigen::Matrix3Xd { return EndDirections()(s); }, shape);
+  const auto directions = traits_of(shape).ends;
   const Vector3d centre = body::centroid(shape);
   std::vector<Vector3d> ends;
   for (const auto& axis : directions.colwise()) {

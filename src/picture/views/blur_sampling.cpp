@@ -8,7 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <unordered_set>
-#include <variant>
+
+#include "picture/shapes/shapes.h"
 
 namespace twrench::picture {
 namespace {
@@ -26,10 +27,8 @@ Vector3d place_of(const Mesh& mesh, std::uint32_t vertex) {
 
 /// Returns the least thickness of a shape in cm; 0 if it may be thin anywhere.
 double thickness(const body::Shape& shape) {
-  const bool is_hollow = std::holds_alternative<body::Torus>(shape) ||
-                         std::holds_alternative<body::Tube>(shape) ||
-                         std::holds_alternative<body::Mesh>(shape);
-  return is_hollow ? 0 : body::bounding_box(shape).sizes().minCoeff();
+  const bool has_hollows = !traits_of(shape).occluder.has_value();
+  return has_hollows ? 0 : body::bounding_box(shape).sizes().minCoeff();
 }
 
 double least_thickness(std::span<const body::Part> parts) {

@@ -9,19 +9,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(CapsuleOf, LiesAboutTheLongestAxis) {
-  const Capsule capsule = capsule_of(cylinder(1, 8, {-1, 0, 0}, Vector3d::UnitY()));
+TEST(CapsulesOf, LiesAboutTheLongestAxis) {
+  const Capsule capsule = capsules_of(cylinder(1, 8, {-1, 0, 0}, Vector3d::UnitY()))[0];
   EXPECT_EQ(capsule.radius, 1);
   EXPECT_NEAR((capsule.from - Vector3d(-1, -3.5, 0)).norm(), 0, 1e-12);
   EXPECT_NEAR((capsule.to - Vector3d(-1, 3.5, 0)).norm(), 0, 1e-12);
-  const Capsule box = capsule_of({body::Box{{6, 2, 4}}, 1, {0, 0, 1}, Eigen::Matrix3d::Identity()});
+  const Capsule box =
+      capsules_of({body::Box{{6, 2, 4}}, 1, {0, 0, 1}, Eigen::Matrix3d::Identity()})[0];
   EXPECT_EQ(box.radius, 1.5);
   EXPECT_NEAR(std::abs((box.to - box.from).x()), 4.5, 1e-12);
 }
 
-TEST(CapsuleOf, IsABallForABall) {
-  const Capsule capsule = capsule_of(
-      {body::Ellipsoid{Vector3d::Constant(2)}, 1, {1, 2, 3}, Eigen::Matrix3d::Identity()});
+TEST(CapsulesOf, IsABallForABall) {
+  const Capsule capsule = capsules_of(
+      {body::Ellipsoid{Vector3d::Constant(2)}, 1, {1, 2, 3}, Eigen::Matrix3d::Identity()})[0];
   EXPECT_EQ(capsule.radius, 2);
   EXPECT_NEAR((capsule.to - capsule.from).norm(), 2, 1e-12);
 }

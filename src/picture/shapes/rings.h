@@ -1,7 +1,5 @@
 #pragma once
 
-#include <twrench/body/shape.h>
-
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
@@ -27,14 +25,5 @@ struct Rings {
   /// Radius of the rounded rims beside that side, cm; 0 if it has none.
   double bevel = 0;
 };
-
-/// Returns the surface of a shape, see part_mesh().
-Rings rings_of(const body::Cylinder& cylinder, double tolerance);
-Rings rings_of(const body::Box& box, double tolerance);
-Rings rings_of(const body::Ellipsoid& ellipsoid, double tolerance);
-Rings rings_of(const body::Cone& cone, double tolerance);
-Rings rings_of(const body::Torus& torus, double tolerance);
-Rings rings_of(const body::Capsule& capsule, double tolerance);
-Rings rings_of(const body::Tube& tube, double tolerance);
 
 }  // namespace twrench::picture
