@@ -22,9 +22,8 @@
 // centroid         the centre of mass
 // central_inertia  about the centroid in g cm^2, for `mass` grams
 // support          a point farthest along a unit vector
-// far_side         the distance from a point to the farthest point of the shape; for an ellipsoid,
-// a
-//                  bound on it
+// far_side         the distance from a point to the farthest point of the shape, or an upper bound
+//                  of it for an ellipsoid
 
 namespace twrench::body::shapes {
 

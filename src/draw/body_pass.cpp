@@ -33,7 +33,7 @@ std::vector<std::size_t> side_begins(const BodyModel& body) {
   return begins;
 }
 
-/// What decides on a program beside the studio.
+/// The properties that select a program, in addition to the studio.
 struct ProgramKind {
   Material material;
   bool is_colored;  ///< Whether vertices have colours.

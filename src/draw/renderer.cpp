@@ -67,7 +67,7 @@ struct Renderer::Parts {
   Parts(gl::Context& context, const scene::Scene& scene,
         const std::vector<timeline::Solution>& solutions, std::optional<gl::ReadMode> mode);
 
-  std::shared_future<image::Image> empty;  // without any element; made while OpenGL gets ready
+  std::shared_future<image::Image> empty;  // without any element; drawn while OpenGL initialises
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   canvas::Typeface typeface;

@@ -389,7 +389,7 @@ const tests = {
   },
 
   async 'memory stays flat while it plays'() {
-    const { page, quiet } = await open(flip, { hash: '#speed=16&t=80' }); // the herpolhode is soon made anew
+    const { page, quiet } = await open(flip, { hash: '#speed=16&t=80' }); // the herpolhode is soon computed again
     const session = await page.createCDPSession();
     const memory = async () => {
       await session.send('HeapProfiler.collectGarbage');

@@ -1,5 +1,5 @@
-// The views of the page's core show what the program's own build of them shows: the same triangles, and
-// numbers that agree to six digits, for random states in each theme and view. Needs no browser:
+// The contents of the views in core.wasm and in the program's build are the same for random states in
+// each theme and view: the same triangles, and numbers that agree to six digits. Needs no browser:
 // CORE and RANDOM_VIEWS name core.wasm and the program, WEB the folder of the scripts.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

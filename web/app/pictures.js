@@ -92,7 +92,7 @@ export class Pictures {
       { scene } = this.data,
       [trailX, trailY, trailZ] = this.#surface.trail_point,
       { azimuth, elevation, distance, field_of_view: fieldOfView } = scene.camera;
-    // The part of the herpolhode around t, of as many turns as can be told apart.
+    // The part of the herpolhode around t, with as many turns as are distinguishable.
     const span = Math.min(
       scene.motion.duration,
       (pointsOfHerpolhode * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300),

@@ -72,7 +72,7 @@ picture::Layout::Pane pane_of(const Settings& settings) {
 template <typename View>
 class Kept {
  public:
-  /// Returns the view, made anew by make(scene, pane) if the motion or a setting has changed.
+  /// Returns the view. If the motion or a setting has changed, make(scene, pane) creates it again.
   template <typename Make>
   View& get(const Motion& motion, const Settings& settings, Make make) {
     if (!view_ || serial_ != motion.serial || settings_ != settings) {
@@ -95,7 +95,7 @@ Kept<picture::MomentumView> sphere;
 Kept<picture::PoinsotView> poinsot;
 ViewContents contents;
 
-/// Both show all that they can.
+/// The sphere and Poinsot's construction always show their trail and labels.
 scene::Scene with_all(scene::Scene scene) {
   scene.overlay.show.insert({scene::Feature::trail, scene::Feature::labels});
   return scene;
@@ -109,7 +109,7 @@ std::vector<double> framed_times(const Motion& motion, double trail_length) {
   return evenly_spaced(0, is_short ? 2 * flips->interval : 8 * trail_length, 720);
 }
 
-/// A ring around the start, by which it can be dragged.
+/// Adds a ring around the start. With it the user drags the start.
 void add_handle(const Vector3d& start, double unit, const picture::OverlayColors& colors) {
   constexpr int points = 40;
   picture::DrawList& list = contents.translucent;

@@ -11,19 +11,19 @@
 
 namespace twrench::page {
 
-/// What the page chooses of a picture beside the motion and the viewpoint.
+/// The properties of a picture that the page chooses, in addition to the motion and the viewpoint.
 struct Settings {
-  double width = 1, height = 1;       ///< Of the pane in pixels.
-  double thinnest = 1;                ///< Width in pixels of the thinnest line.
-  double theme = 0, frame = 0;        ///< Indices of enumerators.
-  double show = 0;                    ///< A bit for each feature.
-  double azimuth = 0, elevation = 0;  ///< Of the camera for which things are framed, rad.
-  double distance = 1;                ///< In units of the one at which things just fit.
-  double field_of_view = 0.5;         ///< Of the view of the body, rad.
-  double interval = 0;                ///< Seconds of motion in the time of one frame.
-  double radius = 1;                  ///< Bounding radius of the body, cm.
-  double trail_length = 1;            ///< s
-  double trail_x = 0, trail_y = 0, trail_z = 0;  ///< What draws the trail, body axes, cm.
+  double width = 1, height = 1;                  ///< Size of the pane in pixels.
+  double thinnest = 1;                           ///< Width in pixels of the thinnest line.
+  double theme = 0, frame = 0;                   ///< Indices of enumerators.
+  double show = 0;                               ///< A bit for each feature.
+  double azimuth = 0, elevation = 0;             ///< The home of the camera, rad.
+  double distance = 1;                           ///< In units of the one at which things just fit.
+  double field_of_view = 0.5;                    ///< That of the body's camera, rad.
+  double interval = 0;                           ///< Seconds of motion in the time of one frame.
+  double radius = 1;                             ///< Bounding radius of the body, cm.
+  double trail_length = 1;                       ///< s
+  double trail_x = 0, trail_y = 0, trail_z = 0;  ///< Trail point in body axes, cm.
   double curve_begin = 0, curve_end = 1;         ///< Times of the herpolhode that is drawn, s.
 
   bool operator==(const Settings&) const = default;
@@ -57,7 +57,7 @@ picture::BodyView& body_view(const Motion& motion, const Settings& settings);
 picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings);
 picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings);
 
-// What they show, until the next call.
+// The contents of the views. Each call replaces those of the last.
 
 const picture::ViewContents& body_contents(const Motion& motion, const Settings& settings,
                                            const picture::Viewpoint& from,

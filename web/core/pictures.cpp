@@ -1,5 +1,5 @@
-// What the views of the page show: those of the film, for a motion that is under way and a camera
-// that is turned by hand. pictures.js hands over the settings and draws what is returned.
+// The functions by which pictures.js gets the contents of the page's views. They are the film's
+// views of a motion at any time, seen by a camera that the user turns.
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -123,7 +123,7 @@ using namespace twrench::page;
   return text.c_str();
 }
 
-/// The direction, azimuth and elevation in rad, from which a motion is seen best.
+/// Writes azimuth and elevation in rad of the direction that shows a motion best.
 [[clang::export_name("sphere_home")]] void sphere_home(const Motion* motion) {
   Settings settings = settings_alone();
   settings.azimuth = std::nan("");
@@ -145,7 +145,7 @@ using namespace twrench::page;
   write_contents(sphere_contents(*motion, settings, {azimuth, elevation, zoom}, instants));
 }
 
-/// Where the start of the motion is in the picture, in pixels.
+/// Writes the place of the start of the motion in the picture, in pixels.
 [[clang::export_name("sphere_start")]] void sphere_start(const Motion* motion, double azimuth,
                                                          double elevation, double zoom) {
   const picture::MomentumView& view = sphere_view(*motion, settings_alone());

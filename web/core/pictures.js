@@ -1,7 +1,4 @@
-/**
- * What the views show: the film's own views, of a motion that is under way. Pictures are of the C++ in
- * src/picture; here is how its memory is read.
- */
+/** The contents of the page's views. C++ computes them (src/picture); this file reads its memory. */
 /** @typedef {import('./core.js').Core} Core */
 /** @typedef {import('./core.js').Samples} Samples */
 /** @typedef {import('./instance.js').Instance} Instance */
@@ -21,8 +18,8 @@
  */
 
 /**
- * What is to be drawn. The lists lie in the core's memory until another view is asked for. Each use of
- * an array looks there anew, because the memory moves as it grows.
+ * The contents of a view. The lists are in the core's memory until the next view replaces them. Each use
+ * of an array reads the memory again, because it moves when it grows.
  * @typedef {object} Contents
  * @property {Camera} camera
  * @property {number} clipZNearer What brings an item nearer by the picture's height, in clip space.
@@ -32,7 +29,7 @@
  */
 
 /**
- * What a picture depends on beside the motion and the viewpoint. What is left out is 0.
+ * The properties of a picture, in addition to the motion and the viewpoint.
  * @typedef {object} Settings
  * @property {number} width Of the pane in pixels.
  * @property {number} height

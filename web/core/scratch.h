@@ -7,8 +7,8 @@
 
 namespace twrench::page {
 
-/// The scratch area, in which C++ and JavaScript hand numbers over. A function reads its arguments
-/// from the beginning and leaves its results there.
+/// The scratch area. A function of the core reads its arguments from the beginning of this area and
+/// writes its results to the same place.
 inline std::vector<double> numbers;
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;

@@ -27,7 +27,7 @@ struct Surface {
   std::vector<Ball> balls;  ///< That cast its shadow.
 };
 
-/// What is handed over, as the numbers of the shaders.
+/// The last results, as the floats that the shaders need.
 std::vector<float> uniforms;
 
 void add(const glm::vec3& v) { uniforms.insert(uniforms.end(), {v.x, v.y, v.z}); }

@@ -1,5 +1,5 @@
-// Draws the body. As src/draw/body_pass.cpp, but for a framebuffer with several samples a pixel, so
-// that edges need no quads of their own.
+// Draws the body as src/draw/body_pass.cpp does, but without edge quads: WebGL has several samples per
+// pixel.
 import body_frag from '../../shaders/body.frag';
 import body_vert from '../../shaders/body.vert';
 import brush from '../../shaders/brush.glsl';

@@ -12,7 +12,7 @@ class SolutionView : public View {
   Viewpoint viewpoint(double video_time) const override;
   Camera camera_from(const Viewpoint& from) const override;
 
-  /// Frames the contents anew, as they are seen from there at the start.
+  /// Frames the contents for this direction of the camera at the start.
   void set_home(double azimuth, double elevation);
 
  protected:

@@ -12,7 +12,8 @@
 
 namespace twrench::picture {
 
-/// What a view shows at one time, as values. It is kept from frame to frame to reuse its memory.
+/// The contents of a view at one time, as values. Reuse them for the next frame to reuse their
+/// memory.
 struct ViewContents {
   /// For coordinates in space.
   Camera camera;
@@ -25,7 +26,8 @@ struct ViewContents {
   /// Names, which are drawn over all views and panels.
   std::vector<Label> labels;
 
-  /// Removes what was shown. Later items are seen by `camera_in_space`, whose picture fills `pane`.
+  /// Removes all contents. Items are then added as `camera_in_space` sees them, whose picture fills
+  /// `pane`.
   void begin(const Camera& camera_in_space, const image::Area& pane);
 
   bool is_empty() const {
@@ -33,7 +35,7 @@ struct ViewContents {
   }
 };
 
-/// Where a view is seen from.
+/// The place from which a view is seen.
 struct Viewpoint {
   /// Direction of the eye, in rad; see direction_of().
   double azimuth, elevation;
@@ -44,7 +46,7 @@ struct Viewpoint {
 /// Returns a view's framing as it is seen from there.
 Framing seen_from(Framing framing, const Viewpoint& from);
 
-/// A view of objects in space. It computes what is to be seen, and draws nothing.
+/// A view of objects in space. It computes its contents and draws nothing.
 class View {
  public:
   explicit View(Layout::Pane pane) : pane_(std::move(pane)) {}
@@ -69,10 +71,10 @@ class View {
     return camera;
   }
 
-  /// Adds what is the same in every frame to `contents`, which show nothing yet.
+  /// Adds the items that are the same in every frame to `contents`, which must be empty.
   virtual void add_still(ViewContents& /*contents*/) const {}
 
-  /// Adds what changes from frame to frame, as the contents' camera sees it.
+  /// Adds the items that change from frame to frame, as the contents' camera sees them.
   virtual void add(const timeline::FrameState& state, ViewContents& contents) const = 0;
 
  private:
