@@ -62,6 +62,12 @@ while (at < written.length) {
     expectClose(anchor, state.labels[i].anchor, 2, what);
     expectClose(away, state.labels[i].away, 2, what);
   });
+  if (state.view === 'body') {
+    const paused = { ...names(pictures.names, state.settings), interval: state.settings.interval > 0 ? 0 : 0.01 };
+    const camera = pictures.body(motion, paused, state.from, instants).camera;
+    assert.deepEqual(camera, found.camera, `${what}: the camera moves when the motion stops`);
+    pictures.body(motion, names(pictures.names, state.settings), state.from, instants);
+  }
   arraysOf(found).forEach((array, i) => {
     const bytes = Uint8Array.from(written.subarray(at, at + state.sizes[i]));
     at += state.sizes[i];

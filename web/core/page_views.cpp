@@ -28,8 +28,8 @@ scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   scene.body.inertia = body.inertia();
   scene.motion.omega = body.omega();
   scene.motion.duration = settings.curve_end - settings.curve_begin;
-  scene.film.speed = settings.interval;
-  scene.film.fps = 1;
+  scene.film.speed = 1;
+  scene.film.fps = 1 / settings.interval;  // infinite while the motion stands still
   scene.look.theme = chosen(enumerators<scene::Theme>, settings.theme);
   scene.camera.frame = chosen(enumerators<scene::Frame>, settings.frame);
   scene.camera.azimuth = settings.azimuth;
