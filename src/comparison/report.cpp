@@ -102,7 +102,8 @@ std::string junit_case(const FrameResult& frame, const Comparison& comparison) {
   if (frame.passed()) return start + "/>\n";
   const std::string_view kind = frame.outcome == Outcome::unreadable ? "error" : "failure";
   return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start, kind,
-                     enumerator_name(frame.outcome), text::escape_xml(finding(frame, comparison.criteria)));
+                     enumerator_name(frame.outcome),
+                     text::escape_xml(finding(frame, comparison.criteria)));
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST(IncludeRules, AHeaderOfNoKnownLibrary) {
 }
 
 TEST(IncludeRules, AFolderWithoutARow) {
-  EXPECT_THAT(broken_rules(read_include_rules(document), {"math", "picture", "picture/space", "mesh"},
-                           sound_includes()),
+  EXPECT_THAT(broken_rules(read_include_rules(document),
+                           {"math", "picture", "picture/space", "mesh"}, sound_includes()),
               ElementsAre("mesh has no row in the table"));
 }
 

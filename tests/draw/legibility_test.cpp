@@ -186,8 +186,7 @@ TEST_P(Legibility, OfTextAndCurvesIsThatOfText) {
     const auto expect_legible = [&](const Color& ink, const image::Area& area) {
       const auto contrasts = contrasts_of(ink, with, area, without);
       ASSERT_GT(contrasts.size(), 10U) << to_string(ink);
-      EXPECT_GE(median(contrasts), 4.5)
-          << to_string(ink) << " on " << to_string(ground);
+      EXPECT_GE(median(contrasts), 4.5) << to_string(ink) << " on " << to_string(ground);
     };
     expect_legible(colors.text, title);
     expect_legible(colors.text, readouts);

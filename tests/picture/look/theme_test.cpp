@@ -59,8 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ThemeTest, testing::ValuesIn(enumerators<scene::T
 TEST_P(ThemeTest, HasTextThatCanBeReadOnAPanelOverAnything) {
   for (const Color& ground : own_grounds(style)) {
     for (const Color& text : {colors.text, colors.dim}) {
-      EXPECT_GE(contrast(text, ground), 4.5)
-          << to_string(text) << " on " << to_string(ground);
+      EXPECT_GE(contrast(text, ground), 4.5) << to_string(text) << " on " << to_string(ground);
     }
   }
   std::vector<Color> texts = named(colors);
@@ -79,8 +78,7 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
   told.push_back(colors.plane);
   for (std::size_t i = 0; i < told.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GE(distance(told[i], told[j]), 20)
-          << to_string(told[i]) << " " << to_string(told[j]);
+      EXPECT_GE(distance(told[i], told[j]), 20) << to_string(told[i]) << " " << to_string(told[j]);
     }
   }
   for (std::size_t i = 0; i < 9; ++i) {
@@ -94,8 +92,7 @@ TEST_P(ThemeTest, HasTextThatCanBeReadOnAWebPage) {
   const PageColors& page = style.page;
   for (const Color& ground : {page.ground, page.panel, page.raised}) {
     for (const Color& text : {colors.text, page.dim, page.warning}) {
-      EXPECT_GE(contrast(text, ground), 4.5)
-          << to_string(text) << " on " << to_string(ground);
+      EXPECT_GE(contrast(text, ground), 4.5) << to_string(text) << " on " << to_string(ground);
     }
   }
   EXPECT_GE(contrast(page.on_momentum, colors.momentum), 4.5);
