@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "film/output_space.h"
@@ -96,9 +95,7 @@ video::Manifest manifest_of(const RenderSettings& settings, const scene::Scene& 
                             const draw::FilmRenderer& renderer, const std::vector<int>& asked) {
   video::Manifest manifest;
   manifest.version = TWRENCH_VERSION;
-  // As it will be read back: its strings may contain invalid UTF-8.
-  manifest.scene = nlohmann::ordered_json::parse(scene::scene_json(scene).dump(
-      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  manifest.scene = scene::scene_json(scene);
   manifest.font = renderer.typeface_digest();
   manifest.renderer = renderer.description();
   manifest.width = scene.film.width;
