@@ -54,12 +54,6 @@ video::VideoFormat video_format(const scene::Scene& scene, const VideoOutput& vi
           video.container,  scene.look.transparent, video.is_streamed()};
 }
 
-/// The scene, whose integration ends when the run is to stop.
-scene::Scene stoppable(scene::Scene scene, const std::atomic<bool>* stop) {
-  scene.motion.control.stop = stop;
-  return scene;
-}
-
 system::Patience patience_of(const RenderSettings& settings) { return {.stop = settings.stop}; }
 
 /// Tests the encoder in the background, which takes about as long as creating the OpenGL context.
@@ -137,9 +131,9 @@ PlannedOutput planned_output(const RenderSettings& settings, const scene::Scene&
 }
 
 timeline::FilmTimeline timed_timeline(const scene::Scene& scene, const std::vector<int>& numbers,
-                                      StageTimes& times) {
+                                      const std::atomic<bool>* stop, StageTimes& times) {
   const Timed timed(times.pose);
-  return timeline::FilmTimeline(scene, numbers);
+  return timeline::FilmTimeline(scene, numbers, stop);
 }
 
 /// The captions and chapters of a video of the timeline's frames; an animated image has none.
@@ -165,13 +159,13 @@ int default_job_count() {
 }
 
 RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
-    : scene_(stoppable(scene, settings.stop)),
+    : scene_(scene),
       settings_(std::move(settings)),
       asked_(asked_frames(scene_, settings_.range)),
       numbers_(video::frames_of_shard(asked_, settings_.shard)),
       gl_trial_(settings_.backend),
       trial_(try_encoder(settings_, scene_)),
-      timeline_(timed_timeline(scene_, numbers_, times_)),
+      timeline_(timed_timeline(scene_, numbers_, settings_.stop, times_)),
       opened_(gl::open_context(gl_trial_)),
       renderer_(*opened_.context, scene_),
       frames_(numbers_.size()) {

@@ -50,7 +50,8 @@ std::vector<double> motion_times(const scene::Scene& film) {
   return times;
 }
 
-FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& frames) {
+FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
+                           const std::atomic<bool>* stop) {
   const Clocks clocks(film);
   std::map<std::size_t, std::vector<FrameTime>> times;  // of each shot
   const auto place = [&](std::size_t shot, int frame) {
@@ -68,7 +69,7 @@ FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& fra
     }
     frames_.push_back(frame);
   }
-  for (auto& [shot, of] : times) timelines_.try_emplace(shot, scene_of_shot(film, shot), of);
+  for (auto& [shot, of] : times) timelines_.try_emplace(shot, scene_of_shot(film, shot), of, stop);
   for (std::size_t i = 0; i < film.shots.size(); ++i) {
     caption_stays_.push_back(i > 0 &&
                              film.shots[i].scene.caption == film.shots[i - 1].scene.caption);

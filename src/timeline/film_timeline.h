@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -34,8 +35,10 @@ std::vector<double> motion_times(const scene::Scene& film);
 /// on the film and the frame's number, not on which other frames are requested.
 class FilmTimeline {
  public:
-  /// Integrates everything that `frames` (ascending numbers) need. Throws as trajectory() does.
-  FilmTimeline(const scene::Scene& film, const std::vector<int>& frames);
+  /// Integrates everything that `frames` (ascending numbers) need. Another thread can end that by
+  /// `stop`, as in StepControl; it may be null. Throws as trajectory() does.
+  FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
+               const std::atomic<bool>* stop = nullptr);
 
   std::size_t size() const { return frames_.size(); }
 

@@ -68,10 +68,11 @@ std::string name_of(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia
                      is_whole ? fmt::format("{:.0f}", moment) : fmt::format("{:.3g}", moment));
 }
 
-Solution solution_of(const scene::Scene& scene, const std::string& name, const std::string& method,
+Solution solution_of(const scene::Scene& scene, const motion::StepControl& control,
+                     const std::string& name, const std::string& method,
                      const Eigen::Vector3d& omega) {
   Solution solution{&motion::find_method(method),
-                    scene.motion.control,
+                    control,
                     motion::FreeBody(scene::mass_properties(scene.body).inertia, omega),
                     0.0,
                     {},
@@ -91,17 +92,19 @@ Solution solution_of(const scene::Scene& scene, const std::string& name, const s
 }
 
 /// One per method or per initial angular velocity.
-std::vector<Solution> solutions_of(const scene::Scene& scene) {
-  const auto& [omega, method, control, duration] = scene.motion;
+std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<bool>* stop) {
+  const auto& [omega, method, scene_control, duration] = scene.motion;
+  motion::StepControl control = scene_control;
+  control.stop = stop;
   std::vector<Solution> solutions;
   for (const std::string& other : scene.overlay.compare) {
-    solutions.push_back(solution_of(scene, other, other, omega));
+    solutions.push_back(solution_of(scene, control, other, other, omega));
   }
   const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;
   for (const Eigen::Vector3d& other : scene.overlay.compare_omega) {
-    solutions.push_back(solution_of(scene, name_of(other, inertia), method, other));
+    solutions.push_back(solution_of(scene, control, name_of(other, inertia), method, other));
   }
-  if (solutions.empty()) solutions.push_back(solution_of(scene, method, method, omega));
+  if (solutions.empty()) solutions.push_back(solution_of(scene, control, method, method, omega));
   return solutions;
 }
 
@@ -129,7 +132,8 @@ std::vector<FrameTime> frame_times(const scene::Film& film, const std::vector<in
   return times;
 }
 
-Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames)
+Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
+                   const std::atomic<bool>* stop)
     : scene_(scene),
       frames_(frames.begin(), frames.end()),
       trail_length_(trail_length(scene)),
@@ -147,7 +151,7 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames)
       }
     }
   }
-  solutions_ = solutions_of(scene);
+  solutions_ = solutions_of(scene, stop);
   for (const Solution& solution : solutions_) records_.push_back(record(solution));
 }
 

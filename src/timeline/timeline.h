@@ -4,6 +4,7 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 
+#include <atomic>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,8 +98,10 @@ double trail_length(const scene::Scene& scene);
 class Timeline {
  public:
   /// Integrates everything that `frames` (in ascending order of t) need: one motion or, for a
-  /// comparison, one per method or initial angular velocity. Throws as trajectory() does.
-  Timeline(const scene::Scene& scene, std::span<const FrameTime> frames);
+  /// comparison, one per method or initial angular velocity. Another thread can end that by `stop`,
+  /// as in StepControl; it may be null. Throws as trajectory() does.
+  Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
+           const std::atomic<bool>* stop = nullptr);
 
   /// The same for frames of a film of one motion, by their numbers.
   Timeline(const scene::Scene& scene, const std::vector<int>& frames)

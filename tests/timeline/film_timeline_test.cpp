@@ -1,8 +1,10 @@
 #include "timeline/film_timeline.h"
 
 #include <gtest/gtest.h>
+#include <twrench/motion/error.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -171,6 +173,18 @@ TEST(FilmTimeline, CountsTheFlipsOnTheClockOfEachShot) {
   }
   EXPECT_EQ(least, 0);
   EXPECT_GE(most, 2);
+}
+
+TEST(FilmTimeline, StopsIntegratingTheMotionsOfShots) {
+  scene::Scene scene = story_of_three();
+  for (scene::Shot& shot : scene.shots) shot.scene.motion.method = "rkmk4";
+  const std::atomic<bool> stop = true;
+  try {
+    const FilmTimeline film(scene, {0}, &stop);
+    FAIL() << "it integrated";
+  } catch (const motion::MotionError& error) {
+    EXPECT_EQ(error.reason(), motion::MotionError::Reason::stopped);
+  }
 }
 
 TEST(FilmTimeline, CountsTheFlipsOfTheFirstMotionThatHasAny) {
