@@ -155,22 +155,24 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
   for (const Solution& solution : solutions_) records_.push_back(record(solution));
 }
 
+/// Integrates once: the sample at a time is the same whichever others are requested.
 Timeline::Record Timeline::record(const Solution& solution) const {
-  const auto sampled = [&](const std::vector<double>& times) {
-    return motion::integrate(solution.body, *solution.method, solution.control, times).samples;
-  };
-  std::vector<double> own, blurred, grid;
+  std::vector<double> times;
+  for (const FrameTime& frame : frames_) times.push_back(frame.t);
   for (const FrameTime& frame : frames_) {
-    own.push_back(frame.t);
     const int count = blur_poses(scene_, frame.interval);
     for (int i = 0; i < count; ++i) {
-      blurred.push_back(frame.t + shutter(frame.interval) * ((i + 0.5) / count - 0.5));
+      times.push_back(frame.t + shutter(frame.interval) * ((i + 0.5) / count - 0.5));
     }
   }
   for (const std::int64_t number : grid_numbers_) {
-    grid.push_back(static_cast<double>(number) * grid_step_);
+    times.push_back(static_cast<double>(number) * grid_step_);
   }
-  return {sampled(own), sampled(blurred), sampled(grid)};
+  const std::vector<motion::Sample> samples =
+      motion::integrate(solution.body, *solution.method, solution.control, times).samples;
+  const auto blur = samples.begin() + std::ssize(frames_);
+  const auto grid = samples.end() - std::ssize(grid_numbers_);
+  return {{samples.begin(), blur}, {blur, grid}, {grid, samples.end()}};
 }
 
 std::vector<motion::Sample> Timeline::trail(const Record& record, std::size_t index) const {
