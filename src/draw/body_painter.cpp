@@ -1,10 +1,8 @@
 #include "draw/body_painter.h"
 
-#include <deque>
 #include <numeric>
 #include <utility>
 
-#include "draw/exposure.h"
 #include "draw/rectangle.h"
 
 namespace twrench::draw {
@@ -14,39 +12,6 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using picture::ScreenArea;
 using picture::ViewContents;
-
-/// An exposure of pictures some of which are in transfer.
-class PendingExposure {
- public:
-  PendingExposure(int width, int height) : exposure_(width, height) {}
-  PendingExposure(PendingExposure&&) = default;
-
-  void add(gl::Readback picture) {
-    on_their_way_.push_back(std::move(picture));
-    while (!is_ready() && (on_their_way_.front().is_ready() || on_their_way_.size() > most)) {
-      add_first();
-    }
-  }
-
-  bool is_ready() const { return on_their_way_.empty(); }
-
-  /// Returns the mean of all.
-  image::Image finish() {
-    while (!is_ready()) add_first();
-    return exposure_.mean();
-  }
-
- private:
-  static constexpr std::size_t most = 8;  // enough to keep a card busy while one is waited for
-
-  void add_first() {
-    exposure_.add(on_their_way_.front().finish());
-    on_their_way_.pop_front();
-  }
-
-  Exposure exposure_;
-  std::deque<gl::Readback> on_their_way_;
-};
 
 /// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
 /// for each rectangle.
@@ -159,7 +124,7 @@ void BodyPainter::draw_sharp(const ViewContents& contents, std::vector<PendingLa
   const std::vector<image::Area> areas = covered(contents, {&X, 1}).bands(band_height_);
   std::vector<gl::Readback> pixels = draw_areas(contents, X, areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    layers.push_back(made_of(std::move(pixels[i]), areas[i].x, areas[i].y));
+    layers.push_back(layer_at(areas[i], std::move(pixels[i])));
   }
 }
 
@@ -193,7 +158,7 @@ void BodyPainter::draw_blurred(const ViewContents& contents, std::vector<Pending
     for (std::size_t i = 0; i < drawn.size(); ++i) exposures[drawn[i]].add(std::move(pixels[i]));
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    layers.push_back(made_of(std::move(exposures[i]), areas[i].x, areas[i].y));
+    layers.push_back(layer_at(areas[i], std::move(exposures[i])));
   }
 }
 

@@ -8,7 +8,8 @@ namespace twrench::draw {
 std::vector<picture::Layer> DrawListPainter::draw_still(const picture::ViewContents& contents) {
   std::vector<picture::Layer> layers;
   for (PendingLayer& layer : draw(contents)) {
-    layers.push_back(std::get<picture::Layer>(layer.get()));
+    layer.fetch();
+    layers.push_back(std::get<picture::Layer>(layer.finish()));
   }
   return layers;
 }
@@ -26,7 +27,7 @@ std::vector<PendingLayer> DrawListPainter::draw(const picture::ViewContents& con
   pass_.draw_edge_quads(contents.opaque);
   pass_.draw_translucent(contents.translucent);
   std::vector<PendingLayer> layers;
-  layers.push_back(made_of(framebuffer_.begin_read(rectangle), area.x, area.y));
+  layers.push_back(layer_at(area, framebuffer_.begin_read(rectangle)));
   return layers;
 }
 

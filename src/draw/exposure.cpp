@@ -72,4 +72,21 @@ image::Image Exposure::mean() const {
   return image;
 }
 
+void PendingExposure::add(gl::Readback picture) {
+  constexpr std::size_t most = 8;  // enough to keep a card busy while one is waited for
+  in_transfer_.push_back(std::move(picture));
+  while (!in_transfer_.empty() && (in_transfer_.front().is_ready() || in_transfer_.size() > most)) {
+    add_first();
+  }
+}
+
+void PendingExposure::fetch() {
+  while (!in_transfer_.empty()) add_first();
+}
+
+void PendingExposure::add_first() {
+  exposure_.add(in_transfer_.front().finish());
+  in_transfer_.pop_front();
+}
+
 }  // namespace twrench::draw

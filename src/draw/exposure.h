@@ -1,7 +1,9 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
+#include "gl/readback.h"
 #include "image/image.h"
 
 namespace twrench::draw {
@@ -23,6 +25,29 @@ class Exposure {
   int count_ = 0;
   /// Sums of each pixel's linear red, green and blue, each times alpha, and of alpha.
   std::vector<float> sums_;
+};
+
+/// An exposure of pictures some of which may be in transfer from a graphics card.
+class PendingExposure {
+ public:
+  /// For pictures of that size.
+  PendingExposure(int width, int height) : exposure_(width, height) {}
+  PendingExposure(PendingExposure&&) = default;  // otherwise a vector would copy it
+
+  /// Adds a picture. If many are in transfer, it waits for the first.
+  void add(gl::Readback picture);
+
+  /// Waits for all pictures.
+  void fetch();
+
+  /// Returns the mean of all, on any thread after fetch().
+  image::Image finish() const { return exposure_.mean(); }
+
+ private:
+  void add_first();
+
+  Exposure exposure_;
+  std::deque<gl::Readback> in_transfer_;
 };
 
 }  // namespace twrench::draw

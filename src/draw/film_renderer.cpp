@@ -27,7 +27,7 @@ void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface)
 }
 
 /// Composites both frames, and returns the one as it fades into the other.
-image::Frame faded(image::PendingFrame& from, image::PendingFrame& to, double share) {
+image::Frame faded(const image::PendingFrame& from, const image::PendingFrame& to, double share) {
   const image::Frame before = from.composite();
   image::Frame frame = to.composite();
   frame.image = cross_fade(before.image, frame.image, share);
@@ -79,24 +79,22 @@ picture::Camera FilmRenderer::camera(const timeline::FilmTimeline& timeline,
 image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
                                         timeline::FilmFrame frame) {
   leave_others(frame);
-  auto drawn = std::make_shared<Drawn>();
   std::optional<picture::Camera> moving;
   if (frame.moved < 1) moving = camera(timeline, frame);
-  const auto draw = [&](std::size_t shot, timeline::FrameState state) {
-    drawn->stages.push_back(stage(timeline, shot));
-    drawn->pictures.push_back(drawn->stages.back()->renderer.begin(std::move(state), moving));
+  const auto draw = [&](std::size_t shot, timeline::FrameState state) -> image::PendingFrame {
+    const std::shared_ptr<Stage> drawing = stage(timeline, shot);
+    const image::PendingFrame drawn = drawing->renderer.begin(std::move(state), moving);
+    // The frame in progress keeps the shot.
+    return {drawn.fetch, [drawing, drawn] { return drawn.composite(); }};
   };
-  draw(frame.shot, std::move(frame.state));
-  if (frame.faded < 1) draw(frame.shot - 1, std::move(*frame.previous));
-  const auto transfer = [drawn] {
-    std::ranges::for_each(drawn->pictures, &image::PendingFrame::fetch);
+  const image::PendingFrame own = draw(frame.shot, std::move(frame.state));
+  if (frame.faded == 1) return own;
+  const image::PendingFrame previous = draw(frame.shot - 1, std::move(*frame.previous));
+  const auto fetch = [own, previous] {
+    own.fetch();
+    previous.fetch();
   };
-  const auto composition = [drawn, share = frame.faded] {
-    auto& own = drawn->pictures.front();
-    return share < 1 ? faded(drawn->pictures.back(), own, share) : own.composite();
-  };
-  return {std::async(std::launch::deferred, transfer),
-          std::async(std::launch::deferred, composition)};
+  return {fetch, [own, previous, share = frame.faded] { return faded(previous, own, share); }};
 }
 
 void FilmRenderer::reuse(image::Frame frame) noexcept {

@@ -46,12 +46,6 @@ class FilmRenderer {
     Renderer renderer;
   };
 
-  /// The pictures of a frame, that of its own shot first, and the shots that they need.
-  struct Drawn {
-    std::vector<std::shared_ptr<Stage>> stages;
-    std::vector<image::PendingFrame> pictures;
-  };
-
   void leave_others(const timeline::FilmFrame& frame);
   std::shared_ptr<Stage> stage(const timeline::FilmTimeline& timeline, std::size_t shot);
 

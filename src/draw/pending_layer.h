@@ -1,10 +1,12 @@
 #pragma once
 
-#include <future>
+#include <functional>
 #include <utility>
 #include <variant>
 
+#include "draw/exposure.h"
 #include "draw/soft_layer.h"
+#include "gl/readback.h"
 #include "picture/compose/layer.h"
 
 namespace twrench::draw {
@@ -12,33 +14,29 @@ namespace twrench::draw {
 /// A layer of pixels or one without sharp detail.
 using AnyLayer = std::variant<picture::Layer, SoftLayer>;
 
-/// A layer that is still to be completed from pixels that were drawn: get() does that on the
-/// calling thread. Where the pixels are in transfer from a graphics card (ReadMode::buffered), that
-/// must be the thread that drew them.
-using PendingLayer = std::future<AnyLayer>;
+/// A layer that was drawn, but whose pixels may still be in transfer from a graphics card.
+struct PendingLayer {
+  std::variant<gl::Readback, PendingExposure> pixels;
+  /// Makes the layer from the pixels, on any thread.
+  std::function<AnyLayer(image::Image)> make;
 
-/// Returns the layer of either kind that `make` creates from the Image of `pixels.finish()`.
-template <typename Pixels, typename Make>
-PendingLayer made_of(Pixels pixels, Make make) {
-  return std::async(std::launch::deferred,
-                    [pixels = std::move(pixels), make = std::move(make)]() mutable -> AnyLayer {
-                      return make(pixels.finish());
-                    });
-}
+  /// Waits for the pixels, on the thread that drew them.
+  void fetch() {
+    std::visit([](auto& any) { any.fetch(); }, pixels);
+  }
 
-/// Returns the pixels unchanged as a layer at `x`, `y`.
-template <typename Pixels>
-PendingLayer made_of(Pixels pixels, int x, int y) {
-  return made_of(std::move(pixels), [x, y](image::Image image) {
-    return picture::Layer{std::move(image), x, y};
-  });
-}
+  /// Returns the layer, on any thread after fetch(). Call it once.
+  AnyLayer finish() {
+    return make(std::visit([](auto& any) { return any.finish(); }, pixels));
+  }
+};
 
-/// Completes the layer on this thread.
-inline void complete(PendingLayer& layer) {
-  std::promise<AnyLayer> completed;
-  completed.set_value(layer.get());
-  layer = completed.get_future();
+/// Returns the pixels unchanged as a layer with its top left corner in that of `area`.
+inline PendingLayer layer_at(const image::Area& area,
+                             std::variant<gl::Readback, PendingExposure> pixels) {
+  return {std::move(pixels), [x = area.x, y = area.y](image::Image image) {
+            return picture::Layer{std::move(image), x, y};
+          }};
 }
 
 }  // namespace twrench::draw

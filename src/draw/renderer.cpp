@@ -45,21 +45,17 @@ image::Image empty_picture(const scene::Scene& scene) {
                              scene.camera.frame == scene::Frame::space);
 }
 
-PendingLayer dimmed(PendingLayer pending) {
-  return std::async(std::launch::deferred, [pending = std::move(pending)]() mutable {
-    AnyLayer layer = pending.get();
-    std::visit([](auto& any) { scale_opacity(any, picture::dimmed_opacity); }, layer);
-    return layer;
-  });
-}
-
 }  // namespace
 
 /// What a frame is composited of.
 struct Renderer::Ingredients {
   timeline::FrameState state;
   std::optional<image::Image> background;  ///< Seen through another camera than the view's own.
-  std::vector<PendingLayer> views;
+  struct DrawnLayer {
+    PendingLayer layer;
+    bool is_dimmed;
+  };
+  std::vector<DrawnLayer> layers;  ///< The views' layers, in compositing order.
   std::vector<picture::Label> labels;
 };
 
@@ -225,7 +221,7 @@ Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
     contents.begin(i == 0 && camera ? *camera : view->camera_in_space(state), view->pane().area);
     view->add(state, contents);
     for (PendingLayer& layer : painter->draw(contents)) {
-      drawn.views.push_back(is_dimmed ? dimmed(std::move(layer)) : std::move(layer));
+      drawn.layers.push_back({std::move(layer), is_dimmed});
     }
     std::ranges::move(contents.labels, std::back_inserter(drawn.labels));
   }
@@ -235,17 +231,18 @@ Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
 
 image::Frame Renderer::Parts::composited(Ingredients& drawn) {
   image::Frame frame = blank_frame(std::move(drawn.background));
-  const auto add = [&](const auto& layer) {
+  const auto add = [&](auto& layer, bool is_dimmed) {
+    if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
     std::ranges::move(composite_over(frame.image, layer), std::back_inserter(frame.damage));
   };
-  for (PendingLayer& pending : drawn.views) std::visit(add, pending.get());
-  for (const auto& [element, is_dimmed] : elements) {
-    for (Layer& layer : element->draw(drawn.state)) {
-      if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
-      add(layer);
-    }
+  for (Ingredients::DrawnLayer& drawn_layer : drawn.layers) {
+    std::visit([&](auto&& layer) { add(layer, drawn_layer.is_dimmed); },
+               drawn_layer.layer.finish());
   }
-  std::ranges::for_each(label_painter->paint(drawn.labels), add);
+  for (const auto& [element, is_dimmed] : elements) {
+    for (Layer& layer : element->draw(drawn.state)) add(layer, is_dimmed);
+  }
+  for (Layer& layer : label_painter->paint(drawn.labels)) add(layer, false);
   if (frame.image.channels == 4) {
     picture::unpremultiply(frame.image, {0, 0, frame.image.width, frame.image.height});
   }
@@ -265,12 +262,10 @@ image::PendingFrame Renderer::begin(timeline::FrameState state,
   const bool has_other_camera = camera && parts_->shows_body;
   auto drawn = std::make_shared<Ingredients>(
       parts_->draw(std::move(state), has_other_camera ? camera : std::nullopt));
-  const auto transfer = [drawn, mode = parts_->framebuffer.read_mode()] {
-    if (mode == gl::ReadMode::buffered) std::ranges::for_each(drawn->views, complete);
-  };
-  const auto composition = [drawn, parts = parts_.get()] { return parts->composited(*drawn); };
-  return {std::async(std::launch::deferred, transfer),
-          std::async(std::launch::deferred, composition)};
+  return {[drawn] {
+            for (auto& [layer, is_dimmed] : drawn->layers) layer.fetch();
+          },
+          [drawn, parts = parts_.get()] { return parts->composited(*drawn); }};
 }
 
 bool Renderer::drew(const image::Frame& frame) const noexcept {

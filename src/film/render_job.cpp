@@ -198,9 +198,8 @@ void RenderJob::run(const ProgressCallback& progress) {
     frames_[index] = record_of(frame, timeline_.flips(index), renderer_.camera(timeline_, frame));
     const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
     if (!kept) return renderer_.begin(timeline_, frame);
-    return image::PendingFrame(std::async(std::launch::deferred, [] {}),
-                               std::async(std::launch::deferred, read_frame,
-                                          output_->folder() / kept->file, encoder_ != nullptr));
+    const fs::path file = output_->folder() / kept->file;
+    return image::PendingFrame{[] {}, [=, this] { return read_frame(file, encoder_ != nullptr); }};
   };
   const auto reuse = [&](image::Frame frame) {
     if (frame.is_new) renderer_.reuse(std::move(frame));

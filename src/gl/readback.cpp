@@ -24,13 +24,6 @@ void turn_upside_down(image::Image& image) {
   }
 }
 
-void copy_upside_down(const std::uint8_t* pixels, image::Image& image) {
-  const std::size_t row = image.row_bytes();
-  for (std::size_t end = image.pixels.size(); end > 0; end -= row, pixels += row) {
-    std::copy_n(pixels, row, &image.pixels[end - row]);
-  }
-}
-
 }  // namespace
 
 ReadMode best_read_mode(const Functions& gl) {
@@ -68,22 +61,27 @@ Readback::Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buf
   gl.Flush();  // otherwise the card might not start until we wait for it
 }
 
-image::Image Readback::finish() {
-  if (!buffer_) {
-    turn_upside_down(image_);
-    return std::move(image_);
-  }
-  image::Image image(width_, height_, 4);
+void Readback::fetch() {
+  if (!buffer_) return;
+  image_ = image::Image(width_, height_, 4);
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_->buffer.id());
   const void* const pixels = gl_->MapBufferRange(
-      GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(image.pixels.size()), GL_MAP_READ_BIT);
-  if (pixels != nullptr) copy_upside_down(static_cast<const std::uint8_t*>(pixels), image);
+      GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(image_.pixels.size()), GL_MAP_READ_BIT);
+  if (pixels != nullptr) {
+    std::copy_n(static_cast<const std::uint8_t*>(pixels), image_.pixels.size(),
+                image_.pixels.begin());
+  }
   const bool whole = pixels != nullptr && gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER) == GL_TRUE;
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   if (!whole) throw GlError("reading back", "OpenGL lost the pixels");
   buffers_->give_back(std::move(*buffer_));
   buffer_.reset();
-  return image;
+}
+
+image::Image Readback::finish() {
+  fetch();
+  turn_upside_down(image_);
+  return std::move(image_);
 }
 
 }  // namespace twrench::gl

@@ -53,17 +53,20 @@ class Readback {
   /// once if that is null. Later drawing does not affect the result.
   Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers);
 
-  /// Returns whether finish() would not wait.
+  /// Returns whether fetch() would not wait.
   bool is_ready() const { return !buffer_; }
 
-  /// Waits for the pixels and returns them as RGBA from the top left. Call it once. Throws GlError
-  /// if the pixels were lost.
+  /// Waits for the pixels, on the context's thread. Throws GlError if they were lost.
+  void fetch();
+
+  /// Returns the pixels as RGBA from the top left. It calls fetch() first; after an earlier fetch()
+  /// any thread may call it. Call it once. Throws as fetch() does.
   image::Image finish();
 
  private:
   const Functions* gl_;
   int width_, height_;
-  image::Image image_;  ///< Empty while the pixels are in the buffer.
+  image::Image image_;  ///< From the bottom left; empty while the pixels are in the buffer.
   PixelBuffers* buffers_;
   std::optional<PixelBuffers::Sized> buffer_;
 };

@@ -47,7 +47,7 @@ scene::Scene with(std::set<scene::Feature> features, int width = 320, int height
 
 std::vector<Layer> completed(std::vector<PendingLayer> pending) {
   std::vector<Layer> layers;
-  for (PendingLayer& layer : pending) layers.push_back(std::get<Layer>(layer.get()));
+  for (PendingLayer& layer : pending) layers.push_back(std::get<Layer>(layer.finish()));
   return layers;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -42,16 +41,10 @@ image::Frame frame_of(std::size_t index) {
   return frame;
 }
 
-image::PendingFrame pending(std::function<void()> transfer,
-                            std::function<image::Frame()> composite) {
-  return {std::async(std::launch::deferred, std::move(transfer)),
-          std::async(std::launch::deferred, std::move(composite))};
-}
-
 /// Draws frames with `draw` when they are composited.
 Drawing drawing(std::function<image::Frame(std::size_t)> draw = frame_of, std::size_t ahead = 0) {
   return {[draw = std::move(draw)](std::size_t frame) {
-            return pending([] {}, [draw, frame] { return draw(frame); });
+            return image::PendingFrame{[] {}, [draw, frame] { return draw(frame); }};
           },
           ahead};
 }
@@ -115,17 +108,18 @@ TEST_F(PipelineOfThreads, TheFilmGetsItsFramesInOrder) {
 TEST_F(PipelineOfThreads, BeginsFramesAheadOfTheOneItEnds) {
   for (const std::size_t ahead : {0U, 1U, 3U}) {
     std::size_t begun = 0, ended = 0;
-    const Drawing counted{[&](std::size_t frame) {
-                            EXPECT_EQ(frame, begun);
-                            ++begun;
-                            const auto transfer = [&, frame] {
-                              EXPECT_EQ(frame, ended);
-                              ++ended;
-                              EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
-                            };
-                            return pending(transfer, [frame] { return frame_of(frame); });
-                          },
-                          ahead};
+    const Drawing counted{
+        [&](std::size_t frame) {
+          EXPECT_EQ(frame, begun);
+          ++begun;
+          const auto transfer = [&, frame] {
+            EXPECT_EQ(frame, ended);
+            ++ended;
+            EXPECT_EQ(begun, std::min(ended + ahead, frames_.size()));
+          };
+          return image::PendingFrame{transfer, [frame] { return frame_of(frame); }};
+        },
+        ahead};
     run_pipeline(frames_, counted, {nullptr, nullptr, 1}, {}, times_);
     EXPECT_EQ(ended, frames_.size());
   }
@@ -163,7 +157,7 @@ TEST_F(PipelineOfThreads, AnErrorOfTheDrawingLosesNoFrameBeforeIt) {
   video::FrameSequence sequence(folder_ / "frames", manifest_of(count));
   const Drawing failing{[](std::size_t frame) {
     if (frame == 7) throw gl::GlError("drawing", "lost");
-    return pending([] {}, [frame] { return frame_of(frame); });
+    return image::PendingFrame{[] {}, [frame] { return frame_of(frame); }};
   }};
   EXPECT_THROW(run_pipeline(frames_, failing, {&sequence, nullptr, 2}, {}, times_), gl::GlError);
   sequence.finish();
@@ -175,10 +169,11 @@ TEST_F(PipelineOfThreads, DrawsOnOneThreadAndCompositesOnAnother) {
   const Drawing drawing{[&](std::size_t frame) {
     EXPECT_EQ(std::this_thread::get_id(), here);
     const auto transfer = [&] { EXPECT_EQ(std::this_thread::get_id(), here); };
-    return pending(transfer, [&, frame] {
+    const auto composite = [&, frame] {
       EXPECT_NE(std::this_thread::get_id(), here);
       return frame_of(frame);
-    });
+    };
+    return image::PendingFrame{transfer, composite};
   }};
   run_pipeline(frames_, drawing, {nullptr, nullptr, 1}, {}, times_);
 }
