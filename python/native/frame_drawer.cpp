@@ -20,7 +20,7 @@ class FrameDrawer::Canvas {
       if (!opened_.context) opened_ = gl::open_context(drawer_.backend_);
       renderer_.emplace(*opened_.context, drawer_.scene_);
     }
-    return renderer_->begin(timeline, timeline.frame(0)).get().image;
+    return renderer_->draw(timeline, timeline.frame(0)).image;
   }
 
  private:

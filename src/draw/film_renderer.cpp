@@ -77,10 +77,10 @@ picture::Camera FilmRenderer::camera(const timeline::FilmTimeline& timeline,
 }
 
 image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
-                                        timeline::FilmFrame frame) {
+                                        timeline::FilmFrame frame, const picture::Camera& camera) {
   leave_others(frame);
   std::optional<picture::Camera> moving;
-  if (frame.moved < 1) moving = camera(timeline, frame);
+  if (frame.moved < 1) moving = camera;
   const auto draw = [&](std::size_t shot, timeline::FrameState state) -> image::PendingFrame {
     const std::shared_ptr<Stage> drawing = stage(timeline, shot);
     const image::PendingFrame drawn = drawing->renderer.begin(std::move(state), moving);

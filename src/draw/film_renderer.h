@@ -20,12 +20,18 @@ class FilmRenderer {
   /// be drawn. The context and the film must outlive the renderer.
   FilmRenderer(gl::Context& context, const scene::Scene& film);
 
-  /// Begins a frame of the timeline, as Renderer::begin() does. Throws as Renderer() does where a
-  /// shot begins with it.
-  image::PendingFrame begin(const timeline::FilmTimeline& timeline, timeline::FilmFrame frame);
-
-  /// Returns the camera of the frame's first view. Throws as begin() does.
+  /// Returns the camera of the frame's first view. Throws as Renderer() does where a shot begins
+  /// with the frame.
   picture::Camera camera(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame);
+
+  /// Begins a frame of the timeline, as Renderer::begin() does. `camera` is that of the frame.
+  /// Throws as camera() does.
+  image::PendingFrame begin(const timeline::FilmTimeline& timeline, timeline::FilmFrame frame,
+                            const picture::Camera& camera);
+
+  image::Frame draw(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame) {
+    return begin(timeline, frame, camera(timeline, frame)).get();
+  }
 
   /// Takes back a frame, as Renderer::reuse() does. Thread-safe.
   void reuse(image::Frame frame) noexcept;

@@ -40,7 +40,7 @@ image::Image poster(const scene::Scene& scene, const gl::BackendChoice& backend)
   const timeline::FilmTimeline timeline(drawn, {0});
   const gl::OpenedContext opened = gl::open_context(backend);
   draw::FilmRenderer renderer(*opened.context, drawn);
-  return renderer.begin(timeline, timeline.frame(0)).get().image;
+  return renderer.draw(timeline, timeline.frame(0)).image;
 }
 
 }  // namespace twrench::film

@@ -177,9 +177,10 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     output_.emplace(*settings_.frames_folder, manifest, numbers_, settings_.reuse);
   }
   if (!frames_.empty()) {
-    renderer_.camera(timeline_, timeline_.frame(0));  // fails now, if OpenGL cannot draw it
+    const timeline::FilmFrame first = timeline_.frame(0);
+    renderer_.camera(timeline_, first);  // fails now, if OpenGL cannot draw it
     require_space(planned_output(settings_, scene_, output_, frames_.size()),
-                  [&] { return renderer_.begin(timeline_, timeline_.frame(0)).get().image; });
+                  [&] { return renderer_.draw(timeline_, first).image; });
   }
   if (settings_.video) {
     const auto tracks = text_tracks_of(scene_, timeline_, *settings_.video);
@@ -195,9 +196,10 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
 void RenderJob::run(const ProgressCallback& progress) {
   const auto begin = [&](std::size_t index) {
     const timeline::FilmFrame frame = timeline_.frame(index);
-    frames_[index] = record_of(frame, timeline_.flips(index), renderer_.camera(timeline_, frame));
+    const picture::Camera camera = renderer_.camera(timeline_, frame);
+    frames_[index] = record_of(frame, timeline_.flips(index), camera);
     const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
-    if (!kept) return renderer_.begin(timeline_, frame);
+    if (!kept) return renderer_.begin(timeline_, frame, camera);
     const fs::path file = output_->folder() / kept->file;
     return image::PendingFrame{[] {}, [=, this] { return read_frame(file, encoder_ != nullptr); }};
   };

@@ -69,7 +69,8 @@ class FilmRendererTest : public testing::Test {
     const timeline::FilmTimeline timeline(scene, frames);
     std::vector<image::PendingFrame> pending;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      pending.push_back(renderer.begin(timeline, timeline.frame(i)));
+      const timeline::FilmFrame frame = timeline.frame(i);
+      pending.push_back(renderer.begin(timeline, frame, renderer.camera(timeline, frame)));
     }
     std::vector<image::Frame> pictures;
     for (image::PendingFrame& frame : pending) pictures.push_back(frame.get());
@@ -158,7 +159,7 @@ TEST_F(FilmRendererTest, LendsTheMemoryOfAShotsFrames) {
   const timeline::FilmTimeline timeline(scene, every_frame(scene));
   const auto expected = drawn(scene, every_frame(scene));
   for (std::size_t i = 0; i < timeline.size(); ++i) {
-    image::Frame frame = renderer.begin(timeline, timeline.frame(i)).get();
+    image::Frame frame = renderer.draw(timeline, timeline.frame(i));
     EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
     renderer.reuse(std::move(frame));
   }

@@ -42,7 +42,7 @@ TEST_P(GoldenZoo, IsDrawn) {
   const timeline::FilmTimeline timeline(film, {golden.frame});
   const auto context = gl::make_test_context();
   FilmRenderer renderer(*context, film);
-  const image::Frame frame = renderer.begin(timeline, timeline.frame(0)).get();
+  const image::Frame frame = renderer.draw(timeline, timeline.frame(0));
   expect_golden(std::string("zoo-") + golden.name, frame.image);
 }
 
