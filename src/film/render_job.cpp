@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <utility>
 
 #include "film/output_space.h"
@@ -130,12 +131,6 @@ PlannedOutput planned_output(const RenderSettings& settings, const scene::Scene&
   return planned;
 }
 
-timeline::FilmTimeline timed_timeline(const scene::Scene& scene, const std::vector<int>& numbers,
-                                      const std::atomic<bool>* stop, StageTimes& times) {
-  const Timed timed(times.pose);
-  return timeline::FilmTimeline(scene, numbers, stop);
-}
-
 /// The captions and chapters of a video of the timeline's frames; an animated image has none.
 video::TextTracks text_tracks_of(const scene::Scene& scene, const timeline::FilmTimeline& timeline,
                                  const VideoOutput& video) {
@@ -159,32 +154,36 @@ int default_job_count() {
 }
 
 RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
-    : scene_(scene),
-      settings_(std::move(settings)),
-      asked_(asked_frames(scene_, settings_.range)),
-      numbers_(video::frames_of_shard(asked_, settings_.shard)),
-      gl_trial_(settings_.backend),
-      trial_(try_encoder(settings_, scene_)),
-      timeline_(timed_timeline(scene_, numbers_, settings_.stop, times_)),
-      opened_(gl::open_context(gl_trial_)),
-      renderer_(*opened_.context, scene_),
-      frames_(numbers_.size()) {
-  const video::Manifest manifest = manifest_of(settings_, scene_, renderer_, asked_);
-  const std::string identity = video::video_identity(manifest, numbers_);
+    : scene_(scene), settings_(std::move(settings)) {
+  const std::vector<int> asked = asked_frames(scene_, settings_.range);  // of all shards
+  const std::vector<int> numbers = video::frames_of_shard(asked, settings_.shard);
+  gl::BackendTrial gl_trial(settings_.backend);  // forks, so before there are threads
+  std::future<void> encoder_trial = try_encoder(settings_, scene_);
+  {
+    const Timed timed(times_.pose);
+    timeline_.emplace(scene_, numbers, settings_.stop);
+  }
+  opened_ = gl::open_context(gl_trial);
+  renderer_.emplace(*opened_.context, scene_);
+  frames_.resize(numbers.size());
+
+  const video::Manifest manifest = manifest_of(settings_, scene_, *renderer_, asked);
+  const std::string identity = video::video_identity(manifest, numbers);
   const std::optional<fs::path> file = video_file(settings_);
   if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
   if (settings_.frames_folder) {
-    output_.emplace(*settings_.frames_folder, manifest, numbers_, settings_.reuse);
+    output_.emplace(*settings_.frames_folder, manifest, numbers, settings_.reuse);
   }
   if (!frames_.empty()) {
-    const timeline::FilmFrame first = timeline_.frame(0);
-    renderer_.camera(timeline_, first);  // fails now, if OpenGL cannot draw it
+    const timeline::FilmFrame first = timeline_->frame(0);
+    renderer_->camera(*timeline_, first);  // fails now, if OpenGL cannot draw it
     require_space(planned_output(settings_, scene_, output_, frames_.size()),
-                  [&] { return renderer_.draw(timeline_, first).image; });
+                  [&] { return renderer_->draw(*timeline_, first).image; });
   }
+
   if (settings_.video) {
-    const auto tracks = text_tracks_of(scene_, timeline_, *settings_.video);
-    encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(trial_));
+    const auto tracks = text_tracks_of(scene_, *timeline_, *settings_.video);
+    encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(encoder_trial));
     // Another run may have written it since, for whose end the encoder waited.
     if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
     text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,
@@ -195,18 +194,18 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
 
 void RenderJob::run(const ProgressCallback& progress) {
   const auto begin = [&](std::size_t index) {
-    const timeline::FilmFrame frame = timeline_.frame(index);
-    const picture::Camera camera = renderer_.camera(timeline_, frame);
-    frames_[index] = record_of(frame, timeline_.flips(index), camera);
+    const timeline::FilmFrame frame = timeline_->frame(index);
+    const picture::Camera camera = renderer_->camera(*timeline_, frame);
+    frames_[index] = record_of(frame, timeline_->flips(index), camera);
     const auto kept = output_ ? output_->kept(frames_[index]) : std::nullopt;
-    if (!kept) return renderer_.begin(timeline_, frame, camera);
+    if (!kept) return renderer_->begin(*timeline_, frame, camera);
     const fs::path file = output_->folder() / kept->file;
     return image::PendingFrame{[] {}, [=, this] { return read_frame(file, encoder_ != nullptr); }};
   };
   const auto reuse = [&](image::Frame frame) {
-    if (frame.is_new) renderer_.reuse(std::move(frame));
+    if (frame.is_new) renderer_->reuse(std::move(frame));
   };
-  run_pipeline(frames_, {begin, renderer_.frames_ahead(), reuse},
+  run_pipeline(frames_, {begin, renderer_->frames_ahead(), reuse},
                {sequence_, encoder_.get(), settings_.jobs, start_}, progress, times_);
   if (sequence_ != nullptr) sequence_->finish();
   if (encoder_) encoder_->finish();

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -89,13 +88,9 @@ class RenderJob {
   StageTimes times_;
   const scene::Scene scene_;
   const RenderSettings settings_;
-  const std::vector<int> asked_;    ///< Numbers of the frames of all shards.
-  const std::vector<int> numbers_;  ///< Numbers of those of this run.
-  gl::BackendTrial gl_trial_;       ///< Started before there are threads.
-  std::future<void> trial_;         ///< The test of the encoder.
-  const timeline::FilmTimeline timeline_;
-  const gl::OpenedContext opened_;
-  draw::FilmRenderer renderer_;
+  std::optional<timeline::FilmTimeline> timeline_;  ///< Like the next two, set when constructed.
+  gl::OpenedContext opened_;
+  std::optional<draw::FilmRenderer> renderer_;
   std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;
   std::unique_ptr<video::VideoEncoder> encoder_;
