@@ -157,13 +157,13 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     : scene_(scene), settings_(std::move(settings)) {
   const std::vector<int> asked = asked_frames(scene_, settings_.range);  // of all shards
   const std::vector<int> numbers = video::frames_of_shard(asked, settings_.shard);
-  gl::BackendTrial gl_trial(settings_.backend);  // forks, so before there are threads
+  gl_trial_.emplace(settings_.backend);  // forks, so before there are threads
   std::future<void> encoder_trial = try_encoder(settings_, scene_);
   {
     const Timed timed(times_.pose);
     timeline_.emplace(scene_, numbers, settings_.stop);
   }
-  opened_ = gl::open_context(gl_trial);
+  opened_ = gl::open_context(*gl_trial_);
   renderer_.emplace(*opened_.context, scene_);
   frames_.resize(numbers.size());
 

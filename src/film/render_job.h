@@ -88,6 +88,8 @@ class RenderJob {
   StageTimes times_;
   const scene::Scene scene_;
   const RenderSettings settings_;
+  /// Kept until the end: waiting for the end of its child would delay the first frame.
+  std::optional<gl::BackendTrial> gl_trial_;
   std::optional<timeline::FilmTimeline> timeline_;  ///< Like the next two, set when constructed.
   gl::OpenedContext opened_;
   std::optional<draw::FilmRenderer> renderer_;
