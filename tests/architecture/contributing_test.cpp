@@ -74,7 +74,7 @@ TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
 
 TEST(Contributing, HasRecipesOfAboutTenLines) {
   const std::string text = contributing();
-  for (const char* name : {"method", "shape", "overlay", "theme", "output format"}) {
+  for (const char* name : {"method", "shape", "overlay", "view", "theme", "output format"}) {
     const std::regex heading(std::string("\n### Add an? ") + name + "\n");
     std::smatch match;
     ASSERT_TRUE(std::regex_search(text, match, heading)) << name;
