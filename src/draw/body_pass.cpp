@@ -52,12 +52,11 @@ gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const
   const auto file = [](const char* name) {
     return gl::ShaderFile{name, embedded::shaders().at(name)};
   };
-  const std::size_t occluder_count = body.most_occluders();
   const std::string constants =
       picture::shader_constants(kind.material, body.studio) +
       fmt::format("const int occluder_count = {};\nconst bool is_of_one_material = {};\n",
-                  occluder_count, is_of_one_material);
-  const bool alone = occluder_count == 0;
+                  body.occluder_count, is_of_one_material);
+  const bool alone = body.occluder_count == 0;
   const std::array vertex{gl::ShaderFile{"constants", constants},
                           file(alone ? "unoccluded.vert" : "occluders.vert"),
                           file(kind.is_colored ? "colored.vert" : "plain.vert"), file("body.vert")};

@@ -39,7 +39,6 @@ export class MotionModel {
    */
   constructor(core, inertia, omega, trailLength) {
     this.motion = core.motion(inertia, omega);
-    this.inertia = inertia;
     this.omega = omega;
     const { facts } = this.motion;
     this.facts = facts;

@@ -19,19 +19,21 @@ using picture::ViewContents;
 using picture::Viewpoint;
 using timeline::SolutionState;
 
+template <typename Enumeration>
+Enumeration chosen(double index) {
+  return enumerators<Enumeration>.at(static_cast<std::size_t>(index));
+}
+
 /// The scene that the film would have for these settings.
 scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
-  const auto chosen = [](const auto& enumerators, double index) {
-    return enumerators.at(static_cast<std::size_t>(index));
-  };
   scene::Scene scene;
   scene.body.inertia = body.inertia();
   scene.motion.omega = body.omega();
   scene.motion.duration = settings.curve_end - settings.curve_begin;
   scene.film.speed = 1;
   scene.film.fps = 1 / settings.interval;  // infinite while the motion stands still
-  scene.look.theme = chosen(enumerators<scene::Theme>, settings.theme);
-  scene.camera.frame = chosen(enumerators<scene::Frame>, settings.frame);
+  scene.look.theme = chosen<scene::Theme>(settings.theme);
+  scene.camera.frame = chosen<scene::Frame>(settings.frame);
   scene.camera.azimuth = settings.azimuth;
   scene.camera.elevation = settings.elevation;
   scene.camera.distance = settings.distance;
@@ -187,7 +189,7 @@ const ViewContents& sphere_contents(const Motion& motion, const Settings& settin
   view.add_axis_labels(contents);
   if (motion.body.momentum().isZero(0)) return contents;
   const picture::OverlayColors& colors =
-      picture::style_of(scene_of(settings, motion.body).look.theme).overlay;
+      picture::style_of(chosen<scene::Theme>(settings.theme)).overlay;
   const bool is_comparison = instants.size() > 1;
   // The first is the one that counts, so it is drawn last.
   if (is_comparison) view.add_momentum(instants[1], "B", colors.omega, contents);

@@ -90,6 +90,7 @@ using namespace twrench::page;
   surface->body.radius = arguments.number();
   const std::size_t parts = arguments.count();
   for (std::size_t i = 0; i < parts; ++i) surface->body.parts.push_back(read_part(arguments));
+  surface->body.occluder_count = picture::most_occluders(surface->body.parts);
   const std::size_t balls = arguments.count();
   for (std::size_t i = 0; i < balls; ++i) {
     const Vector3d centre = arguments.vector();

@@ -10,6 +10,7 @@ export class PoinsotView extends CanvasView {
   constructor(box, changed, pictures) {
     super(box, changed);
     this.pictures = pictures;
+    this.hasHome = false; // it is the same for all motions
     this.restore();
   }
 
@@ -22,7 +23,8 @@ export class PoinsotView extends CanvasView {
     const { gl, pass } = this;
     if (gl.isContextLost() || !pass) return;
     const own = this.sized(settings);
-    this.home = this.pictures.home('poinsot', model.motion, own);
+    if (!this.hasHome) this.home = this.pictures.home('poinsot', model.motion, own);
+    this.hasHome = true;
     this.clear(colors.panel);
     const contents = this.pictures.poinsot(model.motion, own, this.viewpoint, instant);
     pass.draw(contents);

@@ -55,7 +55,7 @@ glm::vec3 BodyModel::tint(std::size_t part) const {
   return parts[part].mean_color.value_or(materials[part].diffuse + materials[part].reflectance);
 }
 
-std::size_t BodyModel::most_occluders() const {
+std::size_t most_occluders(std::span<const PartModel> parts) {
   std::size_t most = 0;
   for (const PartModel& part : parts) most = std::max(most, part.occluders.size());
   return most;
@@ -64,11 +64,13 @@ std::size_t BodyModel::most_occluders() const {
 BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius,
                      std::vector<Material> materials, const Studio& studio) {
   std::vector<PartModel> models = part_models(parts, mesh, radius);
+  const std::size_t occluders = most_occluders(models);
   return {.mesh = std::move(mesh),
           .radius = radius,
           .parts = std::move(models),
           .materials = std::move(materials),
           .is_marked = axis_of_revolution(parts).has_value(),
+          .occluder_count = occluders,
           .studio = studio};
 }
 

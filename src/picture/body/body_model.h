@@ -58,14 +58,17 @@ struct BodyModel {
   std::vector<Material> materials;
   /// Whether a stripe shows how a body of revolution turns.
   bool is_marked;
+  /// The largest number of occluders of a part.
+  std::size_t occluder_count;
   /// Lights.
   Studio studio;
 
   /// Returns the linear colour of the light that a part reflects.
   glm::vec3 tint(std::size_t part) const;
-  /// Returns the largest number of occluders of a part.
-  std::size_t most_occluders() const;
 };
+
+/// Returns the largest number of occluders of a part.
+std::size_t most_occluders(std::span<const PartModel> parts);
 
 /// Returns the body of these parts, each with its material.
 BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius,

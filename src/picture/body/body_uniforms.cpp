@@ -65,7 +65,7 @@ glm::vec3 side_axis_in_stage(const BodyModel& body, const PartModel& part, const
 
 OccluderUniforms occluder_uniforms(const BodyModel& body, const PartModel& part,
                                    const Camera& camera, const Matrix3d& X, bool smooth) {
-  const std::size_t count = body.most_occluders();
+  const std::size_t count = body.occluder_count;
   // Unused occluder slots: too small and far away to be visible.
   OccluderUniforms result{std::vector(count, glm::vec4(0, 0, -1e4F, 1e-6F)),
                           std::vector(count, glm::vec4(0, 1, -1e4F, 0)),

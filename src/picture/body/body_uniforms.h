@@ -37,7 +37,7 @@ struct OccluderUniforms {
   std::vector<glm::vec4> from, to, tint;
 };
 
-/// Returns those of a part, as many as the body's most_occluders(). Occluders that meet the part
+/// Returns those of a part, as many as the body's occluder_count. Occluders that meet the part
 /// shade it smoothly if `smooth`.
 OccluderUniforms occluder_uniforms(const BodyModel& body, const PartModel& part,
                                    const Camera& camera, const Eigen::Matrix3d& X, bool smooth);
