@@ -69,7 +69,7 @@ class BodyPass {
 
   const gl::Functions* gl_;
   const picture::BodyModel* body_;
-  std::vector<std::size_t> side_begins_;  ///< Of each part, in the mesh's indices.
+  std::vector<std::size_t> side_begins_;  ///< For each part, in the mesh's indices.
   std::vector<gl::Program> programs_;
   std::vector<std::size_t> program_of_part_;
   bool is_of_one_material_ = true;

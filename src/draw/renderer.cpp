@@ -47,7 +47,7 @@ image::Image empty_picture(const scene::Scene& scene) {
 
 }  // namespace
 
-/// What a frame is composited of.
+/// The parts of which a frame is composited.
 struct Renderer::Ingredients {
   timeline::FrameState state;
   std::optional<image::Image> background;  ///< Seen through another camera than the view's own.
@@ -72,7 +72,7 @@ struct Renderer::Parts {
     std::unique_ptr<View> view;
     std::unique_ptr<ViewPainter> painter;
     bool is_dimmed;
-    ViewContents contents;  ///< Of the last frame.
+    ViewContents contents;  ///< Contents in the last frame.
   };
   struct ShownElement {
     std::unique_ptr<Element> element;

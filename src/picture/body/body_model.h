@@ -54,7 +54,7 @@ struct BodyModel {
   double radius;
   /// In the order of the mesh's.
   std::vector<PartModel> parts;
-  /// Of each part.
+  /// The material of each part.
   std::vector<Material> materials;
   /// Whether a stripe shows how a body of revolution turns.
   bool is_marked;

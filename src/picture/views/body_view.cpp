@@ -49,7 +49,7 @@ BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Soluti
   }
 }
 
-/// Adds the floor or, for a camera that goes along with a turning frame, the stars.
+/// Adds the floor or, for a camera that turns with its frame, the stars.
 void BodyView::add_surroundings(const scene::Scene& scene) {
   std::optional<FloorStyle> floor = style_of(scene.look.theme).floor;
   if (frame_ != scene::Frame::space) {
