@@ -60,7 +60,7 @@ start_debian_13() {
     </dev/null >build/check/debian-13.log 2>&1 &
   set +m
   debian_13=$!
-  trap 'kill -TERM -- "-$debian_13" && wait "$debian_13"' EXIT
+  trap 'kill -TERM -- "-$debian_13" 2>/dev/null && wait "$debian_13"' EXIT
 }
 
 finish_debian_13() {

@@ -26,6 +26,8 @@ python_use_unqualified_type_names = True
 autodoc_type_aliases = {
     name: name for name in ("Array", "ArrayLike", "Part", "PathLike", "Progress", "StrPath", "Vector")
 }
+# A private protocol, which only a scene fulfils.
+autodoc_type_aliases["HasBody"] = "twrench.Scene"
 # These, and other projects' objects, whose pages would have to be fetched, lead nowhere.
 nitpick_ignore_regex = [
     ("py:class", r"(numpy|pandas|pathlib|os|collections)\..*"),
