@@ -35,7 +35,8 @@ std::string flips_heading(const study::Study& study) {
   }
   return fmt::format(
       "Flips (sign changes of omega along the intermediate axis): {} predicted, every {:.12f} s\n"
-      "= 2K/|r| (asymptotically ln(16/mc)/|r| = {:.12f} s). Swing of the axis: {:.1f} degrees.\n",
+      "= 2K/|lambda| (asymptotically ln(16/mc)/|lambda| = {:.12f} s). Swing of the axis: {:.1f} "
+      "degrees.\n",
       study.flip_times.size(), flips.interval, flips.asymptotic_interval,
       flips.swing * 180 / std::numbers::pi);
 }
