@@ -26,8 +26,7 @@
 #include "picture/look/emphasis.h"
 #include "picture/look/theme.h"
 #include "picture/views/body_view.h"
-#include "picture/views/momentum_view.h"
-#include "picture/views/poinsot_view.h"
+#include "picture/views/inset_views.h"
 
 namespace twrench::draw {
 namespace {
@@ -87,9 +86,8 @@ struct Renderer::Parts {
 
   void add_bodies(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                   const Layout& layout);
-  template <typename Inset>
-  void add_inset(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
-                 const std::optional<Layout::Pane>& pane, scene::Feature feature);
+  void add_insets(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
+                  const Layout& layout);
   void add_panels(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                   const Layout& layout);
   /// The static background. With `camera`, the body is seen through that at first.
@@ -110,8 +108,7 @@ Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
       typeface(canvas::load_typeface(scene.overlay.font)) {
   const Layout layout = picture::compute_layout(scene);
   add_bodies(scene, solutions, layout);
-  add_inset<picture::MomentumView>(scene, solutions, layout.momentum, scene::Feature::sphere);
-  add_inset<picture::PoinsotView>(scene, solutions, layout.poinsot, scene::Feature::poinsot);
+  add_insets(scene, solutions, layout);
   add_panels(scene, solutions, layout);
   label_painter.emplace(typeface.regular, layout.text.readout,
                         picture::style_of(scene.look.theme).overlay.panel,
@@ -133,18 +130,20 @@ void Renderer::Parts::add_bodies(const scene::Scene& scene,
   }
 }
 
-/// Adds a view of the first motion, which beside a body can step back.
-template <typename Inset>
-void Renderer::Parts::add_inset(const scene::Scene& scene,
-                                const std::vector<timeline::Solution>& solutions,
-                                const std::optional<Layout::Pane>& pane, scene::Feature feature) {
-  if (!pane) return;
-  const bool is_dimmed =
-      scene.overlay.view == scene::View::wrench && picture::is_dimmed(scene.overlay, feature);
-  views.push_back({std::make_unique<Inset>(scene, solutions, 0, *pane),
-                   std::make_unique<DrawListPainter>(gl, framebuffer, pane->area),
-                   is_dimmed,
-                   {}});
+/// Adds the other views, which show the first motion. Beside a body they can be dimmed.
+void Renderer::Parts::add_insets(const scene::Scene& scene,
+                                 const std::vector<timeline::Solution>& solutions,
+                                 const Layout& layout) {
+  for (std::size_t i = 0; i < scene::insets.size(); ++i) {
+    const std::optional<Layout::Pane>& pane = layout.insets[i];
+    if (!pane) continue;
+    const bool is_dimmed = scene.overlay.view == scene::View::wrench &&
+                           picture::is_dimmed(scene.overlay, scene::insets[i].feature);
+    views.push_back({picture::inset_views[i].make(scene, solutions, *pane),
+                     std::make_unique<DrawListPainter>(gl, framebuffer, pane->area),
+                     is_dimmed,
+                     {}});
+  }
 }
 
 /// Adds curves, figures and text.

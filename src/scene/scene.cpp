@@ -10,10 +10,15 @@
 #include <string>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "scene/limits.h"
 
 namespace twrench::scene {
 namespace {
+
+static_assert(std::ranges::all_of(enumerators<View>, [](View view) {
+  return view == View::wrench || view == View::quad || inset_index(view) < insets.size();
+}));
 
 std::vector<body::Part> equimomental_parts(const Eigen::Matrix3d& inertia, Equimomental form) {
   switch (form) {

@@ -5,7 +5,9 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -177,6 +179,23 @@ enum class Feature {
 /// What the picture shows: the body, the momentum sphere, Poinsot's construction, or all of them
 /// with the components.
 enum class View { wrench, momentum, poinsot, quad };
+
+/// A view without the body, and the feature that shows it beside the body.
+struct Inset {
+  View view;
+  Feature feature;
+};
+
+/// The insets in the order in which they are placed. If there is no room for all, the last is left
+/// out first.
+inline constexpr std::array insets{Inset{View::momentum, Feature::sphere},
+                                   Inset{View::poinsot, Feature::poinsot}};
+
+/// Returns the index of a view in `insets`, or their number if the view shows the body.
+constexpr std::size_t inset_index(View view) {
+  const auto found = std::ranges::find(insets, view, &Inset::view);
+  return static_cast<std::size_t>(found - insets.begin());
+}
 
 /// The view and its overlays.
 struct Overlay {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "base/enumeration.h"
 #include "draw/pose_renderer.h"
 #include "gl/test_context.h"
 #include "picture/t_wrench.h"
@@ -200,8 +201,7 @@ TEST_F(RendererTest, DrawsPicturesOfAnyShape) {
                                       {64, 64}}) {
     scene.film.width = width;
     scene.film.height = height;
-    for (const scene::View view :
-         {scene::View::wrench, scene::View::momentum, scene::View::poinsot, scene::View::quad}) {
+    for (const scene::View view : enumerators<scene::View>) {
       scene.overlay.view = view;
       const timeline::Timeline timeline(scene, {0});
       Renderer renderer(*context, scene, timeline.solutions());

@@ -12,8 +12,9 @@ Parts parts_of(const scene::Overlay& overlay) {
   const bool single = overlay.motion_count() == 1;
   const bool shows_body = overlay.view == scene::View::wrench;
   Parts parts{};
-  parts[poinsot_part] = single && shows_body && overlay.shows(scene::Feature::poinsot);
-  parts[momentum_part] = single && shows_body && overlay.shows(scene::Feature::sphere);
+  for (std::size_t i = 0; i < scene::insets.size(); ++i) {
+    parts[first_view + i] = single && shows_body && overlay.shows(scene::insets[i].feature);
+  }
   parts[components_part] = shows_body && overlay.shows(scene::Feature::components);
   parts[curve_part] = shows_body && overlay.shows(scene::Feature::curve);
   const bool hud = overlay.shows(scene::Feature::hud);
@@ -48,11 +49,11 @@ Layout compute_layout(const scene::Scene& scene) {
         "use the view 'wrench' to compare motions");
   }
   Parts parts = parts_of(scene.overlay);
-  for (bool& part : parts) {
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     for (const Words words : {Words::with_insets, Words::with_body}) {
       if (auto layout = LayoutDraft(scene, parts, words).finish()) return *layout;
     }
-    part = false;
+    *part = false;
   }
   return *LayoutDraft(scene, parts, Words::with_body).finish();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace twrench::picture {
 /// one line, so that each item has the full breadth.
 ///
 /// Items that do not fit are dropped in this order, until the rest has its minimum size and each
-/// body a third of its pane: Poinsot's construction, the momentum sphere, the components, the large
+/// body a third of its pane: the views of scene::insets, the last first, the components, the large
 /// curve, the readouts, the title.
 struct Layout {
   /// A three-dimensional view.
@@ -55,8 +56,8 @@ struct Layout {
   /// Panes of the body, one per motion. They tile the picture or, in the view `quad`, a quarter of
   /// it; none if the view shows no body.
   std::vector<Pane> panes;
-  /// The momentum sphere and Poinsot's construction.
-  std::optional<Pane> momentum, poinsot;
+  /// The views of scene::insets, in their order.
+  std::array<std::optional<Pane>, scene::insets.size()> insets;
   /// The nine components, and one of them, x11, large.
   std::optional<image::Area> components, curve;
   /// The title, with the method below it or, in a comparison, the time on the right.

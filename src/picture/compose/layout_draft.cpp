@@ -76,12 +76,13 @@ void LayoutDraft::place_legend(image::Area& pane) {
   layout_.legends.push_back(aside ? cut_left(pane, beside, gap_) : cut_top(pane, above, gap_));
 }
 
-/// Divides the area into a square grid or, in a long picture, a line, where each body has more
-/// room.
+/// Divides the area into two lines of panes for at least four views or, in a long picture, one
+/// line, where each view has more room.
 std::vector<Share> LayoutDraft::equal_shares(int count) const {
-  const bool square = count == 4 && !is_long();
-  const int rows = square ? 2 : picture_.height > picture_.width ? count : 1;
-  return shares(picture_, rest_, count / rows, rows);
+  const int lines = count >= 4 && !is_long() ? 2 : 1;
+  const int along = (count + lines - 1) / lines;
+  const bool vertical = picture_.height > picture_.width;
+  return shares(picture_, rest_, vertical ? lines : along, vertical ? along : lines);
 }
 
 void LayoutDraft::place_panes() {
@@ -111,31 +112,30 @@ std::optional<image::Area> LayoutDraft::cut_heading(image::Area& cell) const {
   return cut_top(cell, height, 0);
 }
 
+/// Places the body, all insets and, if a pane is left over, the components.
 void LayoutDraft::place_quarters() {
-  const std::vector<Share> all = equal_shares(4);
+  constexpr std::size_t views = 1 + scene::insets.size();
+  const std::vector<Share> all = equal_shares(std::max<int>(4, views));
   const auto quarter = [&](std::size_t i) {
     image::Area area = image::common(all[i].area, rest_);
     if (all[i].column > 0) cut_left(area, 0, gap_);
     if (all[i].row > 0) cut_top(area, 0, gap_);
     return area;
   };
-  const auto pane = [&](std::size_t i) {
-    Pane view{all[i].area, quarter(i)};
-    view.heading = cut_heading(view.focus);
-    return view;
-  };
   layout_.panes.push_back({all[0].area, image::common(all[0].area, rest_)});
-  layout_.momentum = pane(1);
-  layout_.poinsot = pane(2);
-  const image::Area last = image::common(quarter(3), safe_);
+  for (std::size_t i = 1; i < views; ++i) {
+    Pane& view = layout_.insets[i - 1].emplace(Pane{all[i].area, quarter(i)});
+    view.heading = cut_heading(view.focus);
+  }
+  if (all.size() == views) return;
+  const image::Area last = image::common(quarter(views), safe_);
   if (holds_components(last)) layout_.components = last;
 }
 
 void LayoutDraft::place_views() {
   if (overlay_.view == scene::View::quad) return place_quarters();
-  if (overlay_.view == scene::View::momentum) layout_.momentum = Pane{picture_, rest_};
-  if (overlay_.view == scene::View::poinsot) layout_.poinsot = Pane{picture_, rest_};
-  if (overlay_.view == scene::View::wrench) place_panes();
+  if (overlay_.view == scene::View::wrench) return place_panes();
+  layout_.insets[scene::inset_index(overlay_.view)] = Pane{picture_, rest_};
 }
 
 bool LayoutDraft::is_safe(const image::Area& area) const {
@@ -171,13 +171,12 @@ bool LayoutDraft::has_room() const {
   const auto enough = [&](const Pane& pane) {
     return shorter(pane.focus) >= std::max(1.0, least_focus * shorter(pane.area));
   };
-  const auto room = [&](const std::optional<Pane>& pane, bool inset) {
+  const auto room = [&](const std::optional<Pane>& pane) {
+    const bool beside_body = overlay_.view == scene::View::wrench;
     return !pane || (enough(*pane) &&
-                     (!inset || (is_safe(pane->area) && shorter(pane->area) >= least_inset)));
+                     (!beside_body || (is_safe(pane->area) && shorter(pane->area) >= least_inset)));
   };
-  return std::ranges::all_of(layout_.panes, enough) &&
-         room(layout_.momentum, parts_[momentum_part]) &&
-         room(layout_.poinsot, parts_[poinsot_part]) &&
+  return std::ranges::all_of(layout_.panes, enough) && std::ranges::all_of(layout_.insets, room) &&
          (!layout_.components || holds_components(*layout_.components)) &&
          (!layout_.curve || holds_curve(*layout_.curve)) && has_room_for_words();
 }
@@ -192,8 +191,9 @@ std::optional<Layout> LayoutDraft::finish() {
     pane.named = shorter(pane.focus) >= least_named * layout_.text.readout;
   };
   std::ranges::for_each(layout_.panes, name);
-  if (layout_.momentum) name(*layout_.momentum);
-  if (layout_.poinsot) name(*layout_.poinsot);
+  for (std::optional<Pane>& inset : layout_.insets) {
+    if (inset) name(*inset);
+  }
   return layout_;
 }
 

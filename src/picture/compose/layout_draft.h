@@ -9,17 +9,10 @@
 
 namespace twrench::picture {
 
-/// The optional parts of a layout, in the order in which they are dropped.
-enum Part {
-  poinsot_part,
-  momentum_part,
-  components_part,
-  curve_part,
-  readouts_part,
-  title_part,
-  part_count
-};
-using Parts = std::array<bool, part_count>;
+/// The optional parts of a layout, in the order of their importance: the last is dropped first. The
+/// views of scene::insets are the last ones.
+enum Part : std::size_t { title_part, readouts_part, curve_part, components_part, first_view };
+using Parts = std::array<bool, first_view + scene::insets.size()>;
 
 /// The least height in px of three rows of curves with their names: lower components stand in one
 /// row.
@@ -41,18 +34,19 @@ class LayoutDraft {
  private:
   /// An inset and its length along a line of insets, in units of the line's breadth.
   struct Inset {
-    Part part;
+    std::size_t part;
     double length;
   };
 
   bool is_long() const;
   bool upright() const { return 10 * picture_.height > 9 * picture_.width; }
   bool single() const { return solutions_ == 1; }
-  bool shows_no_body() const;
+  bool shows_no_body() const { return scene::inset_index(overlay_.view) < scene::insets.size(); }
   /// Whether the picture says in words what happens and what is seen.
   bool explains() const {
     return !layout_.compact && parts_[readouts_part] && overlay_.shows(scene::Feature::hud);
   }
+  std::vector<Inset> shown_views() const;
   std::vector<Inset> shown(std::vector<Inset> insets) const;
 
   void place_caption();
@@ -70,7 +64,7 @@ class LayoutDraft {
   void place_strips();
   void place_description(const image::Area& area);
   void place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets);
-  void place_inset(Part part, image::Area cell);
+  void place_inset(std::size_t part, image::Area cell);
 
   // Views: layout_draft.cpp.
   void place_views();

@@ -56,8 +56,7 @@ image::Area LayoutDraft::cut_panels(image::Area& rest) const {
 /// beside that alone.
 image::Area LayoutDraft::beside_focus(image::Area area) const {
   const image::Area focus = safe_focus();
-  const bool alone =
-      !layout_.momentum && !layout_.poinsot && !(layout_.curve && layout_.components);
+  const bool alone = shown_views().empty() && !(layout_.curve && layout_.components);
   if (!alone || area.x < focus.x + focus.width) return area;
   int top = focus.y, bottom = focus.y + focus.height;
   for (const auto& text : {layout_.title, layout_.readouts}) {

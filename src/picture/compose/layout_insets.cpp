@@ -1,6 +1,7 @@
 // Where the title, the readouts and the insets stand.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "picture/compose/layout_draft.h"
 
@@ -32,12 +33,15 @@ std::ptrdiff_t characters(const std::string& text) {
   return std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });
 }
 
-bool is_square(Part part) { return part == momentum_part || part == poinsot_part; }
+bool is_square(std::size_t part) { return part >= first_view; }
 
 }  // namespace
 
-bool LayoutDraft::shows_no_body() const {
-  return overlay_.view == scene::View::momentum || overlay_.view == scene::View::poinsot;
+/// Returns the views that are shown as insets.
+std::vector<LayoutDraft::Inset> LayoutDraft::shown_views() const {
+  std::vector<Inset> views;
+  for (std::size_t part = first_view; part < parts_.size(); ++part) views.push_back({part, 1});
+  return shown(std::move(views));
 }
 
 /// Returns those of the insets that are shown.
@@ -47,8 +51,7 @@ std::vector<LayoutDraft::Inset> LayoutDraft::shown(std::vector<Inset> insets) co
 }
 
 void LayoutDraft::place_words_and_insets() {
-  const bool insets = parts_[poinsot_part] || parts_[momentum_part] || parts_[components_part] ||
-                      parts_[curve_part];
+  const bool insets = !shown_views().empty() || parts_[components_part] || parts_[curve_part];
   if (!single()) {
     place_title(rest_);
     place_strips();
@@ -116,7 +119,7 @@ void LayoutDraft::place_column() {
     return place_description(cut_top(
         column, std::min(whole(12 * description_line * layout_.text.readout), column.height), 0));
   }
-  std::vector<Inset> views = shown({{momentum_part, 1}, {poinsot_part, 1}});
+  std::vector<Inset> views = shown_views();
   const std::vector<Inset> plots =
       shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
   const int side = (column.width - gap_) / 2;
@@ -141,7 +144,7 @@ void LayoutDraft::place_block() {
     return place_description(block);
   }
   if (words_ == Words::with_body) place_readouts(rest_);
-  const std::vector<Inset> squares = shown({{momentum_part, 1}, {poinsot_part, 1}});
+  const std::vector<Inset> squares = shown_views();
   const std::vector<Inset> plots =
       shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
   const auto count = static_cast<int>(squares.size());
@@ -170,8 +173,9 @@ void LayoutDraft::place_in_line() {
   const double components = strip       ? strip_aspect
                             : upright() ? 1 / components_aspect
                                         : components_aspect;
-  const std::vector<Inset> insets = shown(
-      {{momentum_part, 1}, {poinsot_part, 1}, {components_part, components}, {curve_part, curve}});
+  std::vector<Inset> insets = shown_views();
+  std::ranges::copy(shown({{components_part, components}, {curve_part, curve}}),
+                    std::back_inserter(insets));
   if (upright()) {
     place_words(rest_);
   } else if (parts_[title_part] || parts_[readouts_part]) {
@@ -237,7 +241,7 @@ void LayoutDraft::place_insets(image::Area area, bool vertical, const std::vecto
   }
 }
 
-void LayoutDraft::place_inset(Part part, image::Area cell) {
+void LayoutDraft::place_inset(std::size_t part, image::Area cell) {
   if (part == components_part) {
     layout_.components = cell;
   } else if (part == curve_part) {
@@ -245,8 +249,7 @@ void LayoutDraft::place_inset(Part part, image::Area cell) {
   } else {
     const auto heading = cut_heading(cell);
     const image::Area square = centred_square(cell);
-    (part == momentum_part ? layout_.momentum : layout_.poinsot) =
-        Layout::Pane{square, square, true, heading};
+    layout_.insets[part - first_view] = Layout::Pane{square, square, true, heading};
   }
 }
 

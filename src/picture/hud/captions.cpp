@@ -1,7 +1,5 @@
 #include "picture/hud/captions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -48,35 +46,6 @@ bool has_leg(const scene::Body& body) {
 
 std::string curve(const scene::Body& body) {
   return has_leg(body) ? "which way the leg points" : "the body's x axis along space x";
-}
-
-std::string momentum_heading() { return "L, seen from the body"; }
-std::string poinsot_heading() { return "the ellipsoid rolls"; }
-
-std::string momentum(const timeline::Solution& solution, const PrincipalFrame& frame) {
-  if (frame.direction.isZero(0.0)) return "The body is at rest: it has no angular momentum.";
-  const std::string sphere =
-      "The angular momentum L, seen from the body. Its length is constant, so its tip stays on a "
-      "sphere; ";
-  if (!frame.level) return sphere + "as all moments are equal, it stays where it is.";
-  const std::string level = sphere + "the energy is constant, so it stays on one curve. ";
-  if (solution.flips) {
-    return level + fmt::format(
-                       "Close to the bold curve this leads from one end of the {} axis to "
-                       "the other: the body turns over.",
-                       frame.names[1]);
-  }
-  return level + fmt::format("It stays on one side of the body, about the {} axis.",
-                             frame.names[static_cast<std::size_t>(frame.level->axis)]);
-}
-
-std::string poinsot(const timeline::Solution& solution) {
-  if (solution.body.momentum().isZero(0.0)) {
-    return "The body's inertia ellipsoid. The body is at rest.";
-  }
-  return "The body's inertia ellipsoid rolls without slipping on a plane that never moves, normal "
-         "to "
-         "L. It touches the plane at ω, the axis about which the body turns at that moment.";
 }
 
 Remarks::Remarks(const timeline::Solution& solution)

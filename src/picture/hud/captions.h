@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "picture/hud/text_block.h"
-#include "picture/views/principal_frame.h"
 #include "timeline/timeline.h"
 
 // What the picture says in words about what it shows, in UTF-8.
@@ -15,14 +14,6 @@ namespace twrench::picture::captions {
 /// Returns what x11 means. A body has a leg if one part lies along the x axis on the positive side
 /// and alone reaches farthest from the centre of mass in that direction or the opposite one.
 std::string curve(const scene::Body& body);
-
-/// Return what the insets show, in a few words.
-std::string momentum_heading();
-std::string poinsot_heading();
-
-/// Return what the views show, in sentences that are true of the motion.
-std::string momentum(const timeline::Solution& solution, const PrincipalFrame& frame);
-std::string poinsot(const timeline::Solution& solution);
 
 /// The remarks on a motion: that the body turns over, around each flip of the method's own
 /// solution; that the matrix is no rotation, once it is 1 % off.

@@ -8,6 +8,7 @@
 #include "canvas/typesetting.h"
 #include "picture/hud/captions.h"
 #include "picture/hud/hud_text.h"
+#include "picture/views/inset_views.h"
 
 namespace twrench::picture {
 namespace {
@@ -80,7 +81,7 @@ class Typesetter {
   void add_moment(TextBlock& block, std::size_t solution);
   void add_remark(TextBlock& block, std::size_t solution);
   void add_description();
-  void add_heading(const Layout::Pane& pane, const std::string& text);
+  void add_heading(const image::Area& area, const std::string& text);
 
   const scene::Scene& scene_;
   const std::vector<timeline::Solution>& solutions_;
@@ -95,8 +96,10 @@ std::vector<TextBlock> Typesetter::blocks() && {
   if (layout_.readouts) add_readouts();
   for (std::size_t i = 0; i < layout_.legends.size(); ++i) add_legend(i);
   if (layout_.description) add_description();
-  if (layout_.momentum) add_heading(*layout_.momentum, captions::momentum_heading());
-  if (layout_.poinsot) add_heading(*layout_.poinsot, captions::poinsot_heading());
+  for (std::size_t i = 0; i < inset_views.size(); ++i) {
+    const auto& pane = layout_.insets[i];
+    if (pane && pane->heading) add_heading(*pane->heading, inset_views[i].heading);
+  }
   const image::Area picture{0, 0, scene_.film.width, scene_.film.height};
   for (TextBlock& block : blocks_) block.finish(picture);
   return std::move(blocks_);
@@ -170,15 +173,13 @@ void Typesetter::add_remark(TextBlock& block, std::size_t solution) {
 void Typesetter::add_description() {
   TextBlock& block = blocks_.emplace_back(style_, *layout_.description);
   const timeline::Solution& solution = solutions_[0];
-  const std::string text =
-      layout_.momentum ? captions::momentum(solution, PrincipalFrame(solution.body, style_.colors))
-                       : captions::poinsot(solution);
+  const InsetView& view = inset_views[scene::inset_index(scene_.overlay.view)];
+  const std::string text = view.description(solution, PrincipalFrame(solution.body, style_.colors));
   block.add_paragraph(text, style_.typeface.regular, layout_.text.readout, style_.colors.dim);
 }
 
-void Typesetter::add_heading(const Layout::Pane& pane, const std::string& text) {
-  if (!pane.heading) return;
-  TextBlock& block = blocks_.emplace_back(style_, *pane.heading);
+void Typesetter::add_heading(const image::Area& area, const std::string& text) {
+  TextBlock& block = blocks_.emplace_back(style_, area);
   block.add_line(text, style_.typeface.regular, layout_.text.caption, style_.colors.text);
 }
 

@@ -35,6 +35,22 @@ Vector3d eye_direction(const Vector3d& mu) {
 
 }  // namespace
 
+std::string MomentumView::description(const timeline::Solution& solution,
+                                      const PrincipalFrame& frame) {
+  if (frame.direction.isZero(0.0)) return "The body is at rest: it has no angular momentum.";
+  const std::string sphere =
+      "The angular momentum L, seen from the body. Its length is constant, so its tip stays on a "
+      "sphere; ";
+  if (!frame.level) return sphere + "as all moments are equal, it stays where it is.";
+  const std::string level = sphere + "the energy is constant, so it stays on one curve. ";
+  if (solution.flips) {
+    return level + "Close to the bold curve this leads from one end of the " + frame.names[1] +
+           " axis to the other: the body turns over.";
+  }
+  return level + "It stays on one side of the body, about the " +
+         frame.names[static_cast<std::size_t>(frame.level->axis)] + " axis.";
+}
+
 MomentumView::MomentumView(const scene::Scene& scene,
                            const std::vector<timeline::Solution>& solutions, std::size_t solution,
                            const Layout::Pane& pane)

@@ -9,6 +9,9 @@ namespace twrench::picture {
 /// back and forth between the ends of the intermediate axis, which is the flip.
 class MomentumView : public SolutionView {
  public:
+  static constexpr const char* heading = "L, seen from the body";
+  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame);
+
   /// Shows one motion in `pane`.
   MomentumView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                std::size_t solution, const Layout::Pane& pane);

@@ -40,6 +40,15 @@ constexpr double widest_turn = 0.35;
 
 }  // namespace
 
+std::string PoinsotView::description(const timeline::Solution& solution,
+                                     const PrincipalFrame& /*frame*/) {
+  if (solution.body.momentum().isZero(0.0)) {
+    return "The body's inertia ellipsoid. The body is at rest.";
+  }
+  return "The body's inertia ellipsoid rolls without slipping on a plane that never moves, normal "
+         "to L. It touches the plane at ω, the axis about which the body turns at that moment.";
+}
+
 PoinsotView::PoinsotView(const scene::Scene& scene,
                          const std::vector<timeline::Solution>& solutions, std::size_t solution,
                          const Layout::Pane& pane)

@@ -13,6 +13,9 @@ namespace twrench::picture {
 /// plane is seen from above, with the contact point below it.
 class PoinsotView : public SolutionView {
  public:
+  static constexpr const char* heading = "the ellipsoid rolls";
+  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame);
+
   /// Shows one motion in `pane`.
   PoinsotView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
               std::size_t solution, const Layout::Pane& pane);

@@ -27,7 +27,7 @@ bool inside(const image::Area& a, const image::Area& b) {
 
 std::vector<Layout::Pane> all_panes(const Layout& layout) {
   std::vector<Layout::Pane> panes = layout.panes;
-  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+  for (const auto& pane : layout.insets) {
     if (pane) panes.push_back(*pane);
   }
   return panes;
@@ -45,11 +45,11 @@ std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view
         layout.forces, layout.tilt, layout.moments, layout.torques}) {
     if (area) areas.push_back(*area);
   }
-  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+  for (const auto& pane : layout.insets) {
     if (pane && pane->heading) areas.push_back(*pane->heading);
   }
   if (view == scene::View::wrench) {
-    for (const auto& inset : {layout.momentum, layout.poinsot}) {
+    for (const auto& inset : layout.insets) {
       if (inset) areas.push_back(inset->area);
     }
   }
@@ -61,7 +61,7 @@ std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = words_and_insets(layout, view);
   for (const Layout::Pane& pane : layout.panes) areas.push_back(pane.focus);
   if (view != scene::View::wrench) {
-    for (const auto& pane : {layout.momentum, layout.poinsot}) {
+    for (const auto& pane : layout.insets) {
       if (pane) areas.push_back(pane->focus);
     }
   }
@@ -71,15 +71,15 @@ std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
 /// For each size, with all optional items and with each selection of them.
 void for_each_layout(scene::View view, int compared,
                      const std::function<void(const scene::Scene&, const Layout&)>& check) {
-  constexpr scene::Feature features[]{scene::Feature::poinsot,    scene::Feature::sphere,
-                                      scene::Feature::components, scene::Feature::curve,
-                                      scene::Feature::hud,        scene::Feature::forces};
+  std::vector<scene::Feature> features{scene::Feature::components, scene::Feature::curve,
+                                       scene::Feature::hud, scene::Feature::forces};
+  for (const scene::Inset& inset : scene::insets) features.push_back(inset.feature);
   scene::Scene scene = t_wrench();
   scene.overlay.view = view;
   scene.overlay.compare.assign(static_cast<std::size_t>(compared), "exact");
-  for (unsigned choice = 0; choice < 64; ++choice) {
+  for (unsigned choice = 0; choice < 1U << features.size(); ++choice) {
     scene.overlay.show = {scene::Feature::floor, scene::Feature::labels};
-    for (unsigned i = 0; i < 6; ++i) {
+    for (unsigned i = 0; i < features.size(); ++i) {
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
     if (scene.overlay.shows(scene::Feature::forces)) {
@@ -156,12 +156,15 @@ TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, LayoutOf,
-    testing::Values(std::pair(scene::View::wrench, 0), std::pair(scene::View::wrench, 1),
-                    std::pair(scene::View::wrench, 2), std::pair(scene::View::wrench, 3),
-                    std::pair(scene::View::wrench, 4), std::pair(scene::View::momentum, 0),
-                    std::pair(scene::View::poinsot, 0), std::pair(scene::View::quad, 0)));
+/// Each view of one motion, and comparisons of one to four.
+std::vector<std::pair<scene::View, int>> views_and_comparisons() {
+  std::vector<std::pair<scene::View, int>> all;
+  for (const scene::View view : enumerators<scene::View>) all.emplace_back(view, 0);
+  for (int compared = 1; compared <= 4; ++compared) all.emplace_back(scene::View::wrench, compared);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LayoutOf, testing::ValuesIn(views_and_comparisons()));
 
 TEST(Layout, GivesTheBareBodyTheWholePicture) {
   for (const int width : sides) {
@@ -183,9 +186,9 @@ TEST(Layout, DropsInTheStatedOrder) {
     scene::Scene scene = t_wrench(height * 16 / 9, height);
     scene.overlay.show.insert({scene::Feature::poinsot, scene::Feature::components});
     const Layout layout = compute_layout(scene);
-    const std::vector<bool> kept{layout.title.has_value(),    layout.readouts.has_value(),
-                                 layout.curve.has_value(),    layout.components.has_value(),
-                                 layout.momentum.has_value(), layout.poinsot.has_value()};
+    std::vector<bool> kept{layout.title.has_value(), layout.readouts.has_value(),
+                           layout.curve.has_value(), layout.components.has_value()};
+    for (const auto& inset : layout.insets) kept.push_back(inset.has_value());
     EXPECT_TRUE(std::ranges::is_sorted(kept, std::greater())) << height;
     const auto count = static_cast<std::size_t>(std::ranges::count(kept, true));
     EXPECT_LE(count, before) << "what has found no room finds none in a smaller picture: "
@@ -200,7 +203,7 @@ TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
   for (const auto& [width, height] :
        {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}, {1440, 1080}, {2560, 1080}}) {
     const Layout layout = compute_layout(t_wrench(width, height));
-    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.insets[0]) << width;
     EXPECT_FALSE(layout.compact);
     const image::Area& focus = layout.panes[0].focus;
     EXPECT_GE(std::min(focus.width, focus.height), 0.5 * std::min(width, height)) << width;
@@ -215,12 +218,12 @@ TEST(Layout, LeavesTheBodyOfAWideFilmItsFullHeight) {
 
 TEST(Layout, GivesAViewOfItsOwnMostOfThePictureAndADescription) {
   for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1080, 1080}}) {
-    for (const scene::View view : {scene::View::momentum, scene::View::poinsot}) {
+    for (const auto& [view, feature] : scene::insets) {
       scene::Scene scene = t_wrench(width, height);
       scene.overlay.view = view;
       const Layout layout = compute_layout(scene);
       EXPECT_TRUE(layout.description) << width;
-      const image::Area focus = (layout.momentum ? layout.momentum : layout.poinsot)->focus;
+      const image::Area focus = layout.insets[scene::inset_index(view)]->focus;
       EXPECT_GE(std::min(focus.width, focus.height), 0.55 * std::min(width, height)) << width;
     }
   }
@@ -258,9 +261,9 @@ TEST(Layout, GivesTheViewsOfALongPictureItsWholeBreadth) {
   for (const auto& [width, height] :
        {std::pair(1600, 300), {3840, 600}, {16384, 164}, {300, 1600}, {200, 1600}}) {
     const Layout layout = compute_layout(t_wrench(width, height));
-    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.momentum) << width;
+    EXPECT_TRUE(layout.title && layout.readouts && layout.curve && layout.insets[0]) << width;
     const int breadth = std::min(width, height);
-    for (const Layout::Pane& pane : {layout.panes[0], *layout.momentum}) {
+    for (const Layout::Pane& pane : {layout.panes[0], *layout.insets[0]}) {
       EXPECT_GE(std::min(pane.focus.width, pane.focus.height), 0.85 * breadth) << width;
     }
   }
@@ -282,7 +285,8 @@ TEST(Layout, SetsTheWordsOfSmallPicturesNoSmallerThanCanBeRead) {
 TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
   scene::Scene scene = t_wrench(640, 360);
   scene.overlay.compare = {"rk4", "exact"};
-  for (const scene::View view : {scene::View::momentum, scene::View::poinsot, scene::View::quad}) {
+  for (const scene::View view : enumerators<scene::View>) {
+    if (view == scene::View::wrench) continue;
     scene.overlay.view = view;
     EXPECT_THROW(compute_layout(scene), InvalidArgument);
   }

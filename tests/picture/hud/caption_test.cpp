@@ -76,8 +76,9 @@ TEST(Caption, HasRoomThatNothingElseTakes) {
       expect_apart(layout.readouts);
       expect_apart(layout.components);
       for (const auto& pane : layout.panes) expect_apart(pane.focus);
-      if (layout.momentum) expect_apart(layout.momentum->focus);
-      if (layout.poinsot) expect_apart(layout.poinsot->focus);
+      for (const auto& inset : layout.insets) {
+        if (inset) expect_apart(inset->focus);
+      }
     }
   }
   EXPECT_FALSE(compute_layout(film_of(1280, 720)).caption) << "without a caption";

@@ -1,14 +1,11 @@
 #include "picture/hud/captions.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "picture/overlay_scene.h"
 
 namespace twrench::picture::captions {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 body::Part sphere(double radius, const Eigen::Vector3d& position) {
   return {body::Ellipsoid{Eigen::Vector3d::Constant(radius)}, 1, position,
@@ -78,29 +75,6 @@ TEST(Remarks, SayWhereTheMatrixIsNoRotation) {
   EXPECT_EQ(remark_at(t_wrench(), 0, 0.02).text, no_rotation);
   EXPECT_EQ(remark_at(t_wrench(), 11.8, 0.02).text, no_rotation) << "which matters more";
   EXPECT_EQ(remark_at(t_wrench(), 0, 1e-6).text, "");
-}
-
-std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
-  scene::Scene scene = t_wrench();
-  scene.body = {{}, moments.asDiagonal()};
-  scene.motion.omega = omega;
-  const OverlayScene film(scene);
-  const timeline::Solution& solution = film.timeline.solutions()[0];
-  return momentum(solution, PrincipalFrame(solution.body, film.colors));
-}
-
-TEST(MomentumDescription, IsTrueOfTheMotion) {
-  EXPECT_THAT(description({1, 2, 3}, {0.01, 1, 0}), HasSubstr("y axis to the other"));
-  EXPECT_THAT(description({2, 1, 3}, {1, 0.01, 0}), HasSubstr("x axis to the other"));
-  for (const std::string& stable :
-       {description({1, 2, 3}, {1, 0.01, 0}), description({1, 1, 3}, {1, 0.01, 0.3})}) {
-    EXPECT_THAT(stable, Not(HasSubstr("turns over")));
-    EXPECT_THAT(stable, Not(HasSubstr("bold")));
-  }
-  EXPECT_THAT(description({1, 2, 3}, {1, 0.01, 0}), HasSubstr("about the x axis"));
-  EXPECT_THAT(description({1, 2, 3}, {0, 0.01, 1}), HasSubstr("about the z axis"));
-  EXPECT_THAT(description({2, 2, 2}, {1, 0, 0}), HasSubstr("stays where it is"));
-  EXPECT_THAT(description({1, 2, 3}, {0, 0, 0}), HasSubstr("at rest"));
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ TEST(Hud, BreaksALongTitleInsteadOfShrinkingIt) {
 
 TEST(Hud, DescribesAViewOfItsOwn) {
   scene::Scene scene = film_of(1920, 1080);
-  for (const scene::View view : {scene::View::momentum, scene::View::poinsot}) {
+  for (const auto& [view, feature] : scene::insets) {
     scene.overlay.view = view;
     const OverlayScene film(scene);
     const std::vector<image::Area> extents = hud_of(film).extents();
@@ -244,7 +244,7 @@ std::vector<image::Area> places_of_words(const Layout& layout) {
   if (layout.title) places.push_back(*layout.title);
   if (layout.readouts) places.push_back(*layout.readouts);
   places.insert(places.end(), layout.legends.begin(), layout.legends.end());
-  for (const auto& pane : {layout.momentum, layout.poinsot}) {
+  for (const auto& pane : layout.insets) {
     if (pane && pane->heading) places.push_back(*pane->heading);
   }
   return places;
@@ -284,7 +284,7 @@ TEST(Hud, LaysNoPanelWhereNoWordHasRoom) {
   OverlayScene film(film_of(640, 360));
   film.layout.title = image::Area{40, 40, 4, 4};
   film.layout.readouts = image::Area{40, 80, 4, 4};
-  film.layout.momentum.reset();
+  film.layout.insets = {};
   Hud hud = hud_of(film);
   EXPECT_TRUE(hud.draw(film.timeline.frame_state(0)).empty());
 }

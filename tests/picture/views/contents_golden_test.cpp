@@ -21,8 +21,8 @@
 #include "picture/compose/layout.h"
 #include "picture/look/theme.h"
 #include "picture/views/body_view.h"
+#include "picture/views/inset_views.h"
 #include "picture/views/momentum_view.h"
-#include "picture/views/poinsot_view.h"
 #include "picture/views/shown.h"
 #include "system/file.h"
 
@@ -140,8 +140,8 @@ json numbers_of(const Layout& layout) {
     if (view.heading) add_area(numbers, *view.heading);
   };
   for (const Layout::Pane& body : layout.panes) add_pane(body);
-  for (const auto* inset : {&layout.momentum, &layout.poinsot}) {
-    if (*inset) add_pane(**inset);
+  for (const auto& inset : layout.insets) {
+    if (inset) add_pane(*inset);
   }
   for (const auto* area :
        {&layout.components, &layout.curve, &layout.title, &layout.description, &layout.readouts,
@@ -178,12 +178,15 @@ json numbers_of(const scene::Scene& scene) {
   ViewContents still;
   still.begin(sphere.camera(0), view_pane.area);
   sphere.add_still(still);
-  return {{"body", numbers_of(shown_by(body, state))},
-          {"surface", numbers_of(body.body())},
-          {"sphere", numbers_of(still)},
-          {"momentum", numbers_of(shown_by(sphere, state))},
-          {"poinsot", numbers_of(shown_by(PoinsotView(scene, solutions, 0, view_pane), state))},
-          {"layout", numbers_of(compute_layout(scene))}};
+  json numbers{{"body", numbers_of(shown_by(body, state))},
+               {"surface", numbers_of(body.body())},
+               {"sphere", numbers_of(still)},
+               {"layout", numbers_of(compute_layout(scene))}};
+  for (const InsetView& row : inset_views) {
+    const auto view = row.make(scene, solutions, view_pane);
+    numbers[std::string(enumerator_name(row.view))] = numbers_of(shown_by(*view, state));
+  }
+  return numbers;
 }
 
 const fs::path golden_numbers = fs::path(TWRENCH_TESTS_DIR) / "golden" / "view-contents.json";

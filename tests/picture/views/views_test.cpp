@@ -1,5 +1,5 @@
 // The contents of the views, compared with the mechanics they show.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -8,6 +8,7 @@
 #include "picture/body/bounding_radius.h"
 #include "picture/overlay/body_overlay.h"
 #include "picture/overlay/trail_point.h"
+#include "picture/overlay_scene.h"
 #include "picture/t_wrench.h"
 #include "picture/views/body_view.h"
 #include "picture/views/momentum_view.h"
@@ -186,6 +187,29 @@ TEST(Views, KeepTheArrowsInViewInATurningFrame) {
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     EXPECT_EQ(shown_by(view, timeline.frame_state(i)).labels.size(), 1U) << i;
   }
+}
+
+std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega) {
+  scene::Scene scene = t_wrench();
+  scene.body = {{}, moments.asDiagonal()};
+  scene.motion.omega = omega;
+  const OverlayScene film(scene);
+  const timeline::Solution& solution = film.timeline.solutions()[0];
+  return MomentumView::description(solution, PrincipalFrame(solution.body, film.colors));
+}
+
+TEST(MomentumDescription, IsTrueOfTheMotion) {
+  EXPECT_THAT(description({1, 2, 3}, {0.01, 1, 0}), testing::HasSubstr("y axis to the other"));
+  EXPECT_THAT(description({2, 1, 3}, {1, 0.01, 0}), testing::HasSubstr("x axis to the other"));
+  for (const std::string& stable :
+       {description({1, 2, 3}, {1, 0.01, 0}), description({1, 1, 3}, {1, 0.01, 0.3})}) {
+    EXPECT_THAT(stable, testing::Not(testing::HasSubstr("turns over")));
+    EXPECT_THAT(stable, testing::Not(testing::HasSubstr("bold")));
+  }
+  EXPECT_THAT(description({1, 2, 3}, {1, 0.01, 0}), testing::HasSubstr("about the x axis"));
+  EXPECT_THAT(description({1, 2, 3}, {0, 0.01, 1}), testing::HasSubstr("about the z axis"));
+  EXPECT_THAT(description({2, 2, 2}, {1, 0, 0}), testing::HasSubstr("stays where it is"));
+  EXPECT_THAT(description({1, 2, 3}, {0, 0, 0}), testing::HasSubstr("at rest"));
 }
 
 }  // namespace
