@@ -37,9 +37,8 @@ core_sources() {
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} \
     picture/look/{emphasis,force_style,material,studio,theme} \
     picture/compose/{camera_path,label} \
-    picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point} \
-    picture/views/{body_view,momentum_view,poinsot_view,principal_frame,solution_view,view}
-  printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp
+    picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point}
+  printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp src/picture/views/*.cpp
   printf 'web/core/%s.cpp\n' bindings page_views pictures platform recorded_run stars surfaces
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -207,6 +208,23 @@ TEST(PageWords, NameEachThemeInEachLanguage) {
     const ordered_json words = ordered_json::parse(std::ifstream(file));
     for (const std::string& theme : enumerator_names<scene::Theme>()) {
       EXPECT_TRUE(words.contains("theme_" + theme)) << theme << " in " << file;
+    }
+  }
+}
+
+TEST(PageTemplate, HasAFigureAndWordsForEachInset) {
+  const std::string web = TWRENCH_TESTS_DIR "/../web/";
+  std::ifstream file(web + "index.html");
+  const std::string html(std::istreambuf_iterator<char>(file), {});
+  for (const auto& [view, feature] : scene::insets) {
+    const std::string name(enumerator_name(feature));
+    EXPECT_NE(html.find("id=\"" + name + "\" class=\"view\""), std::string::npos) << name;
+    for (const char* const language : {"en.json", "nb.json"}) {
+      const ordered_json words = ordered_json::parse(std::ifstream(web + "words/" + language));
+      for (const char* const kind : {"Keys", "Name", "Says"}) {
+        EXPECT_TRUE(words.contains(name + kind)) << name << kind << " in " << language;
+        EXPECT_NE(html.find('"' + name + kind + '"'), std::string::npos) << name << kind;
+      }
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/enumeration.h"
@@ -136,20 +137,23 @@ void write_state(Dice& dice, scene::Theme theme) {
   settings.theme = static_cast<double>(theme);
   const picture::Viewpoint from{dice.between(-3, 3), dice.between(-1.5, 1.5),
                                 dice.between(0.25, 4)};
-  const std::vector instants{dice.instant(motion, settings), dice.instant(motion, settings)};
+  timeline::FrameState instants;
+  for (int i = 0; i < 2; ++i) instants.solutions.push_back(dice.instant(motion, settings));
   json state{
       {"inertia", numbers(motion.body.inertia())},
       {"omega", numbers(motion.body.omega())},
       {"from", {{"azimuth", from.azimuth}, {"elevation", from.elevation}, {"zoom", from.zoom}}},
-      {"instants", {samples(instants[0]), samples(instants[1])}}};
+      {"instants", {samples(instants.solutions[0]), samples(instants.solutions[1])}}};
   for (const auto& [name, field] : fields) state["settings"][name] = settings.*field;
-  const auto view = [&](const char* name) {
+  const auto view = [&](std::string_view name) {
     state["view"] = name;
     return state;
   };
-  write(view("body"), body_contents(motion, settings, from, instants[0]));
-  write(view("sphere"), sphere_contents(motion, settings, from, instants));
-  write(view("poinsot"), poinsot_contents(motion, settings, from, instants[0]));
+  write(view("body"), body_contents(motion, settings, from, instants));
+  for (std::size_t i = 0; i < scene::insets.size(); ++i) {
+    write(view(enumerator_name(scene::insets[i].feature)),
+          inset_contents(motion, settings, i, from, instants));
+  }
 }
 
 }  // namespace

@@ -51,9 +51,13 @@ while (at < written.length) {
   const state = JSON.parse(written.subarray(at, end).toString());
   at = end + 1;
   const motion = core.motion(state.inertia, state.omega);
-  const instants = state.view === 'sphere' ? state.instants : state.instants[0];
-  const found = pictures[state.view](motion, names(pictures.names, state.settings), state.from, instants);
-  const what = `state ${count++}, ${state.view}`;
+  const { view, from, instants } = state,
+    settings = names(pictures.names, state.settings);
+  const found =
+    view === 'body'
+      ? pictures.body(motion, settings, from, instants[0])
+      : pictures.inset(view, motion, settings, from, instants);
+  const what = `state ${count++}, ${view}`;
   expectClose([found.camera.distance], [state.distance], 1, what);
   expectClose(found.camera.attitude, state.attitude, 9, what);
   expectClose(found.camera.projection, state.projection, 16, what);
@@ -62,11 +66,11 @@ while (at < written.length) {
     expectClose(anchor, state.labels[i].anchor, 2, what);
     expectClose(away, state.labels[i].away, 2, what);
   });
-  if (state.view === 'body') {
-    const paused = { ...names(pictures.names, state.settings), interval: state.settings.interval > 0 ? 0 : 0.01 };
-    const camera = pictures.body(motion, paused, state.from, instants).camera;
+  if (view === 'body') {
+    const paused = { ...settings, interval: settings.interval > 0 ? 0 : 0.01 };
+    const camera = pictures.body(motion, paused, from, instants[0]).camera;
     assert.deepEqual(camera, found.camera, `${what}: the camera moves when the motion stops`);
-    pictures.body(motion, names(pictures.names, state.settings), state.from, instants);
+    pictures.body(motion, settings, from, instants[0]);
   }
   arraysOf(found).forEach((array, i) => {
     const bytes = Uint8Array.from(written.subarray(at, at + state.sizes[i]));
@@ -86,5 +90,5 @@ while (at < written.length) {
   });
   motion.release();
 }
-assert.equal(count, 3 * 3 * states);
+assert.equal(count, pictures.names.themes.length * (1 + pictures.names.insets.length) * states);
 console.log(`ok      the views of ${count} random states are those of the program: ${vertices} vertices`);

@@ -1,10 +1,8 @@
-// What the three views show: the body, the momentum sphere and Poinsot's construction, and what can be
-// done to them by hand.
+// What the views show, and what can be done to them by hand.
 import { Pictures as CorePictures } from '../core/pictures.js';
 import { BodyView } from '../views/body_view.js';
-import { PoinsotView } from '../views/poinsot_view.js';
+import { InsetView } from '../views/inset_view.js';
 import { SphereView } from '../views/sphere_view.js';
-import { makeTurnable, turnByKey } from '../views/turning.js';
 import { pngOf } from '../picture/png.js';
 import { boxSurface } from '../picture/surface.js';
 import { byId } from './dom.js';
@@ -16,7 +14,6 @@ import { framesPerSecond } from './player.js';
 
 const pointsOfHerpolhode = 1200,
   widestTurn = 0.35; // rad between two of them
-const stepOfStart = 0.02; // rad by an arrow key
 
 export class Pictures {
   /**
@@ -34,43 +31,24 @@ export class Pictures {
     const invalidate = () => player.invalidate();
     const shown = new CorePictures(core);
     this.bodyView = new BodyView(byId('body'), invalidate, core, shown, data.scene.camera);
-    this.sphereView = new SphereView(byId('sphere'), invalidate, shown);
-    this.poinsotView = new PoinsotView(byId('poinsot'), invalidate, shown);
+    this.insets = shown.names.insets.map((name) =>
+      name === 'sphere'
+        ? new SphereView(byId(name), invalidate, shown, (omega) => store.set({ omega }))
+        : new InsetView(byId(name), invalidate, shown),
+    );
     this.bodyView.moved = () => {
       const { azimuth, elevation, zoom } = this.bodyView.view;
       store.set({ view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4))) });
     };
-    makeTurnable(this.bodyView);
-    makeTurnable(this.poinsotView);
-    this.#makeStartDraggable();
-    for (const view of [this.bodyView, this.poinsotView, this.sphereView]) {
+    for (const view of [this.bodyView, ...this.insets]) {
       view.canvas.addEventListener('keydown', (event) => this.#key(view, event));
     }
   }
 
-  #makeStartDraggable() {
-    const view = this.sphereView;
-    makeTurnable(view, (event) =>
-      view.isAtStart(view.placeOf(event))
-        ? (moved) => this.#startWith(view.omegaAt(view.placeOf(moved)))
-        : null,
-    );
-  }
-
-  /** @param {number[] | null} omega body axes, rad/s */
-  #startWith(omega) {
-    if (omega) this.store.set({ omega });
-  }
-
   /** @param {import('../views/canvas_view.js').CanvasView} view @param {KeyboardEvent} event */
   #key(view, event) {
-    const step = event.shiftKey ? stepOfStart / 10 : stepOfStart;
-    /** @type {Record<string, number[]>} */
-    const ways = { ArrowRight: [step, 0], ArrowLeft: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
-    const way = view === this.sphereView ? ways[event.key] : undefined;
-    if (way) this.#startWith(this.sphereView.omegaMoved(way));
-    else if (event.key === ' ') this.player.play(!this.player.playing);
-    else if (!turnByKey(view, event)) return;
+    if (event.key === ' ') this.player.play(!this.player.playing);
+    else if (!view.key(event)) return;
     event.preventDefault();
   }
 
@@ -140,7 +118,7 @@ export class Pictures {
   }
 
   /**
-   * Draws the three views.
+   * Draws the views.
    * @param {MotionModel} model @param {string} name of the theme @param {any} theme
    * @returns {number[]} the attitude that is shown
    */
@@ -150,8 +128,7 @@ export class Pictures {
       colors = theme.overlay;
     this.bodyView.setBody(this.#surface, theme);
     this.bodyView.draw(picture);
-    this.sphereView.draw({ model, settings, instants, colors });
-    this.poinsotView.draw({ model, settings, instant: instants[0], colors });
+    for (const view of this.insets) view.draw({ model, settings, instants, colors });
     return [...instants[0].X.slice(-9)];
   }
 

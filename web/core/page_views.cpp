@@ -6,10 +6,12 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/enumeration.h"
+#include "picture/views/inset_views.h"
 
 namespace twrench::page {
 namespace {
@@ -17,7 +19,8 @@ namespace {
 using Eigen::Vector3d;
 using picture::ViewContents;
 using picture::Viewpoint;
-using timeline::SolutionState;
+
+constexpr std::size_t sphere = scene::inset_index(scene::View::momentum);
 
 template <typename Enumeration>
 Enumeration chosen(double index) {
@@ -70,37 +73,44 @@ picture::Layout::Pane pane_of(const Settings& settings) {
   return {.area = area, .focus = area, .thinnest = settings.thinnest};
 }
 
-/// A view, and what it was made for.
-template <typename View>
+/// A value, and what it was made for.
+template <typename Value>
 class Kept {
  public:
-  /// Returns the view. If the motion or a setting has changed, make(scene, pane) creates it again.
+  /// Returns the value. If the motion or a setting has changed, make() creates it again.
   template <typename Make>
-  View& get(const Motion& motion, const Settings& settings, Make make) {
-    if (!view_ || serial_ != motion.serial || settings_ != settings) {
-      view_.reset();  // gives its memory to the next
-      view_ = make(scene_of(settings, motion.body), pane_of(settings));
+  Value& get(const Motion& motion, const Settings& settings, Make make) {
+    if (!value_ || serial_ != motion.serial || settings_ != settings) {
+      value_.reset();  // gives its memory to the next
+      value_ = make();
       serial_ = motion.serial;
       settings_ = settings;
     }
-    return *view_;
+    return *value_;
   }
 
  private:
-  std::unique_ptr<View> view_;
+  std::unique_ptr<Value> value_;
   int serial_ = 0;
   Settings settings_;
 };
 
 Kept<picture::BodyView> body_pane;
-Kept<picture::MomentumView> sphere;
-Kept<picture::PoinsotView> poinsot;
+std::array<Kept<picture::SolutionView>, scene::insets.size()> inset_panes;
+Kept<std::vector<timeline::Solution>> inset_motion;  // for the curves of all insets
 ViewContents contents;
 
-/// The sphere and Poinsot's construction always show their trail and labels.
-scene::Scene with_all(scene::Scene scene) {
+/// An inset always shows its trail and labels.
+std::unique_ptr<picture::SolutionView> make_inset(const Motion& motion, const Settings& settings,
+                                                  std::size_t inset) {
+  scene::Scene scene = scene_of(settings, motion.body);
   scene.overlay.show.insert({scene::Feature::trail, scene::Feature::labels});
-  return scene;
+  const auto& solutions = inset_motion.get(
+      motion, {.curve_begin = settings.curve_begin, .curve_end = settings.curve_end}, [&] {
+        const auto times = evenly_spaced(settings.curve_begin, settings.curve_end, 1200);
+        return std::make_unique<std::vector<timeline::Solution>>(solution_of(motion, times));
+      });
+  return picture::inset_views[inset].make(scene, solutions, pane_of(settings));
 }
 
 /// The times at which a camera that turns with a frame has the arrows in view.
@@ -133,37 +143,32 @@ void add_handle(const Vector3d& start, double unit, const picture::OverlayColors
   }
 }
 
-timeline::FrameState state_of(SolutionState instant) {
-  timeline::FrameState state;
-  state.solutions.push_back(std::move(instant));
-  return state;
-}
-
 }  // namespace
 
 picture::BodyView& body_view(const Motion& motion, const Settings& settings) {
-  return body_pane.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
+  return body_pane.get(motion, settings, [&] {
     const auto times = framed_times(motion, settings.trail_length);
-    return std::make_unique<picture::BodyView>(scene, solution_of(motion, times), 0, pane,
+    return std::make_unique<picture::BodyView>(scene_of(settings, motion.body),
+                                               solution_of(motion, times), 0, pane_of(settings),
                                                settings.radius);
   });
 }
 
-picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings) {
-  return sphere.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
-    auto view =
-        std::make_unique<picture::MomentumView>(with_all(scene), solution_of(motion, {}), 0, pane);
-    if (std::isfinite(settings.azimuth)) view->set_home(settings.azimuth, settings.elevation);
+picture::SolutionView& inset_view(const Motion& motion, const Settings& settings,
+                                  std::size_t inset) {
+  return inset_panes.at(inset).get(motion, settings, [&] {
+    auto view = make_inset(motion, settings, inset);
+    view->set_home(settings.azimuth, settings.elevation);
     return view;
   });
 }
 
-picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings) {
-  return poinsot.get(motion, settings, [&](const scene::Scene& scene, const auto& pane) {
-    const auto times = evenly_spaced(settings.curve_begin, settings.curve_end, 1200);
-    return std::make_unique<picture::PoinsotView>(with_all(scene), solution_of(motion, times), 0,
-                                                  pane);
-  });
+picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings) {
+  return static_cast<picture::MomentumView&>(inset_view(motion, settings, sphere));
+}
+
+Viewpoint inset_home(const Motion& motion, const Settings& settings, std::size_t inset) {
+  return make_inset(motion, settings, inset)->viewpoint(0);
 }
 
 /// Returns where the motion starts on the sphere.
@@ -172,37 +177,24 @@ Vector3d start_of(const Motion& motion, const picture::MomentumView& view) {
 }
 
 const ViewContents& body_contents(const Motion& motion, const Settings& settings,
-                                  const Viewpoint& from, const SolutionState& instant) {
+                                  const Viewpoint& from, const timeline::FrameState& state) {
   const picture::BodyView& view = body_view(motion, settings);
-  const timeline::FrameState state = state_of(instant);
   contents.begin(view.in_space(view.camera_from(from), state), view.pane().area);
   view.add(state, contents);
   return contents;
 }
 
-const ViewContents& sphere_contents(const Motion& motion, const Settings& settings,
-                                    const Viewpoint& from,
-                                    std::span<const SolutionState> instants) {
-  const picture::MomentumView& view = sphere_view(motion, settings);
+const ViewContents& inset_contents(const Motion& motion, const Settings& settings,
+                                   std::size_t inset, const Viewpoint& from,
+                                   const timeline::FrameState& state) {
+  const picture::SolutionView& view = inset_view(motion, settings, inset);
   contents.begin(view.camera_from(from), view.pane().area);
   view.add_still(contents);
-  view.add_axis_labels(contents);
-  if (motion.body.momentum().isZero(0)) return contents;
-  const picture::OverlayColors& colors =
-      picture::style_of(chosen<scene::Theme>(settings.theme)).overlay;
-  const bool is_comparison = instants.size() > 1;
-  // The first is the one that counts, so it is drawn last.
-  if (is_comparison) view.add_momentum(instants[1], "B", colors.omega, contents);
-  view.add_momentum(instants[0], is_comparison ? "A" : "L", colors.momentum, contents);
-  add_handle(start_of(motion, view), settings.thinnest, colors);
-  return contents;
-}
-
-const ViewContents& poinsot_contents(const Motion& motion, const Settings& settings,
-                                     const Viewpoint& from, const SolutionState& instant) {
-  const picture::PoinsotView& view = poinsot_view(motion, settings);
-  contents.begin(view.camera_from(from), view.pane().area);
-  view.add(state_of(instant), contents);
+  view.add(state, contents);
+  if (inset == sphere && !motion.body.momentum().isZero(0)) {
+    add_handle(start_of(motion, sphere_view(motion, settings)), settings.thinnest,
+               picture::style_of(chosen<scene::Theme>(settings.theme)).overlay);
+  }
   return contents;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <utility>
 
 #include "motion.h"
 #include "picture/views/body_view.h"
 #include "picture/views/momentum_view.h"
-#include "picture/views/poinsot_view.h"
 
 namespace twrench::page {
 
@@ -53,22 +51,23 @@ inline constexpr std::array<std::pair<const char*, double Settings::*>, 18> fiel
 // The views. A view is kept until the motion or a setting changes.
 
 picture::BodyView& body_view(const Motion& motion, const Settings& settings);
-/// Unless azimuth and elevation are NaN, the sphere is framed as it is seen from there.
+/// Returns the view of scene::insets[inset], framed for the azimuth and elevation in the settings.
+picture::SolutionView& inset_view(const Motion& motion, const Settings& settings,
+                                  std::size_t inset);
 picture::MomentumView& sphere_view(const Motion& motion, const Settings& settings);
-picture::PoinsotView& poinsot_view(const Motion& motion, const Settings& settings);
+
+/// Returns the direction from which an inset shows a motion best.
+picture::Viewpoint inset_home(const Motion& motion, const Settings& settings, std::size_t inset);
 
 // The contents of the views. Each call replaces those of the last.
 
 const picture::ViewContents& body_contents(const Motion& motion, const Settings& settings,
                                            const picture::Viewpoint& from,
-                                           const timeline::SolutionState& instant);
-/// Shows one motion or two, and a handle where they start.
-const picture::ViewContents& sphere_contents(const Motion& motion, const Settings& settings,
-                                             const picture::Viewpoint& from,
-                                             std::span<const timeline::SolutionState> instants);
-const picture::ViewContents& poinsot_contents(const Motion& motion, const Settings& settings,
-                                              const picture::Viewpoint& from,
-                                              const timeline::SolutionState& instant);
+                                           const timeline::FrameState& state);
+/// The momentum sphere has a handle where the motion starts.
+const picture::ViewContents& inset_contents(const Motion& motion, const Settings& settings,
+                                            std::size_t inset, const picture::Viewpoint& from,
+                                            const timeline::FrameState& state);
 
 /// Returns where the motion starts on the sphere, in the picture's coordinates.
 Eigen::Vector3d start_of(const Motion& motion, const picture::MomentumView& view);

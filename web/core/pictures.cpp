@@ -18,7 +18,6 @@ namespace {
 using Eigen::Vector3d;
 using picture::ViewContents;
 using picture::Viewpoint;
-using timeline::SolutionState;
 
 Settings read_settings(Arguments& arguments) {
   Settings settings;
@@ -31,21 +30,19 @@ Settings settings_alone() {
   return read_settings(arguments);
 }
 
-/// Reads a motion at one time with its trail, oldest first: the number of samples, all times, all
-/// X, and all omega.
-SolutionState read_instant(Arguments& arguments) {
-  SolutionState state;
-  state.trail.resize(arguments.count());
-  for (motion::Sample& sample : state.trail) sample.t = arguments.number();
-  for (motion::Sample& sample : state.trail) sample.X = arguments.matrix();
-  for (motion::Sample& sample : state.trail) sample.omega = arguments.vector();
-  state.sample = state.trail.back();
+/// Reads motions at one time, each with its trail, oldest first: the number of samples, all times,
+/// all X, and all omega.
+timeline::FrameState read_state(Arguments& arguments) {
+  timeline::FrameState state;
+  state.solutions.resize(arguments.count());
+  for (timeline::SolutionState& instant : state.solutions) {
+    instant.trail.resize(arguments.count());
+    for (motion::Sample& sample : instant.trail) sample.t = arguments.number();
+    for (motion::Sample& sample : instant.trail) sample.X = arguments.matrix();
+    for (motion::Sample& sample : instant.trail) sample.omega = arguments.vector();
+    instant.sample = instant.trail.back();
+  }
   return state;
-}
-
-void write_home(const picture::View& view) {
-  const Viewpoint home = view.viewpoint(0);
-  Results(2) << home.azimuth << home.elevation;
 }
 
 template <typename Values>
@@ -109,7 +106,7 @@ using namespace twrench;
 using namespace twrench::page;
 
 /// The names of the settings and of what they are chosen from: words separated by blanks, in lines
-/// of settings, themes, frames and features.
+/// of settings, themes, frames, features, and the features that are insets.
 [[clang::export_name("picture_names")]] const char* picture_names() {
   static std::string text;
   text.clear();
@@ -120,29 +117,26 @@ using namespace twrench::page;
     text += "\n";
     for (const std::string& name : names) text += name + " ";
   }
+  text += "\n";
+  for (const auto& [view, feature] : scene::insets) {
+    text += std::string(enumerator_name(feature)) + " ";
+  }
   return text.c_str();
 }
 
-/// Writes azimuth and elevation in rad of the direction that shows a motion best.
-[[clang::export_name("sphere_home")]] void sphere_home(const Motion* motion) {
-  Settings settings = settings_alone();
-  settings.azimuth = std::nan("");
-  write_home(sphere_view(*motion, settings));
+/// Writes azimuth and elevation in rad of the direction from which an inset shows a motion best.
+[[clang::export_name("inset_home")]] void inset_home(const Motion* motion, std::size_t inset) {
+  const Viewpoint home = page::inset_home(*motion, settings_alone(), inset);
+  Results(2) << home.azimuth << home.elevation;
 }
 
-[[clang::export_name("poinsot_home")]] void poinsot_home(const Motion* motion) {
-  write_home(poinsot_view(*motion, settings_alone()));
-}
-
-/// The momentum sphere with `paths` motions.
-[[clang::export_name("show_sphere")]] void show_sphere(const Motion* motion, std::size_t paths,
-                                                       double azimuth, double elevation,
-                                                       double zoom) {
+[[clang::export_name("show_inset")]] void show_inset(const Motion* motion, std::size_t inset,
+                                                     double azimuth, double elevation,
+                                                     double zoom) {
   Arguments arguments;
   const Settings settings = read_settings(arguments);
-  std::vector<SolutionState> instants;
-  for (std::size_t i = 0; i < paths; ++i) instants.push_back(read_instant(arguments));
-  write_contents(sphere_contents(*motion, settings, {azimuth, elevation, zoom}, instants));
+  write_contents(
+      inset_contents(*motion, settings, inset, {azimuth, elevation, zoom}, read_state(arguments)));
 }
 
 /// Writes the place of the start of the motion in the picture, in pixels.
@@ -173,20 +167,12 @@ using namespace twrench::page;
   write_omega(*motion, view, moved.normalized());
 }
 
-[[clang::export_name("show_poinsot")]] void show_poinsot(const Motion* motion, double azimuth,
-                                                         double elevation, double zoom) {
-  Arguments arguments;
-  const Settings settings = read_settings(arguments);
-  write_contents(
-      poinsot_contents(*motion, settings, {azimuth, elevation, zoom}, read_instant(arguments)));
-}
-
 [[clang::export_name("show_body")]] void show_body(const Motion* motion, double azimuth,
                                                    double elevation, double zoom) {
   Arguments arguments;
   const Settings settings = read_settings(arguments);
   write_contents(
-      body_contents(*motion, settings, {azimuth, elevation, zoom}, read_instant(arguments)));
+      body_contents(*motion, settings, {azimuth, elevation, zoom}, read_state(arguments)));
 }
 
 /// The stars of a theme, `count` of them in the picture of the scene's own camera: of each the

@@ -29,26 +29,13 @@
  */
 
 /**
- * The properties of a picture, in addition to the motion and the viewpoint.
- * @typedef {object} Settings
- * @property {number} width Of the pane in pixels.
- * @property {number} height
- * @property {number} thinnest Width in pixels of the thinnest line.
- * @property {string} theme
- * @property {string} frame In which the camera stands.
- * @property {readonly string[]} show The features that are shown.
- * @property {number} azimuth Of the camera for which the picture is framed, rad.
- * @property {number} elevation
- * @property {number} distance In units of the one at which things just fit.
- * @property {number} fieldOfView rad
- * @property {number} interval Seconds of motion in the time of one frame.
- * @property {number} radius Bounding radius of the body, cm.
- * @property {number} trailLength s
- * @property {number} trailX The point of the body that draws the trail, cm.
- * @property {number} trailY
- * @property {number} trailZ
- * @property {number} curveBegin Times of the herpolhode that is drawn, s.
- * @property {number} curveEnd
+ * The properties of a picture, in addition to the motion and the viewpoint, as page_views.h describes
+ * them. The features of `show` are by name.
+ * @typedef {{
+ *   theme: string, frame: string, show: readonly string[], width: number, height: number, thinnest: number,
+ *   azimuth: number, elevation: number, distance: number, fieldOfView: number, interval: number, radius: number,
+ *   trailLength: number, trailX: number, trailY: number, trailZ: number, curveBegin: number, curveEnd: number,
+ * }} Settings
  */
 
 const floatsOfVertex = 11,
@@ -111,30 +98,29 @@ export class Pictures {
   constructor({ instance }) {
     this.instance = instance;
     const lines = instance.text(instance.call('picture_names')).split('\n');
-    const [settings, themes, frames, features] = lines.map((line) => line.trim().split(' '));
-    this.names = { settings, themes, frames, features };
-  }
-
-  /** @param {Settings} settings */
-  #settings(settings) {
-    /** @type {Record<string, any>} */
-    const numbers = {
-      ...settings,
-      theme: this.names.themes.indexOf(settings.theme),
-      frame: this.names.frames.indexOf(settings.frame),
-      show: settings.show.reduce((bits, name) => bits | (1 << this.names.features.indexOf(name)), 0),
-    };
-    return this.names.settings.map((name) => numbers[name]);
+    const [settings, themes, frames, features, insets] = lines.map((line) => line.trim().split(' '));
+    this.names = { settings, themes, frames, features, insets };
   }
 
   /**
-   * Hands over the settings and motions at one time, each with its trail.
-   * @param {Settings} settings @param {Samples[]} instants
+   * Calls a function of the core with a motion, settings, motions at one time, each with its trail, and
+   * other numbers.
+   * @param {string} name @param {Motion} motion @param {Settings} settings @param {Samples[]} instants
+   * @param {number[]} rest
    */
-  #hand(settings, instants = []) {
-    const numbers = this.#settings(settings);
-    const count = instants.reduce((sum, { t }) => sum + 1 + 13 * t.length, numbers.length);
-    const scratch = this.instance.scratch(count);
+  #call(name, motion, settings, instants, ...rest) {
+    const pointer = motion.held.get();
+    /** @type {Record<string, any>} */
+    const named = {
+      ...settings,
+      theme: this.names.themes.indexOf(settings.theme),
+      frame: this.names.frames.indexOf(settings.frame),
+      show: settings.show.reduce((bits, feature) => bits | (1 << this.names.features.indexOf(feature)), 0),
+    };
+    const numbers = [...this.names.settings.map((setting) => named[setting]), instants.length];
+    const scratch = this.instance.scratch(
+      instants.reduce((sum, { t }) => sum + 1 + 13 * t.length, numbers.length),
+    );
     scratch.set(numbers);
     let at = numbers.length;
     for (const { t, X, omega } of instants) {
@@ -144,17 +130,14 @@ export class Pictures {
         at += values.length;
       }
     }
-  }
-
-  #reader() {
-    const { byteOffset } = this.instance.scratch(64);
-    return new Reader(this.instance, new Float64Array(this.instance.exports.memory.buffer, byteOffset));
+    return this.instance.call(name, pointer, ...rest);
   }
 
   /** @returns {Contents} */
   #contents() {
     const { instance } = this,
-      reader = this.#reader();
+      { byteOffset } = instance.scratch(64),
+      reader = new Reader(instance, new Float64Array(instance.exports.memory.buffer, byteOffset));
     const camera = reader.camera();
     const clipZNearer = reader.number(),
       opaque = reader.list(),
@@ -166,17 +149,6 @@ export class Pictures {
     return { camera, clipZNearer, opaque, translucent, labels };
   }
 
-  /**
-   * Calls a function of the core with what a view depends on.
-   * @param {string} name @param {Motion} motion @param {Settings} settings @param {Samples[]} instants
-   * @param {number[]} rest
-   */
-  #call(name, motion, settings, instants, ...rest) {
-    const pointer = motion.held.get();
-    this.#hand(settings, instants);
-    this.instance.call(name, pointer, ...rest);
-  }
-
   /** The body with its arrows. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples} instant */
   body(motion, settings, { azimuth, elevation, zoom }, instant) {
     this.#call('show_body', motion, settings, [instant], azimuth, elevation, zoom);
@@ -185,20 +157,13 @@ export class Pictures {
 
   /** The stars of a theme: direction, brightness and tint of each. @param {Motion} motion @param {Settings} settings @param {number} count of those in the scene's own picture */
   stars(motion, settings, count) {
-    const pointer = motion.held.get();
-    this.#hand(settings);
-    return floatsAt(this.instance, this.instance.call('theme_stars', pointer, count));
+    return floatsAt(this.instance, this.#call('theme_stars', motion, settings, [], count));
   }
 
-  /** The momentum sphere. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples[]} instants One, or two to compare. */
-  sphere(motion, settings, { azimuth, elevation, zoom }, instants) {
-    this.#call('show_sphere', motion, settings, instants, instants.length, azimuth, elevation, zoom);
-    return this.#contents();
-  }
-
-  /** Poinsot's construction. @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples} instant */
-  poinsot(motion, settings, { azimuth, elevation, zoom }, instant) {
-    this.#call('show_poinsot', motion, settings, [instant], azimuth, elevation, zoom);
+  /** An inset. @param {string} name @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples[]} instants One, or two to compare. */
+  inset(name, motion, settings, { azimuth, elevation, zoom }, instants) {
+    const index = this.names.insets.indexOf(name);
+    this.#call('show_inset', motion, settings, instants, index, azimuth, elevation, zoom);
     return this.#contents();
   }
 
@@ -211,9 +176,10 @@ export class Pictures {
     return [...this.instance.scratch(count)];
   }
 
-  /** The direction from which a view shows a motion best. @param {"sphere" | "poinsot"} view @param {Motion} motion @param {Settings} settings */
-  home(view, motion, settings) {
-    const [azimuth, elevation] = this.#numbers(2, `${view}_home`, motion, settings);
+  /** The direction from which an inset shows a motion best. @param {string} name @param {Motion} motion @param {Settings} settings */
+  home(name, motion, settings) {
+    const index = this.names.insets.indexOf(name),
+      [azimuth, elevation] = this.#numbers(2, 'inset_home', motion, settings, index);
     return { azimuth, elevation };
   }
 

@@ -1,7 +1,6 @@
 // The rotating body, or two of them side by side or one as a ghost over the other, seen by a camera
 // that may go along with a turning frame.
 import { BodyPass } from '../picture/body_pass.js';
-import { DrawListPass } from '../picture/draw_list_pass.js';
 import { Ground } from '../picture/ground.js';
 import { Stars } from '../picture/stars.js';
 import { CanvasView } from './canvas_view.js';
@@ -35,12 +34,16 @@ export class BodyView extends CanvasView {
     this.pictures = pictures;
     this.home = { azimuth: lens.azimuth, elevation: lens.elevation };
     this.starsFor = '';
-    this.restore();
+    this.#prepare();
   }
 
   restore() {
+    super.restore();
+    this.#prepare();
+  }
+
+  #prepare() {
     const { gl } = this;
-    this.pass = new DrawListPass(gl);
     this.ground = new Ground(gl);
     this.stars = new Stars(gl);
     this.starsFor = '';
@@ -91,7 +94,7 @@ export class BodyView extends CanvasView {
    */
   #drawPane({ instants, settings, ghost }, index, contents, { left, width, inner }) {
     const { gl, canvas, body, ground, theme, pass } = this;
-    if (!body || !ground || !pass) return;
+    if (!body || !ground) return;
     const { height } = canvas,
       { camera } = contents,
       X = lastAttitude(instants[index]);

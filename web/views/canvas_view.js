@@ -2,7 +2,9 @@
 // can be turned and zoomed by mouse, touch, pen and keyboard, and names of things in space.
 import { byId } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
+import { DrawListPass } from '../picture/draw_list_pass.js';
 import { word } from '../words/words.js';
+import { makeTurnable, turnByKey } from './turning.js';
 
 /** @typedef {import("../core/pictures.js").Label} Label */
 /** @typedef {import("../core/pictures.js").Viewpoint} Viewpoint */
@@ -37,12 +39,14 @@ export class CanvasView {
     });
     if (!gl) throw new Error('no WebGL 2');
     this.gl = gl;
+    this.pass = new DrawListPass(gl);
     this.names = document.createElement('div');
     this.names.className = 'names';
     this.names.ariaHidden = 'true';
     box.append(this.names);
     this.view = { azimuth: 0, elevation: 0, zoom: 1 };
     this.home = { azimuth: 0, elevation: 0 };
+    makeTurnable(this);
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault(); // or the browser would not restore it
@@ -59,7 +63,22 @@ export class CanvasView {
   }
 
   /** Makes what a lost context took. */
-  restore() {}
+  restore() {
+    this.pass = new DrawListPass(this.gl);
+  }
+
+  /**
+   * What a pointer takes hold of, instead of turning the view: what to do with it as it moves.
+   * @param {PointerEvent} _event @returns {((event: PointerEvent) => void) | null}
+   */
+  grab(_event) {
+    return null;
+  }
+
+  /** Does what a key means to the view. @param {KeyboardEvent} event @returns {boolean} whether it means anything */
+  key(event) {
+    return turnByKey(this, event);
+  }
 
   /** @param {ResizeObserverEntry} entry */
   #resize(entry) {

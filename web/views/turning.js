@@ -5,12 +5,14 @@
 const turnOfKey = 0.08,
   zoomOfKey = 1.12;
 
-/**
- * @param {CanvasView} view
- * @param {(event: PointerEvent) => ((event: PointerEvent) => void) | null} [grab] What a pointer
- *   takes hold of, instead of turning the view: what to do with it as it moves.
- */
-export function makeTurnable(view, grab = () => null) {
+/** Where the arrow keys point, across and up. @type {Record<string, number[]>} */
+export const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** By how much keys zoom. @type {Record<string, number>} */
+const zooms = { '+': zoomOfKey, '=': zoomOfKey, '-': 1 / zoomOfKey, _: 1 / zoomOfKey };
+
+/** @param {CanvasView} view */
+export function makeTurnable(view) {
   const { canvas } = view;
   /** @type {Map<number, PointerEvent>} */
   const pointers = new Map();
@@ -20,7 +22,7 @@ export function makeTurnable(view, grab = () => null) {
     if (event.button > 0) return;
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, event);
-    if (pointers.size === 1) held = grab(event);
+    if (pointers.size === 1) held = view.grab(event);
   });
   canvas.addEventListener('pointermove', (event) => {
     const before = pointers.get(event.pointerId);
@@ -70,32 +72,12 @@ function pinch(view, pointers, before, now) {
  * @returns {boolean} whether the key was one of them
  */
 export function turnByKey(view, event) {
-  const step = event.shiftKey ? turnOfKey / 8 : turnOfKey;
-  switch (event.key) {
-    case 'ArrowLeft':
-      view.turn(-step, 0);
-      return true;
-    case 'ArrowRight':
-      view.turn(step, 0);
-      return true;
-    case 'ArrowUp':
-      view.turn(0, step);
-      return true;
-    case 'ArrowDown':
-      view.turn(0, -step);
-      return true;
-    case '+':
-    case '=':
-      view.zoom(zoomOfKey);
-      return true;
-    case '-':
-    case '_':
-      view.zoom(1 / zoomOfKey);
-      return true;
-    case '0':
-      view.resetView();
-      return true;
-    default:
-      return false;
-  }
+  const step = event.shiftKey ? turnOfKey / 8 : turnOfKey,
+    way = arrows[event.key],
+    factor = zooms[event.key];
+  if (way) view.turn(step * way[0], -step * way[1]);
+  else if (factor) view.zoom(factor);
+  else if (event.key === '0') view.resetView();
+  else return false;
+  return true;
 }

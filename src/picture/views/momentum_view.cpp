@@ -144,7 +144,11 @@ void MomentumView::add_still(ViewContents& contents) const {
 void MomentumView::add(const timeline::FrameState& state, ViewContents& contents) const {
   if (path_.orbit != 0) add_sphere(contents);
   add_axis_labels(contents);
-  if (!at_rest()) add_momentum(state_in(state), "L", colors_.momentum, contents);
+  if (at_rest()) return;
+  const bool compares = state.solutions.size() == 2;
+  // A is the one that counts, so it is drawn over B.
+  if (compares) add_momentum(state.solutions[1], "B", colors_.omega, contents);
+  add_momentum(state_in(state), compares ? "A" : "L", colors_.momentum, contents);
 }
 
 void MomentumView::add_axis_labels(ViewContents& contents) const {

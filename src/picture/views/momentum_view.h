@@ -19,15 +19,8 @@ class MomentumView : public SolutionView {
   /// The sphere with its curves and axes, if the camera is fixed.
   void add_still(ViewContents& contents) const override;
 
-  /// The momentum and its trail.
+  /// The momentum and its trail; of two motions, A and B.
   void add(const timeline::FrameState& state, ViewContents& contents) const override;
-
-  /// Adds the momentum at an instant of a motion of this body, with its trail and its name.
-  void add_momentum(const timeline::SolutionState& instant, const std::string& name,
-                    const Color& color, ViewContents& contents) const;
-
-  /// Adds the names of the axes.
-  void add_axis_labels(ViewContents& contents) const;
 
   /// Returns the rotation from body axes to the picture's coordinates.
   Eigen::Matrix3d view_from_body() const { return view_from_own_ * frame_.axes.transpose(); }
@@ -37,6 +30,9 @@ class MomentumView : public SolutionView {
 
  private:
   void add_sphere(ViewContents& contents) const;
+  void add_axis_labels(ViewContents& contents) const;
+  void add_momentum(const timeline::SolutionState& instant, const std::string& name,
+                    const Color& color, ViewContents& contents) const;
   void add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
                  DrawList& list) const;
   void add_separatrix(DrawList& list) const;

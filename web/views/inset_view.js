@@ -1,0 +1,44 @@
+// A view without the body. The core computes its contents (src/picture/views).
+import { CanvasView } from './canvas_view.js';
+
+/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
+/** @typedef {import("../core/core.js").Samples} Samples */
+/** @typedef {import("../core/pictures.js").Settings} Settings */
+
+/** What the view shows: one motion, or two to compare. @typedef {{model: MotionModel, settings: Settings, instants: Samples[], colors: any}} InsetPicture */
+
+export class InsetView extends CanvasView {
+  /** @param {HTMLElement} box Its id is the name of the inset. @param {() => void} changed @param {import("../core/pictures.js").Pictures} pictures */
+  constructor(box, changed, pictures) {
+    super(box, changed);
+    this.pictures = pictures;
+    this.facing = '';
+    /** @type {{model: MotionModel, settings: Settings} | null} */
+    this.shown = null;
+  }
+
+  /**
+   * The settings for the side from which a motion is seen. It is chosen once for a body: the view
+   * would jump while the start is dragged.
+   * @param {MotionModel} model @param {Settings} settings
+   */
+  #facing({ motion, principal }, settings) {
+    const key = principal.axes.join() + principal.names.join();
+    if (key !== this.facing) {
+      this.home = this.pictures.home(this.box.id, motion, settings);
+      this.facing = key;
+    }
+    return { ...settings, ...this.home };
+  }
+
+  /** @param {InsetPicture} picture */
+  draw({ model, settings, instants, colors }) {
+    if (this.gl.isContextLost()) return;
+    const own = this.#facing(model, this.sized(settings));
+    this.shown = { model, settings: own };
+    this.clear(colors.panel);
+    const contents = this.pictures.inset(this.box.id, model.motion, own, this.viewpoint, instants);
+    this.pass.draw(contents);
+    this.hideNames(this.showNames(contents.labels));
+  }
+}
