@@ -34,7 +34,7 @@ core_sources() {
     motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
     motion/{stability,stepper,taylor,trajectory} study/flip_search \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
-    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane} \
+    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point}

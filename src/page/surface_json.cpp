@@ -19,6 +19,10 @@ using nlohmann::ordered_json;
 ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 ordered_json numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
+void append(ordered_json& list, const ordered_json& values) {
+  list.insert(list.end(), values.begin(), values.end());
+}
+
 /// Positions in units of radius / 32767, and normals.
 std::string packed_vertices(const picture::Mesh& mesh, double radius) {
   std::vector<std::uint16_t> integers;
@@ -46,43 +50,37 @@ std::string packed_colors(const picture::Mesh& mesh) {
   return packed(integers, 3);
 }
 
-ordered_json capsules_json(const std::vector<picture::Capsule>& capsules) {
+/// The index ranges and the material of each part.
+ordered_json parts_json(std::span<const picture::PartModel> parts, const Materials& materials) {
   ordered_json json = ordered_json::array();
-  for (const auto& [from, to, radius, meets, part] : capsules) {
-    json.push_back({{"from", numbers(from)},
-                    {"to", numbers(to)},
-                    {"radius", radius},
-                    {"meets", meets},
-                    {"part", part}});
-  }
-  return json;
-}
-
-/// The uniforms of each part.
-ordered_json parts_json(const Surface& surface, const Materials& materials) {
-  ordered_json json = ordered_json::array();
-  for (const picture::PartModel& part :
-       picture::part_models(surface.parts, surface.mesh, surface.radius)) {
-    ordered_json rows = ordered_json::array();
-    for (const glm::vec4& row : part.across_from_body) {
-      for (const float value : {row.x, row.y, row.z, row.w}) rows.push_back(value);
-    }
+  for (const picture::PartModel& part : parts) {
     json.push_back({{"side_begin", part.side_begin},
                     {"end", part.end},
-                    {"material", materials.of_part[json.size()]},
-                    {"radii", numbers(part.radii)},
-                    {"axis", numbers(part.side_axis)},
-                    {"across", std::move(rows)},
-                    {"occluders", capsules_json(part.occluders)}});
+                    {"material", materials.of_part[json.size()]}});
     if (part.mean_color) json.back()["tint"] = numbers(*part.mean_color);
   }
   return json;
 }
 
-ordered_json balls_json(const std::vector<picture::Ball>& balls) {
-  ordered_json json = ordered_json::array();
-  for (const auto& [centre, radius] : balls) {
-    json.push_back({{"centre", numbers(centre)}, {"radius", radius}});
+/// The numbers from which the page's core computes uniforms, as web/core/surfaces.cpp reads them.
+ordered_json model_json(std::span<const picture::PartModel> parts, double radius,
+                        const std::vector<picture::Ball>& balls) {
+  ordered_json json{radius, parts.size()};
+  for (const picture::PartModel& part : parts) {
+    append(json, numbers(part.radii));
+    append(json, numbers(part.side_axis));
+    for (const glm::vec4& row : part.across_from_body) append(json, {row.x, row.y, row.z, row.w});
+    json.push_back(part.occluders.size());
+    for (const auto& [from, to, capsule_radius, meets, other] : part.occluders) {
+      append(json, numbers(from));
+      append(json, numbers(to));
+      append(json, {capsule_radius, meets ? 1 : 0, other});
+    }
+  }
+  json.push_back(balls.size());
+  for (const auto& [centre, ball_radius] : balls) {
+    append(json, numbers(centre));
+    json.push_back(ball_radius);
   }
   return json;
 }
@@ -92,13 +90,16 @@ ordered_json balls_json(const std::vector<picture::Ball>& balls) {
 ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
                           const Materials& materials) {
   const auto& [parts, radius, mesh, simplification] = surface;
+  const std::vector<picture::PartModel> models = picture::part_models(parts, mesh, radius);
+  const auto balls = fewer_shadow_balls(scene::visible_parts(scene.body));
   ordered_json json{{"radius", radius},
                     {"trail_point", numbers(picture::trail_point(scene))},
                     {"marked", picture::axis_of_revolution(parts).has_value()},
                     {"vertices", packed_vertices(mesh, radius)},
                     {"indices", packed(mesh.indices, 1)},
-                    {"parts", parts_json(surface, materials)},
-                    {"balls", balls_json(fewer_shadow_balls(scene::visible_parts(scene.body)))}};
+                    {"parts", parts_json(models, materials)},
+                    {"occluder_count", picture::most_occluders(models)},
+                    {"model", model_json(models, radius, balls)}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
   return json;
 }

@@ -86,9 +86,13 @@ TEST(PageJson, PacksIntegersOfAnySize) {
 
 TEST(PageJson, TellsWhichPartsTouch) {
   const ordered_json surface = json_of(scene::load_scene("dzhanibekov")).at("surface");
-  const ordered_json& leg = surface.at("parts").at(1);
-  ASSERT_EQ(leg.at("occluders").size(), 1U);
-  EXPECT_TRUE(leg["occluders"][0].at("meets"));
+  const ordered_json &leg = surface.at("parts").at(1), &model = surface.at("model");
+  EXPECT_EQ(surface.at("occluder_count"), 1);
+  // After the radius and the number of parts: 14 numbers of a part and the number of its occluders,
+  // with 9 numbers each, of which the last but one is whether it meets the part.
+  const std::size_t part = 15, of_leg = 2 + part + 9 * model.at(2 + 14).get<std::size_t>();
+  ASSERT_EQ(model.at(of_leg + 14), 1);
+  EXPECT_EQ(model.at(of_leg + part + 7), 1);
   EXPECT_LT(leg.at("side_begin"), leg.at("end"));
   EXPECT_FALSE(surface.at("marked"));
 }

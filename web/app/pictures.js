@@ -113,7 +113,7 @@ export class Pictures {
   get #surface() {
     const { moments } = this.store.state;
     if (!moments) return this.data.surface;
-    if (this.box?.moments !== moments) this.box = { moments, surface: boxSurface(moments) };
+    if (this.box?.moments !== moments) this.box = { moments, surface: boxSurface(this.bodyView.core, moments) };
     return this.box.surface;
   }
 

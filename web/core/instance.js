@@ -81,6 +81,15 @@ export class Instance {
   }
 
   /**
+   * Writes numbers to the scratch area and calls.
+   * @param {ArrayLike<number>} numbers @param {string} name @param {number[]} values
+   */
+  callWith(numbers, name, ...values) {
+    this.scratch(numbers.length).set(numbers);
+    return this.call(name, ...values);
+  }
+
+  /**
    * Writes numbers to the scratch area, calls, and returns a copy of its first `count` numbers.
    * @param {number} count
    * @param {ArrayLike<number>} numbers
@@ -88,8 +97,8 @@ export class Instance {
    * @param {number[]} values
    */
   compute(count, numbers, name, ...values) {
-    this.scratch(Math.max(count, numbers.length)).set(numbers);
-    this.call(name, ...values);
+    this.scratch(count);
+    this.callWith(numbers, name, ...values);
     return this.scratch(count).slice();
   }
 

@@ -60,6 +60,7 @@ class Results {
   Results& operator<<(const void* place) {
     return *this << static_cast<double>(reinterpret_cast<std::uintptr_t>(place));
   }
+  std::size_t count() const { return next_; }
 
  private:
   std::size_t next_ = 0;

@@ -2,86 +2,53 @@
 import { Held } from './motion.js';
 import { floatsAt } from './pictures.js';
 
-/** @typedef {import('./core.js').Core} Core */
-/** @typedef {import('./pictures.js').Camera} Camera */
-/** @typedef {import('../picture/surface.js').Surface} Surface */
+/** @import { Core } from './core.js' */
+/** @import { Camera } from './pictures.js' */
+/** @import { Surface } from '../picture/surface.js' */
 
-/**
- * Uniforms of all parts, and of each, by their names in the shaders.
- * @typedef {{eye: Float32Array, clip_from_stage: Float32Array, stage_from_body: Float32Array, stage_normal_from_body: Float32Array, parts: PartUniforms[]}} BodyUniforms
- */
-/** @typedef {{part_lift: Float32Array, part_radii: Float32Array, side_axis: Float32Array, across_from_body: Float32Array, occluders_from: Float32Array, occluders_to: Float32Array, occluder_tints: Float32Array}} PartUniforms */
+/** Values by the names of uniforms in the shaders. @typedef {Record<string, Float32Array>} Uniforms */
+
+// The uniforms in the order in which the core writes them, with the number of floats of each.
+const sizesOfBody = { eye: 3, clip_from_stage: 16, stage_from_body: 9, stage_normal_from_body: 9 };
+const sizesOfPart = { part_lift: 1, part_radii: 3, side_axis: 3, across_from_body: 8 };
+const sizesOfFloor = { floor_from_place: 9, right_and_height: 4 };
 
 export class CoreSurface {
   /** @param {Core} core @param {Surface} surface @param {number[][]} tints of the parts */
-  constructor({ instance }, surface, tints) {
+  constructor({ instance }, { parts, occluder_count, model }, tints) {
+    const numbers = [...model, ...tints.flat()],
+      floats = 4 * occluder_count;
     this.instance = instance;
-    this.parts = surface.parts.length;
-    this.occluders = Math.max(...surface.parts.map((part) => part.occluders.length));
-    const numbers = [
-      surface.radius,
-      surface.parts.length,
-      ...surface.parts.flatMap(({ radii, axis, across, occluders }, i) => [
-        ...radii,
-        ...axis,
-        ...across,
-        ...tints[i],
-        occluders.length,
-        ...occluders.flatMap(({ from, to, radius, meets, part }) => [
-          ...from, ...to, radius, meets ? 1 : 0, part,
-        ]),
-      ]),
-      surface.balls.length,
-      ...surface.balls.flatMap(({ centre, radius }) => [...centre, radius]),
-    ];
-    /** @type {Held} */
-    this.held = new Held(
-      instance,
-      () => {
-        instance.scratch(numbers.length).set(numbers);
-        return instance.call('surface_new');
-      },
-      'surface_free',
-    );
+    this.sizes = parts.map(() => ({
+      ...sizesOfPart,
+      occluders_from: floats,
+      occluders_to: floats,
+      occluder_tints: floats,
+    }));
+    this.held = new Held(instance, () => instance.callWith(numbers, 'surface_new'), 'surface_free');
   }
 
   /** @param {string} name @param {Camera} camera @param {number[]} X @param {number[]} rest */
   #floats(name, { attitude, distance, projection }, X, ...rest) {
     const pointer = this.held.get();
-    this.instance.scratch(35).set([...attitude, distance, ...projection, ...X]);
-    return floatsAt(this.instance, this.instance.call(name, pointer, ...rest));
+    const numbers = [...attitude, distance, ...projection, ...X];
+    return floatsAt(this.instance, this.instance.callWith(numbers, name, pointer, ...rest));
   }
 
   /**
-   * The uniforms of the body in the attitude X, or of its image in the floor.
+   * The uniforms of the body in the attitude X, or of its image in the floor: those of all parts, and of
+   * each.
    * @param {Camera} camera @param {number[]} X @param {boolean} mirrored
-   * @returns {BodyUniforms}
    */
   uniforms(camera, X, mirrored) {
-    const take = taking(this.#floats('surface_uniforms', camera, X, mirrored ? 1 : 0)),
-      arrays = 4 * this.occluders;
-    return {
-      eye: take(3),
-      clip_from_stage: take(16),
-      stage_from_body: take(9),
-      stage_normal_from_body: take(9),
-      parts: Array.from({ length: this.parts }, () => ({
-        part_lift: take(1),
-        part_radii: take(3),
-        side_axis: take(3),
-        across_from_body: take(8),
-        occluders_from: take(arrays),
-        occluders_to: take(arrays),
-        occluder_tints: take(arrays),
-      })),
-    };
+    const take = taking(this.#floats('surface_uniforms', camera, X, mirrored ? 1 : 0));
+    return { body: take(sizesOfBody), parts: this.sizes.map(take) };
   }
 
-  /** The uniforms of the floor. @param {Camera} camera @param {number[]} X */
+  /** The uniforms of the floor. @param {Camera} camera @param {number[]} X @returns {Uniforms} */
   floor(camera, X) {
-    const floats = this.#floats('floor_uniforms', camera, X),
-      take = taking(floats);
-    return { floor_from_place: take(9), right_and_height: take(4), balls: floats.subarray(13) };
+    const floats = this.#floats('floor_uniforms', camera, X);
+    return { ...taking(floats)(sizesOfFloor), balls: floats.subarray(13) };
   }
 
   release() {
@@ -89,8 +56,13 @@ export class CoreSurface {
   }
 }
 
-/** Takes numbers one after another. @param {Float32Array} floats */
+/** Takes the next floats by their names. @param {Float32Array} floats */
 function taking(floats) {
   let at = 0;
-  return (/** @type {number} */ count) => floats.subarray(at, (at += count));
+  return (/** @type {Record<string, number>} */ sizes) => {
+    /** @type {Uniforms} */
+    const values = {};
+    for (const name in sizes) values[name] = floats.subarray(at, (at += sizes[name]));
+    return values;
+  };
 }

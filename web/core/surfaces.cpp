@@ -1,4 +1,7 @@
-// The values of the uniforms with which the page draws a body and the floor below it.
+// The values of the uniforms with which the page draws a body and the floor below it, and the box
+// of a body that is given by its moments.
+
+#include <twrench/body/mass_properties.h>
 
 #include <cmath>
 #include <random>
@@ -7,6 +10,8 @@
 #include "picture/body/body_uniforms.h"
 #include "picture/body/floor_plane.h"
 #include "picture/body/shadow_balls.h"
+#include "picture/overlay/trail_point.h"
+#include "picture/shapes/shapes.h"
 #include "picture/space/glm_from_eigen.h"
 #include "scratch.h"
 
@@ -61,7 +66,6 @@ PartModel read_part(Arguments& arguments) {
   for (glm::vec4& row : part.across_from_body) {
     for (int i = 0; i < 4; ++i) row[i] = static_cast<float>(arguments.number());
   }
-  part.mean_color = picture::glm_from_eigen(arguments.vector());  // or that of its material
   const std::size_t occluders = arguments.count();
   for (std::size_t i = 0; i < occluders; ++i) {
     Capsule capsule{};
@@ -83,7 +87,8 @@ extern "C" {
 using namespace twrench;
 using namespace twrench::page;
 
-/// The body whose bounding radius, parts and balls are in the scratch area.
+/// The body whose bounding radius, parts and balls are in the scratch area, and then the tint of
+/// each part.
 [[clang::export_name("surface_new")]] Surface* surface_new() {
   Arguments arguments;
   auto* surface = new Surface{};
@@ -96,7 +101,35 @@ using namespace twrench::page;
     const Vector3d centre = arguments.vector();
     surface->balls.push_back({centre, arguments.number()});
   }
+  for (PartModel& part : surface->body.parts) {
+    part.mean_color = picture::glm_from_eigen(arguments.vector());  // or that of its material
+  }
   return surface;
+}
+
+/// The box of a body with the moments in the scratch area: where its vertices and indices are, and
+/// their numbers; the point that draws the trail; then what surface_new() reads, without the tint.
+/// Returns how many numbers these are.
+[[clang::export_name("box_surface")]] std::size_t box_surface() {
+  static picture::Mesh mesh;
+  scene::Scene scene;
+  const body::Part part = body::equimomental_box(vector_at(0).asDiagonal());
+  scene.body.parts = {part};
+  const auto& box = std::get<body::Box>(part.shape);
+  const double radius = box.size.norm() / 2;
+  mesh = picture::surface_of_rings(part, picture::rings_of(box, 2.3e-4 * radius));
+  const picture::ShapeTraits traits = picture::traits(box);
+  const Vector3d end = traits.occluder->half_length * Vector3d::Unit(traits.occluder->axis);
+  Results results(0);
+  results << mesh.vertices.data() << static_cast<double>(mesh.vertices.size())
+          << mesh.indices.data() << static_cast<double>(mesh.indices.size())
+          << picture::trail_point(scene) << radius << 1.0
+          << Vector3d(traits.outline.radius / radius, 0, 0);
+  for (int i = 0; i < 3 + 8 + 1; ++i) results << 0.0;  // no side of a cylinder, no occluders
+  const std::vector<Ball> balls = picture::shadow_balls({-end, end, traits.occluder->radius});
+  results << static_cast<double>(balls.size());
+  for (const auto& [centre, ball_radius] : balls) results << centre << ball_radius;
+  return results.count();
 }
 
 [[clang::export_name("surface_free")]] void surface_free(const Surface* surface) { delete surface; }

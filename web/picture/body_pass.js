@@ -18,14 +18,16 @@ import unmarked from '../../shaders/unmarked.glsl';
 import unoccluded_frag from '../../shaders/unoccluded.glsl';
 import unoccluded_vert from '../../shaders/unoccluded.vert';
 import { CoreSurface } from '../core/surface.js';
-import { Program, setAttributes } from './program.js';
+import { Program, VertexArray } from './program.js';
 
-/** @typedef {import("./surface.js").Surface} Surface */
+/** @import { Core } from '../core/core.js' */
+/** @import { Camera } from '../core/pictures.js' */
+/** @import { Uniforms } from '../core/surface.js' */
+/** @import { Surface } from './surface.js' */
 /**
  * As GLSL, see src/page/theme_json.h; whether vertices have colours, and the colour of what it reflects.
  * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material
  */
-/** @typedef {import("../core/pictures.js").Camera} Camera */
 /** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
 // Attributes that only edge quads need, and the colours of vertices.
@@ -38,11 +40,10 @@ const shiftLocation = 2,
  * @param {Material} material @param {boolean} ofOneMaterial
  */
 function programOf(gl, surface, material, ofOneMaterial) {
-  const count = Math.max(...surface.parts.map((part) => part.occluders.length));
-  const constants = `${material.constants}const int occluder_count = ${count};
+  const constants = `${material.constants}const int occluder_count = ${surface.occluder_count};
 const bool is_of_one_material = ${ofOneMaterial};
 `;
-  const alone = count === 0,
+  const alone = surface.occluder_count === 0,
     colored = material.colored && surface.colors !== null; // not the box of given moments
   return new Program(
     gl,
@@ -68,8 +69,7 @@ const bool is_of_one_material = ${ofOneMaterial};
 
 export class BodyPass {
   /**
-   * @param {WebGL2RenderingContext} gl @param {import("../core/core.js").Core} core
-   * @param {Surface} surface
+   * @param {WebGL2RenderingContext} gl @param {Core} core @param {Surface} surface
    * @param {Material[]} materials of a theme, to which parts refer by their index
    */
   constructor(gl, core, surface, materials) {
@@ -77,15 +77,10 @@ export class BodyPass {
     this.surface = surface;
     const tints = surface.parts.map(({ material, tint }) => tint ?? materials[material].tint);
     this.own = new CoreSurface(core, surface, tints);
-    this.ofOneMaterial = materials.length === 1 && !materials[0].colored;
-    this.programs = materials.map((material) => programOf(gl, surface, material, this.ofOneMaterial));
-    this.array = gl.createVertexArray();
-    this.vertices = gl.createBuffer();
-    this.indices = gl.createBuffer();
-    gl.bindVertexArray(this.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
-    gl.bufferData(gl.ARRAY_BUFFER, surface.vertices, gl.STATIC_DRAW);
-    setAttributes(gl, [3, 3]);
+    const ofOneMaterial = materials.length === 1 && !materials[0].colored;
+    this.programs = materials.map((material) => programOf(gl, surface, material, ofOneMaterial));
+    this.array = new VertexArray(gl, [3, 3]);
+    this.array.fill(surface.vertices, surface.indices, gl.STATIC_DRAW);
     for (const location of [shiftLocation, fadeLocation]) {
       gl.disableVertexAttribArray(location);
       gl.vertexAttrib4f(location, 0, 0, 0, 0);
@@ -97,9 +92,6 @@ export class BodyPass {
       gl.enableVertexAttribArray(colorLocation);
       gl.vertexAttribPointer(colorLocation, 3, gl.UNSIGNED_SHORT, true, 6, 0);
     }
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, surface.indices, gl.STATIC_DRAW);
-    gl.bindVertexArray(null);
   }
 
   /**
@@ -142,63 +134,37 @@ export class BodyPass {
   }
 
   /**
-   * @param {import("../core/surface.js").BodyUniforms} uniforms @param {Size} size
+   * @param {{body: Uniforms, parts: Uniforms[]}} uniforms @param {Size} size
    * @param {[number, number]} [blending]
    */
-  #drawParts(uniforms, { width, height }, blending = [this.gl.ONE, this.gl.ONE_MINUS_SRC_ALPHA]) {
-    const { gl, surface } = this;
-    for (const program of this.programs) {
-      program.use();
-      program.set('eye', uniforms.eye);
-      program.setColumns('clip_from_stage', uniforms.clip_from_stage);
-      program.setColumns('stage_from_body', uniforms.stage_from_body);
-      program.setColumns('stage_normal_from_body', uniforms.stage_normal_from_body);
-      program.set('picture', [width / 2, height / 2, 0.5]);
-    }
+  #drawParts({ body, parts }, { width, height }, blending = [this.gl.ONE, this.gl.ONE_MINUS_SRC_ALPHA]) {
+    const { gl } = this;
+    for (const program of this.programs) program.use({ ...body, picture: [width / 2, height / 2, 0.5] });
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
     gl.blendFunc(...blending);
-    gl.bindVertexArray(this.array);
+    this.array.bind();
     let begin = 0;
-    const drawTo = (
-      /** @type {Program} */ program,
-      /** @type {number} */ end,
-      /** @type {ArrayLike<number>} */ axis,
-    ) => {
-      if (end > begin) {
-        program.set('side_axis', axis);
-        gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
-      }
+    const drawTo = (/** @type {number} */ end) => {
+      if (end > begin) gl.drawElements(gl.TRIANGLES, end - begin, gl.UNSIGNED_INT, 4 * begin);
       begin = end;
     };
-    surface.parts.forEach((part, i) => {
-      const program = this.programs[part.material],
-        own = uniforms.parts[i];
-      program.use();
-      if (own.occluders_from.length > 0) {
-        program.set('occluders_from', own.occluders_from);
-        program.set('occluders_to', own.occluders_to);
-        if (!this.ofOneMaterial) program.set('occluder_tints', own.occluder_tints);
-      }
-      program.set('part_lift', own.part_lift[0]);
-      program.set('part_radii', own.part_radii);
-      program.set('across_from_body', own.across_from_body);
-      drawTo(program, part.side_begin, [0, 0, 0]);
-      drawTo(program, part.end, own.side_axis);
+    this.surface.parts.forEach(({ material, side_begin, end }, i) => {
+      const program = this.programs[material];
+      program.use({ ...parts[i], side_axis: [0, 0, 0] });
+      drawTo(side_begin);
+      program.use({ side_axis: parts[i].side_axis });
+      drawTo(end);
     });
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
-    gl.bindVertexArray(null);
   }
 
   free() {
-    const { gl } = this;
-    gl.deleteVertexArray(this.array);
-    gl.deleteBuffer(this.vertices);
-    gl.deleteBuffer(this.indices);
-    gl.deleteBuffer(this.colors);
-    for (const { program } of this.programs) gl.deleteProgram(program);
+    this.array.free();
+    this.gl.deleteBuffer(this.colors);
+    for (const { program } of this.programs) this.gl.deleteProgram(program);
     this.own.release();
   }
 }

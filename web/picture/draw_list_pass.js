@@ -1,10 +1,9 @@
 // Renders draw lists as premultiplied colour: src/draw/draw_list_pass.cpp.
 import draw_list_frag from '../../shaders/draw_list.frag';
 import draw_list_vert from '../../shaders/draw_list.vert';
-import { Program, setAttributes } from './program.js';
+import { Program, VertexArray } from './program.js';
 
-/** @typedef {import("../core/pictures.js").DrawList} DrawList */
-/** @typedef {import("../core/pictures.js").Contents} Contents */
+/** @import { Contents, DrawList } from '../core/pictures.js' */
 /**
  * How triangles are drawn: which faces; whether they write depth; whether only what is hidden is
  * drawn; what is added to z in clip space.
@@ -20,14 +19,7 @@ export class DrawListPass {
   constructor(gl) {
     this.gl = gl;
     this.program = new Program(gl, [draw_list_vert], [draw_list_frag]);
-    this.array = gl.createVertexArray();
-    this.vertices = gl.createBuffer();
-    this.indices = gl.createBuffer();
-    gl.bindVertexArray(this.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
-    setAttributes(gl, [4, 4, 3]);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
-    gl.bindVertexArray(null);
+    this.array = new VertexArray(gl, [4, 4, 3]);
   }
 
   /** Draws all, for a view without a body. @param {Contents} contents */
@@ -71,17 +63,12 @@ export class DrawListPass {
   #draw(list, indices, modes) {
     if (indices.length === 0) return;
     const { gl, program } = this;
-    program.use();
-    gl.bindVertexArray(this.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
-    gl.bufferData(gl.ARRAY_BUFFER, list.vertices, gl.STREAM_DRAW);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STREAM_DRAW);
+    this.array.fill(list.vertices, indices, gl.STREAM_DRAW);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     for (const { faces = 'all', writesDepth = false, hidden = false, opacity = 1, clipZ = 0 } of modes) {
-      program.set('opacity', opacity);
-      program.set('clip_z', clipZ);
+      program.use({ opacity, clip_z: clipZ });
       gl.depthFunc(hidden ? gl.GREATER : gl.LESS);
       gl.depthMask(writesDepth);
       if (faces === 'all') gl.disable(gl.CULL_FACE);
@@ -94,6 +81,5 @@ export class DrawListPass {
     gl.frontFace(gl.CCW);
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.BLEND);
-    gl.bindVertexArray(null);
   }
 }

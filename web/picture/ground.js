@@ -7,7 +7,8 @@ import { clamp } from '../math/linear.js';
 import { Program } from './program.js';
 import { SoftTarget } from './soft_target.js';
 
-/** @typedef {import("../core/pictures.js").Camera} Camera */
+/** @import { Camera } from '../core/pictures.js' */
+/** @import { BodyPass } from './body_pass.js' */
 /**
  * A theme's ground, as page_json writes it; colours are sRGB from 0 to 255.
  * @typedef {object} GroundStyle
@@ -31,8 +32,7 @@ export class Ground {
 
   /**
    * Draws the body's reflection for the next draw().
-   * @param {import("./body_pass.js").BodyPass} body @param {Camera} camera @param {number[]} X
-   * @param {number} aspect
+   * @param {BodyPass} body @param {Camera} camera @param {number[]} X @param {number} aspect
    */
   reflect(body, camera, X, aspect) {
     const { gl } = this;
@@ -40,8 +40,7 @@ export class Ground {
     this.sharp.begin(width, gridRows);
     body.drawMirrored(camera, X, { width, height: gridRows });
     this.soft.begin(width, gridRows);
-    this.soften.use();
-    this.soften.setTexture('sharp', 0);
+    this.soften.use({});
     gl.bindTexture(gl.TEXTURE_2D, this.sharp.texture);
     this.#drawTriangle();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -49,41 +48,24 @@ export class Ground {
 
   /**
    * @param {GroundStyle} style @param {Camera} camera @param {number[]} X space_from_body
-   * @param {import("./body_pass.js").BodyPass} body
+   * @param {BodyPass} body
    * @param {{width: number, height: number, inner: number[], floor: boolean, turned: boolean}} pane
    */
-  draw(style, camera, X, body, { width, height, inner, floor, turned }) {
+  draw({ backdrop, floor: style }, camera, X, body, { width, height, inner, floor, turned }) {
     const { gl, program } = this;
-    program.use();
-    program.set('above', style.backdrop.above);
-    program.set('below', style.backdrop.below);
-    program.set('vignette', style.backdrop.vignette);
-    program.set('picture', [width, height]);
-    program.set('inner', inner);
-    const share = floor && style.floor ? clamp(camera.attitude[7] / 0.03, 0, 1) : 0;
-    program.set('floor_share', share);
-    if (share > 0 && style.floor) {
-      program.set('floor_light', style.floor.light);
-      program.set('floor_style', [
-        style.floor.shadow,
-        style.floor.reflection,
-        turned ? style.floor.clouds : 0,
-      ]);
-      this.#setFloor(body.own.floor(camera, X));
+    const share = floor && style ? clamp(camera.attitude[7] / 0.03, 0, 1) : 0;
+    program.use({ ...backdrop, picture: [width, height], inner, floor_share: share });
+    if (share > 0 && style) {
+      const uniforms = body.own.floor(camera, X);
+      program.use({
+        ...uniforms,
+        ball_count: uniforms.balls.length / 4,
+        floor_light: style.light,
+        floor_style: [style.shadow, style.reflection, turned ? style.clouds : 0],
+      });
     }
     gl.bindTexture(gl.TEXTURE_2D, this.soft.texture);
     this.#drawTriangle();
-  }
-
-  /** @param {{floor_from_place: Float32Array, right_and_height: Float32Array, balls: Float32Array}} uniforms */
-  #setFloor(uniforms) {
-    const { gl, program } = this;
-    const { length } = uniforms.balls;
-    program.setColumns('floor_from_place', uniforms.floor_from_place);
-    program.set('right_and_height', uniforms.right_and_height);
-    program.set('balls', length > 4 ? uniforms.balls : [...uniforms.balls, 0, -1, 0, 0, 0, -1, 0, 0].slice(0, 8));
-    gl.uniform1i(gl.getUniformLocation(program.program, 'ball_count'), length / 4);
-    program.setTexture('reflection', 0);
   }
 
   #drawTriangle() {
@@ -92,6 +74,5 @@ export class Ground {
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindVertexArray(null);
   }
 }

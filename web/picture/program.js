@@ -7,6 +7,20 @@ precision highp int;
 `;
 
 /**
+ * How a uniform of each type is set; matrices column by column.
+ * @type {[keyof WebGL2RenderingContext, (gl: WebGL2RenderingContext, at: WebGLUniformLocation | null, values: Iterable<number>) => void][]}
+ */
+const setters = [
+  ['FLOAT', (gl, at, values) => gl.uniform1fv(at, values)],
+  ['FLOAT_VEC2', (gl, at, values) => gl.uniform2fv(at, values)],
+  ['FLOAT_VEC3', (gl, at, values) => gl.uniform3fv(at, values)],
+  ['FLOAT_VEC4', (gl, at, values) => gl.uniform4fv(at, values)],
+  ['FLOAT_MAT3', (gl, at, values) => gl.uniformMatrix3fv(at, false, values)],
+  ['FLOAT_MAT4', (gl, at, values) => gl.uniformMatrix4fv(at, false, values)],
+  ['INT', (gl, at, values) => gl.uniform1iv(at, values)],
+];
+
+/**
  * @param {WebGL2RenderingContext} gl @param {number} stage @param {string[]} files
  */
 function compiled(gl, stage, files) {
@@ -39,68 +53,67 @@ export class Program {
     if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
       throw new Error(`A shader program does not link: ${gl.getProgramInfoLog(this.program)}`);
     }
-    /** @type {Map<string, WebGLUniformLocation | null>} */
-    this.locations = new Map();
+    /** @type {Map<string, (values: Iterable<number>) => void>} */
+    this.setters = new Map();
+    const count = gl.getProgramParameter(this.program, gl.ACTIVE_UNIFORMS);
+    for (let i = 0; i < count; ++i) this.#learn(/** @type {WebGLActiveInfo} */ (gl.getActiveUniform(this.program, i)));
   }
 
-  use() {
+  /** A sampler keeps unit 0: no program reads two textures. @param {WebGLActiveInfo} uniform */
+  #learn({ name, type }) {
+    const { gl } = this,
+      at = gl.getUniformLocation(this.program, name),
+      set = setters.find(([kind]) => gl[kind] === type)?.[1];
+    if (set) this.setters.set(name.replace('[0]', ''), (values) => set(gl, at, values));
+  }
+
+  /** Uses the program with these values of uniforms; those that no shader reads are ignored. @param {Record<string, number | Iterable<number>>} uniforms */
+  use(uniforms) {
     this.gl.useProgram(this.program);
-  }
-
-  /** @param {string} name */
-  #at(name) {
-    let location = this.locations.get(name);
-    if (location === undefined) {
-      location = this.gl.getUniformLocation(this.program, name);
-      this.locations.set(name, location);
+    for (const name in uniforms) {
+      const value = uniforms[name];
+      this.setters.get(name)?.(typeof value === 'number' ? [value] : value);
     }
-    return location;
-  }
-
-  /**
-   * Sets a uniform of one to four components, by their number, or an array of vec4.
-   * @param {string} name @param {number | ArrayLike<number>} value
-   */
-  set(name, value) {
-    const { gl } = this;
-    if (typeof value === 'number') {
-      gl.uniform1f(this.#at(name), value);
-      return;
-    }
-    const values = Float32Array.from(value);
-    if (values.length === 2) gl.uniform2fv(this.#at(name), values);
-    else if (values.length === 3) gl.uniform3fv(this.#at(name), values);
-    else gl.uniform4fv(this.#at(name), values);
-  }
-
-  /** @param {string} name @param {number} unit of the texture */
-  setTexture(name, unit) {
-    this.gl.uniform1i(this.#at(name), unit);
-  }
-
-  /** Sets a matrix of 9 or 16 numbers, column by column. @param {string} name @param {Float32Array} m */
-  setColumns(name, m) {
-    const { gl } = this;
-    if (m.length === 9) gl.uniformMatrix3fv(this.#at(name), false, m);
-    else gl.uniformMatrix4fv(this.#at(name), false, m);
-  }
-
-  /** Sets a matrix of 9 numbers, row by row. @param {string} name @param {ArrayLike<number>} m */
-  setRows(name, m) {
-    this.gl.uniformMatrix3fv(this.#at(name), true, Float32Array.from(m));
   }
 }
 
-/**
- * Describes interleaved float attributes of the bound buffer to the bound vertex array.
- * @param {WebGL2RenderingContext} gl @param {number[]} sizes Components of the attributes 0, 1, ...
- */
-export function setAttributes(gl, sizes) {
-  const stride = 4 * sizes.reduce((sum, size) => sum + size, 0);
-  let offset = 0;
-  sizes.forEach((size, location) => {
-    gl.enableVertexAttribArray(location);
-    gl.vertexAttribPointer(location, size, gl.FLOAT, false, stride, offset);
-    offset += 4 * size;
-  });
+/** Interleaved float attributes of vertices, and the indices of triangles. */
+export class VertexArray {
+  /** @param {WebGL2RenderingContext} gl @param {number[]} sizes Components of the attributes 0, 1, ... */
+  constructor(gl, sizes) {
+    this.gl = gl;
+    this.array = gl.createVertexArray();
+    this.vertices = gl.createBuffer();
+    this.indices = gl.createBuffer();
+    this.bind();
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    const stride = 4 * sizes.reduce((sum, size) => sum + size, 0);
+    let offset = 0;
+    sizes.forEach((size, location) => {
+      gl.enableVertexAttribArray(location);
+      gl.vertexAttribPointer(location, size, gl.FLOAT, false, stride, offset);
+      offset += 4 * size;
+    });
+  }
+
+  bind() {
+    this.gl.bindVertexArray(this.array);
+  }
+
+  /** Binds it and replaces its contents. @param {Float32Array} vertices @param {Uint32Array} indices @param {number} usage */
+  fill(vertices, indices, usage) {
+    const { gl } = this;
+    this.bind();
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.vertices);
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, usage);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, usage);
+  }
+
+  free() {
+    const { gl } = this;
+    gl.deleteVertexArray(this.array);
+    gl.deleteBuffer(this.vertices);
+    gl.deleteBuffer(this.indices);
+  }
 }

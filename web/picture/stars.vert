@@ -3,14 +3,14 @@
 layout(location = 0) in vec3 direction;
 layout(location = 1) in vec2 look;  // brightness and tint
 
-uniform mat3 camera_from_space;
+uniform mat3 camera_rows;  // the rows of camera_from_space as columns
 uniform vec4 lens;  // projection: x and y scale, x and y shift
 uniform float height;  // of the picture in pixels
 
 out vec4 glow;  // colour, 0 to 1, and the size of the dot in radii
 
 void main() {
-  vec3 seen = camera_from_space * direction;
+  vec3 seen = direction * camera_rows;
   float true_radius = height / 1080.0 * (0.75 + 0.6 * look.x);
   float radius = max(0.8, true_radius);
   gl_PointSize = 2.0 * ceil(3.0 * radius) + 1.0;

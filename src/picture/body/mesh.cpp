@@ -65,6 +65,8 @@ class MeshBuilder {
   std::optional<CylinderSide> side_;
 };
 
+}  // namespace
+
 Mesh surface_of_rings(const body::Part& part, const Rings& surface) {
   const auto& [rings, has_hole, side, bevel] = surface;
   const auto count = static_cast<std::uint32_t>(rings.front().size());
@@ -88,6 +90,8 @@ Mesh surface_of_rings(const body::Part& part, const Rings& surface) {
   }
   return mesh.finish();
 }
+
+namespace {
 
 /// Appends a mesh of one part.
 void append(Mesh& all, const Mesh& mesh) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "picture/shapes/rings.h"
 #include "scene/scene.h"
 
 namespace twrench::picture {
@@ -64,6 +65,9 @@ struct Mesh {
 /// `crease_angle` rad.
 Mesh part_mesh(const body::Part& part, double tolerance,
                double crease_angle = scene::PartLook().crease_angle);
+
+/// Returns the surface of a part in body axes whose shape has these rings.
+Mesh surface_of_rings(const body::Part& part, const Rings& surface);
 
 /// Returns the meshes of all parts merged into one. `looks` are those of the parts, in their order,
 /// as far as they are given.

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "picture/body/occluders.h"
+
 namespace twrench::picture {
 
 /// A sphere that casts shadow; a part is approximated by rows of them.
@@ -14,8 +16,11 @@ struct Ball {
   double radius;           ///< Radius in cm.
 };
 
-/// Returns spheres along the axes of the parts' capsules at such distances that they cast as much
-/// shadow as the capsules.
+/// Returns spheres along the axis of a capsule at such distances that they cast as much shadow as
+/// it.
+std::vector<Ball> shadow_balls(const Capsule& capsule);
+
+/// Returns those of all capsules of the parts.
 std::vector<Ball> shadow_balls(std::span<const body::Part> parts);
 
 }  // namespace twrench::picture
