@@ -10,10 +10,12 @@ import { Transport } from '../panels/transport.js';
 import { ViewPanel } from '../panels/view_panel.js';
 import { setLanguage } from '../words/words.js';
 import tour from '../tour/tour.json';
+import { diagonal } from '../core/core.js';
+import { firstOf } from '../core/motion.js';
 import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
-import { figuresOf, listed, MotionModel, samplesShown, spunAbout } from './motion_model.js';
+import { figuresOf, MotionModel, samplesShown, spunAbout } from './motion_model.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
@@ -21,24 +23,26 @@ import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
 import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
-/** @typedef {import("./state.js").State} State */
+/** @import { Core } from '../core/core.js' */
+/** @import { TourStep } from '../panels/tour.js' */
+/** @import { PageData } from './page_data.js' */
+/** @import { State } from './state.js' */
 /** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
 const times = ['t', 'from']; // what changes at each picture while it plays
 const mostPixels = 4096; // of a side of a picture
+const prefersLight = matchMedia('(prefers-color-scheme: light)');
+const prefersStill = matchMedia('(prefers-reduced-motion: reduce)');
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
-  /** @param {import("./page_data.js").PageData} data @param {import("../core/core.js").Core} core */
+  /** @param {PageData} data @param {Core} core */
   constructor(data, core) {
     this.data = data;
     this.core = core;
     this.store = new Store(initialState(data, navigator.languages));
-    this.known = readers(
-      data,
-      core.methods.map(({ name }) => name),
-      tour.steps.length,
-    );
+    const methods = core.methods.map(({ name }) => name);
+    this.known = readers(data, methods, tour.steps.length);
     this.model = this.#modelOf(this.store.state);
     this.runs = new Runs();
     this.announcer = new Announcer();
@@ -59,12 +63,8 @@ export class App {
     this.viewPanel = new ViewPanel(store, data);
     this.comparePanel = new ComparePanel(store, core, data, invalidate);
     this.table = new DataTable(invalidate);
-    this.tour = new Tour(
-      /** @type {any} */ (tour.steps),
-      store,
-      (step) => this.#enter(step),
-      () => figuresOf(this.model),
-    );
+    const figures = () => figuresOf(this.model);
+    this.tour = new Tour(/** @type {any} */ (tour.steps), store, (step) => this.#enter(step), figures);
     this.takeAway = new TakeAway({
       store,
       data,
@@ -77,18 +77,16 @@ export class App {
     this.address = new Address(this.store, this.known, this.player, (values) => this.#go(values));
     this.address.follow();
     addEventListener('resetview', () => this.pictures.bodyView.resetView());
-    matchMedia('(prefers-color-scheme: light)').addEventListener('change', () =>
-      this.#changed(this.store.state, this.store.state),
-    );
+    prefersLight.addEventListener('change', () => this.#changed(this.store.state, this.store.state));
     byId('instead').hidden = true;
     for (const id of ['live', 'tools', 'footer']) byId(id).hidden = false;
     this.#changed(this.store.state, { ...this.store.state, lang: /** @type {any} */ ('') });
-    this.player.play(!matchMedia('(prefers-reduced-motion: reduce)').matches);
+    this.player.play(!prefersStill.matches);
   }
 
   /** @param {State} state */
   #modelOf({ moments, omega }) {
-    const inertia = moments ? [moments[0], 0, 0, 0, moments[1], 0, 0, 0, moments[2]] : this.data.inertia;
+    const inertia = moments ? diagonal(moments) : this.data.inertia;
     return new MotionModel(this.core, inertia, omega, this.data.scene.overlay.trail_length);
   }
 
@@ -96,9 +94,7 @@ export class App {
   get themeName() {
     const { theme } = this.store.state;
     if (theme !== 'auto') return theme;
-    return matchMedia('(prefers-color-scheme: light)').matches
-      ? lightTheme(this.data)
-      : this.data.scene.look.theme;
+    return prefersLight.matches ? lightTheme(this.data) : this.data.scene.look.theme;
   }
 
   /**
@@ -115,13 +111,11 @@ export class App {
     if (state.tour && isTourAlone) this.#enter(/** @type {any} */ (tour.steps[state.tour - 1]));
   }
 
-  /** Puts the page into the state of a step of the tour. @param {import("../panels/tour.js").TourStep} step */
+  /** Puts the page into the state of a step of the tour. @param {TourStep} step */
   #enter({ spin, push, state, play }) {
-    const {
-      initial,
-      state: { lang, theme, tour: number },
-    } = this.store;
-    const { values } = readLink(state, this.known);
+    const { initial } = this.store,
+      { lang, theme, tour: number } = this.store.state,
+      { values } = readLink(state, this.known);
     const next = { ...initial, ...values, lang, theme, tour: number };
     const own = this.#modelOf(initial),
       [least, middle, greatest] = own.facts.moments;
@@ -132,7 +126,7 @@ export class App {
     body.release();
     this.store.set(next);
     this.pictures.follow();
-    this.player.play(play && !matchMedia('(prefers-reduced-motion: reduce)').matches);
+    this.player.play(play && !prefersStill.matches);
   }
 
   /** @param {State} state @param {State} before */
@@ -143,8 +137,9 @@ export class App {
       this.runs.stop();
       last.release();
     }
-    if (Object.keys(state).some((key) => !times.includes(key) && differs(key, state, before)))
-      this.dirty = true;
+    /** @type {Record<string, any>} */
+    const old = before;
+    if (Object.entries(state).some(([key, value]) => !times.includes(key) && value !== old[key])) this.dirty = true;
     if (state.lang !== before.lang) {
       setLanguage(state.lang);
       for (const part of [this.viewPanel, this.comparePanel, this.transport]) part.relabel();
@@ -184,7 +179,7 @@ export class App {
 
   /** The motion shown. @param {number} t */
   sample(t) {
-    return listed(samplesShown(this.store.state, this.model, [t]))[0];
+    return firstOf(samplesShown(this.store.state, this.model, [t]));
   }
 
   /**
@@ -206,6 +201,3 @@ export class App {
     }
   }
 }
-
-/** @param {string} key @param {any} state @param {any} before */
-const differs = (key, state, before) => state[key] !== before[key];

@@ -1,36 +1,11 @@
 // The motion that is shown, with what the views need of it, computed once.
-import { add, clamp, column, norm, scale, transposed } from '../math/linear.js';
+import { add, clamp, column, norm, scale } from '../math/linear.js';
 import { brief } from '../words/words.js';
 
-/** @typedef {import("../core/core.js").Core} Core */
-/** @typedef {import("../core/core.js").Sample} Sample */
+/** @import { Core } from '../core/core.js' */
+/** @import { State } from './state.js' */
 
 const radiansOfTrail = 12; // how far the body rotates in the time that a trail covers
-const along = 1 - 1e-9;
-
-/**
- * The body's principal axes as the momentum views show them, least moment first: each with its
- * largest component positive, so that they are left-handed as often as not.
- * @typedef {object} PrincipalFrame
- * @property {number[]} axes body_from_own
- * @property {string[]} names
- * @property {number[]} moments
- */
-
-/** @param {number[]} axes @param {number[]} moments @returns {PrincipalFrame} */
-function principalFrame(axes, moments) {
-  const columns = [0, 1, 2].map((i) => column(axes, i));
-  const largest = columns.map((axis) =>
-    axis.reduce((best, x, i) => (Math.abs(x) > Math.abs(axis[best]) ? i : best), 0),
-  );
-  const own = columns.every((axis, i) => Math.abs(axis[largest[i]]) > along);
-  const positive = columns.map((axis, i) => (axis[largest[i]] < 0 ? scale(-1, axis) : axis));
-  return {
-    axes: transposed(positive.flat()),
-    names: own ? largest.map((i) => 'xyz'[i]) : ['I₁', 'I₂', 'I₃'],
-    moments,
-  };
-}
 
 export class MotionModel {
   /**
@@ -42,10 +17,8 @@ export class MotionModel {
     this.omega = omega;
     const { facts } = this.motion;
     this.facts = facts;
-    this.momentum = norm(facts.momentum);
-    this.atRest = this.momentum === 0;
-    this.principal = principalFrame(facts.axes, facts.moments);
-    this.flips = facts.flips && facts.flips.turnsOver ? facts.flips : null;
+    this.atRest = norm(facts.momentum) === 0;
+    this.flips = facts.flips?.turnsOver ? facts.flips : null;
     const rate = norm(omega);
     this.trailLength = trailLength ?? (rate > 0 ? radiansOfTrail / rate : 1);
   }
@@ -72,16 +45,23 @@ export class MotionModel {
   }
 }
 
+/** A principal axis, its largest component positive. @param {MotionModel} model @param {number} i */
+function principalAxis({ facts }, i) {
+  const axis = column(facts.axes, i);
+  const largest = axis.reduce((best, x) => (Math.abs(x) > Math.abs(best) ? x : best));
+  return scale(largest < 0 ? -1 : 1, axis);
+}
+
 /**
  * The angular velocity about a principal axis, as fast as the motion is, with a push to the side.
  * @param {MotionModel} model @param {number} i Index of the axis, least moment first.
  * @param {number} push As a share of the rate.
  */
-export function spunAbout({ principal, omega }, i, push) {
-  const rate = norm(omega) || 1;
-  const axis = column(principal.axes, i),
-    side = column(principal.axes, i === 0 ? 1 : 0);
-  return add(scale(rate, axis), scale(push * rate, side)).map((x) => Number(x.toPrecision(6)));
+export function spunAbout(model, i, push) {
+  const rate = norm(model.omega) || 1,
+    side = principalAxis(model, i === 0 ? 1 : 0);
+  const omega = add(scale(rate, principalAxis(model, i)), scale(push * rate, side));
+  return omega.map((x) => Number(x.toPrecision(6)));
 }
 
 /**
@@ -115,7 +95,7 @@ export function trailTimes(t, length, rate) {
 /**
  * The motion as the command line that the page gives has it computed: exactly, or by the first of
  * the methods that are compared. Throws a CoreError where that method cannot.
- * @param {import("./state.js").State} state @param {MotionModel} model @param {number[]} times
+ * @param {State} state @param {MotionModel} model @param {number[]} times
  */
 export function samplesShown({ compare, methods, step, tolerance }, { motion }, times) {
   return compare === 'off'
@@ -123,20 +103,6 @@ export function samplesShown({ compare, methods, step, tolerance }, { motion }, 
     : motion.integrate(methods[0], { step, tolerance }, times);
 }
 
-/**
- * The samples of a trail as objects.
- * @param {import("../core/core.js").Samples} samples
- * @returns {Sample[]}
- */
-export function listed(samples) {
-  const list = [];
-  for (let i = 0; i < samples.t.length; ++i) {
-    const o = samples.omega;
-    list.push({
-      t: samples.t[i],
-      X: Array.from(samples.X.subarray(9 * i, 9 * i + 9)),
-      omega: /** @type {[number, number, number]} */ ([o[3 * i], o[3 * i + 1], o[3 * i + 2]]),
-    });
-  }
-  return list;
-}
+/** Evenly spaced times, both ends included. @param {number} from @param {number} to @param {number} intervals */
+export const evenly = (from, to, intervals) =>
+  Array.from({ length: intervals + 1 }, (_, i) => from + ((to - from) * i) / intervals);

@@ -122,7 +122,7 @@ export { Motion, Run } from './motion.js';
 
 const stabilities = /** @type {const} */ (['unstable', 'stable', 'neutral']);
 
-/** The diagonal matrix of moments. @param {Vector} m @returns {Matrix} */
+/** The diagonal matrix of moments. @param {readonly number[]} m @returns {Matrix} */
 export const diagonal = (m) => [m[0], 0, 0, 0, m[1], 0, 0, 0, m[2]];
 
 export class Core {

@@ -1,14 +1,6 @@
 /** One motion: exact at any t, and as methods step along it. */
-/** @typedef {import('./core.js').Core} Core */
-/** @typedef {import('./core.js').Diagnostics} Diagnostics */
-/** @typedef {import('./core.js').Facts} Facts */
-/** @typedef {import('./core.js').Kind} Kind */
-/** @typedef {import('./core.js').Matrix} Matrix */
-/** @typedef {import('./core.js').Sample} Sample */
-/** @typedef {import('./core.js').Samples} Samples */
-/** @typedef {import('./core.js').StepControl} StepControl */
-/** @typedef {import('./core.js').Vector} Vector */
-/** @typedef {import('./instance.js').Instance} Instance */
+/** @import { Core, Diagnostics, Facts, Kind, Matrix, Sample, Samples, StepControl, Vector } from './core.js' */
+/** @import { Instance } from './instance.js' */
 
 const kinds = /** @type {Kind[]} */ (['steady', 'about_least', 'about_greatest', 'separatrix']);
 
@@ -45,29 +37,65 @@ export class Held {
   }
 }
 
-/** A motion; release() gives its memory back. */
-export class Motion {
+/** The sample at the first time. @param {Samples} samples @returns {Sample} */
+export const firstOf = ({ t, X, omega }) => ({ t: t[0], X: matrix(X, 0), omega: vector(omega, 0) });
+
+/** A motion or a run in C++; release() gives its memory back. */
+class Sampled {
+  /** @param {Instance} instance @param {() => number} make @param {"motion" | "run"} kind */
+  constructor(instance, make, kind) {
+    this.instance = instance;
+    this.kind = kind;
+    this.held = new Held(instance, make, `${kind}_free`);
+  }
+
+  /** Calls a function of C++ for it. @param {string} name @param {number[]} values */
+  call(name, ...values) {
+    return this.instance.call(`${this.kind}_${name}`, this.held.get(), ...values);
+  }
+
+  /** The sample at t s. @param {number} t */
+  at(t) {
+    return firstOf(this.samples([t]));
+  }
+
+  /**
+   * The samples at times in any order, s: of a motion the exact ones, also before 0; a run goes on until
+   * the last if need be.
+   * @param {ArrayLike<number>} times
+   */
+  samples(times) {
+    return this.compute('samples', times);
+  }
+
+  /** @param {string} name @param {ArrayLike<number>} times @param {number[]} values @returns {Samples} */
+  compute(name, times, ...values) {
+    const n = times.length,
+      pointer = this.held.get();
+    const r = this.instance.compute(12 * n, times, `${this.kind}_${name}`, pointer, n, ...values);
+    return { t: Float64Array.from(times), X: r.slice(0, 9 * n), omega: r.slice(9 * n) };
+  }
+
+  release() {
+    this.held.release();
+  }
+}
+
+export class Motion extends Sampled {
   /** @param {Core} core @param {readonly number[]} inertia @param {readonly number[]} omega */
   constructor(core, inertia, omega) {
-    const { instance } = core;
+    const { instance } = core,
+      numbers = [...inertia, ...omega];
+    super(instance, () => instance.callWith(numbers, 'motion_new'), 'motion');
     this.core = core;
     this.inertia = [...inertia];
     this.omega = [...omega];
-    /** @type {Held} */
-    this.held = new Held(
-      instance,
-      () => {
-        instance.scratch(12).set([...inertia, ...omega]);
-        return instance.call('motion_new');
-      },
-      'motion_free',
-    );
     /** @type {Facts} */
     this.facts = this.#facts();
   }
 
   #facts() {
-    const r = this.core.instance.compute(22, [], 'motion_facts', this.held.get());
+    const r = this.instance.compute(22, [], 'motion_facts', this.held.get());
     const moments = vector(r, 4);
     const flips = {
       interval: r[18],
@@ -87,17 +115,6 @@ export class Motion {
     };
   }
 
-  /** The exact motion at t s, of either sign. @param {number} t @returns {Sample} */
-  at(t) {
-    const { X, omega } = this.samples([t]);
-    return { t, X: [...X], omega: vector(omega, 0) };
-  }
-
-  /** The exact motion at times of either sign and in any order, s. @param {ArrayLike<number>} times */
-  samples(times) {
-    return samplesOf(this.core.instance, times, 'motion_samples', this.held.get());
-  }
-
   /**
    * The motion as a method computes it, at exactly these times: what `twrench simulate --times` runs.
    * Throws, for instance, where the step is longer than a turn of the body.
@@ -106,13 +123,9 @@ export class Motion {
    * @param {ArrayLike<number>} times s, in any order and of either sign
    * @param {number} [mostSteps]
    */
-  integrate(method, control, times, mostSteps = 5e6) {
-    const { core } = this;
-    const index = core.methods.indexOf(core.method(method));
-    const { step, tolerance } = control;
-    return samplesOf(
-      core.instance, times, 'motion_integrate', this.held.get(), index, step, tolerance, mostSteps,
-    );
+  integrate(method, { step, tolerance }, times, mostSteps = 5e6) {
+    const index = this.core.methods.indexOf(this.core.method(method));
+    return this.compute('integrate', times, index, step, tolerance, mostSteps);
   }
 
   /** How far samples are from the exact motion. @param {Samples} samples @returns {Diagnostics} */
@@ -122,7 +135,7 @@ export class Motion {
     numbers.set(samples.t);
     numbers.set(samples.X, n);
     numbers.set(samples.omega, 10 * n);
-    const r = this.core.instance.compute(5 * n, numbers, 'motion_diagnose', this.held.get(), n);
+    const r = this.instance.compute(5 * n, numbers, 'motion_diagnose', this.held.get(), n);
     return {
       energy: r.slice(0, n),
       energyDrift: r.slice(n, 2 * n),
@@ -132,23 +145,29 @@ export class Motion {
     };
   }
 
+  /** Flip n, s, counted from the first one after 0; NaN if there is none. @param {number} n */
+  #flip(n) {
+    const { first = NaN, interval = NaN } = this.facts.flips ?? {};
+    const t = n === 0 ? first : first + n * interval; // on the separatrix there is one
+    return Number.isFinite(t) ? t : NaN;
+  }
+
+  /** A number of a flip near t; NaN where two flips are not two numbers. @param {number} t */
+  #flipNear(t) {
+    const { first = NaN, interval = NaN } = this.facts.flips ?? {};
+    const n = Math.floor((t - first) / interval);
+    return Number.isSafeInteger(n) ? n : NaN;
+  }
+
   /**
    * The instants of the flips with from < t <= to, s, both of either sign: at most the first `most`.
    * @param {number} from @param {number} to @param {number} [most]
    */
   flipTimes(from, to, most = 1000) {
-    const { flips } = this.facts;
     /** @type {number[]} */
     const times = [];
-    if (!flips || !Number.isFinite(flips.first)) return times;
-    const { first, interval } = flips;
-    if (!Number.isFinite(interval)) return from < first && first <= to ? [first] : times;
-    let n = Math.floor((from - first) / interval);
-    if (!Number.isSafeInteger(n)) return times;  // two flips are not two numbers there
-    for (; times.length < most; ++n) {
-      const t = first + n * interval;
-      if (t > to) break;
-      if (t > from) times.push(t);
+    for (let n = this.#flipNear(from); times.length < most && this.#flip(n) <= to; ++n) {
+      if (this.#flip(n) > from) times.push(this.#flip(n));
     }
     return times;
   }
@@ -160,14 +179,8 @@ export class Motion {
 
   /** The last flip before t, s, also before 0; null if there is none. @param {number} t */
   previousFlip(t) {
-    const { flips } = this.facts;
-    if (!flips || !Number.isFinite(flips.first)) return null;
-    const { first, interval } = flips;
-    if (!Number.isFinite(interval)) return first < t ? first : null;
-    let n = Math.ceil((t - first) / interval);
-    if (!Number.isSafeInteger(n)) return null;
-    while (first + n * interval >= t) --n;
-    return first + n * interval;
+    const n = this.#flipNear(t);
+    return [n + 1, n, n - 1].map((each) => this.#flip(each)).find((flip) => flip < t) ?? null;
   }
 
   /**
@@ -177,33 +190,19 @@ export class Motion {
   run(method, control) {
     return new Run(this, method, control);
   }
-
-  release() {
-    this.held.release();
-  }
 }
 
 /** A method under way. It throws where the method cannot go on; what was computed can still be seen. */
-export class Run {
-  /** @param {Motion} motion @param {string} method @param {StepControl} control */
-  constructor(motion, method, control) {
-    const { instance } = motion.core;
+export class Run extends Sampled {
+  /** @param {Motion} motion @param {string} name @param {StepControl} control */
+  constructor(motion, name, { step, tolerance }) {
+    const { core } = motion,
+      method = core.method(name),
+      index = core.methods.indexOf(method);
+    super(core.instance, () => core.instance.call('run_new', motion.held.get(), index, step, tolerance), 'run');
     this.motion = motion;
-    this.method = motion.core.method(method);
-    this.control = { ...control };
-    /** @type {Held} */
-    this.held = new Held(
-      instance,
-      () =>
-        instance.call(
-          'run_new',
-          motion.held.get(),
-          motion.core.methods.indexOf(this.method),
-          control.step,
-          control.tolerance,
-        ),
-      'run_free',
-    );
+    this.method = method;
+    this.control = { step, tolerance };
   }
 
   /**
@@ -212,54 +211,27 @@ export class Run {
    * @param {number} t @param {number} [steps]
    */
   advance(t, steps = 20000) {
-    return this.motion.core.instance.call('run_advance', this.held.get(), t, steps);
+    return this.call('advance', t, steps);
   }
 
   /** The time reached, s. */
   get reached() {
-    return this.motion.core.instance.call('run_reached', this.held.get());
+    return this.call('reached');
   }
 
   /** The number of steps so far, rejected ones too. */
   get steps() {
-    return this.motion.core.instance.call('run_steps', this.held.get());
+    return this.call('steps');
   }
 
   /** Evaluations of omega so far. */
   get evaluations() {
-    return this.motion.core.instance.call('run_evaluations', this.held.get());
-  }
-
-  /** @param {number} t s, >= 0; goes on until there if need be @returns {Sample} */
-  at(t) {
-    const { X, omega } = this.samples([t]);
-    return { t, X: [...X], omega: vector(omega, 0) };
-  }
-
-  /** @param {ArrayLike<number>} times s, >= 0, in any order; goes on until the last if need be */
-  samples(times) {
-    return samplesOf(this.motion.core.instance, times, 'run_samples', this.held.get());
+    return this.call('evaluations');
   }
 
   /** The instants of the flips in the method's own solution so far, s. @returns {Float64Array} */
   flipTimes() {
-    const { instance } = this.motion.core;
-    const count = instance.call('run_flips', this.held.get());
-    return instance.scratch(count).slice();
+    const count = this.call('flips');
+    return this.instance.scratch(count).slice();
   }
-
-  release() {
-    this.held.release();
-  }
-}
-
-/**
- * @param {Instance} instance @param {ArrayLike<number>} times @param {string} name
- * @param {number} pointer @param {number[]} values
- * @returns {Samples}
- */
-function samplesOf(instance, times, name, pointer, ...values) {
-  const n = times.length;
-  const r = instance.compute(12 * n, times, name, pointer, n, ...values);
-  return { t: Float64Array.from(times), X: r.slice(0, 9 * n), omega: r.slice(9 * n) };
 }

@@ -15,8 +15,5 @@ export const norm = (v) => Math.hypot(v[0], v[1], v[2]);
 /** @type {(value: number, low: number, high: number) => number} */
 export const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** @type {(m: Mat3) => number[]} */
-export const transposed = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
-
 /** @type {(m: Mat3, i: number) => number[]} */
 export const column = (m, i) => [m[i], m[3 + i], m[6 + i]];

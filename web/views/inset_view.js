@@ -22,8 +22,8 @@ export class InsetView extends CanvasView {
    * would jump while the start is dragged.
    * @param {MotionModel} model @param {Settings} settings
    */
-  #facing({ motion, principal }, settings) {
-    const key = principal.axes.join() + principal.names.join();
+  #facing({ motion }, settings) {
+    const key = motion.inertia.join();
     if (key !== this.facing) {
       this.home = this.pictures.home(this.box.id, motion, settings);
       this.facing = key;
