@@ -1,5 +1,5 @@
 // Puts the page together: the state, what shows it, and what changes it.
-import { byId } from './app/dom.js';
+import { byId, showNote } from './app/dom.js';
 import { App } from './app/app.js';
 import { languageOf } from './app/state.js';
 import { readCore, readPageData } from './app/page_data.js';
@@ -43,8 +43,7 @@ async function start() {
 
 twrench.ready = start();
 twrench.ready.catch((error) => {
-  byId('note').textContent = word('cannot', error.message);
-  byId('note').hidden = false;
+  showNote('note', word('cannot', error.message));
   byId('live').hidden = true;
   byId('instead').hidden = false;
 });

@@ -1,17 +1,19 @@
 // The page's address, which holds the state: follows it, and has it say what the state is.
-import { byId } from './dom.js';
+import { messageOf, showNote } from './dom.js';
 import { linkTo, readLink } from './link.js';
 import { word } from '../words/words.js';
 
-/** @typedef {import("./state.js").State} State */
+/** @import { Reader } from './link.js' */
+/** @import { Player } from './player.js' */
+/** @import { State, Store } from './state.js' */
 
 const delay = 400; // ms after a change: browsers limit how often the address changes
 const mostIgnored = 5; // that the note lists
 
 export class Address {
   /**
-   * @param {import("./state.js").Store} store @param {Record<string, import("./link.js").Reader>} known
-   * @param {import("./player.js").Player} player
+   * @param {Store} store @param {Record<string, Reader>} known
+   * @param {Player} player
    * @param {(values: Partial<State>) => void} go Puts the page into the state of a link; throws an
    *   Error for one in which it cannot be.
    */
@@ -33,11 +35,9 @@ export class Address {
     try {
       this.go(values);
     } catch (error) {
-      ignored.push(error instanceof Error ? error.message : String(error));
+      ignored.push(messageOf(error));
     }
-    const note = byId('note');
-    note.textContent = ignored.length ? word('ignored', ignored.slice(0, mostIgnored).join(', ')) : '';
-    note.hidden = ignored.length === 0;
+    showNote('note', ignored.length ? word('ignored', ignored.slice(0, mostIgnored).join(', ')) : '');
   }
 
   /** Has the address say soon what the state is; not while playing, when it always changes. */
@@ -48,8 +48,7 @@ export class Address {
 
   #write() {
     this.timer = undefined;
-    const hash = linkTo(this.store.state, this.store.initial);
-    this.own = hash ? `#${hash}` : '';
+    this.own = this.#hash;
     try {
       history.replaceState(null, '', this.own || location.pathname + location.search);
     } catch {
@@ -57,10 +56,14 @@ export class Address {
     }
   }
 
+  /** What the address has after the page's own for the state. */
+  get #hash() {
+    const hash = linkTo(this.store.state, this.store.initial);
+    return hash ? `#${hash}` : '';
+  }
+
   /** The link to the state. */
   get link() {
-    const base = location.href.split('#')[0],
-      hash = linkTo(this.store.state, this.store.initial);
-    return hash ? `${base}#${hash}` : base;
+    return location.href.split('#')[0] + this.#hash;
   }
 }

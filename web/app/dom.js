@@ -1,3 +1,5 @@
+import { clamp } from '../math/linear.js';
+
 /**
  * The element with that id.
  * @template {HTMLElement} [T=HTMLElement]
@@ -19,4 +21,67 @@ export function element(tag, className = '', text = '') {
   if (className) made.className = className;
   if (text) made.textContent = text;
   return made;
+}
+
+/** Shows a text, and only while there is one. @param {string} id @param {string} text */
+export function showNote(id, text) {
+  const note = byId(id);
+  if (note.textContent !== text) note.textContent = text; // a screen reader reads it again otherwise
+  note.hidden = text === '';
+}
+
+/** @param {string} id @param {() => void} act */
+export const onClick = (id, act) => byId(id).addEventListener('click', act);
+
+/** The select with that id; set() is called with what is chosen. @param {string} id @param {(value: any) => void} set */
+export function selectOf(id, set) {
+  /** @type {HTMLSelectElement} */
+  const select = byId(id);
+  select.addEventListener('change', () => set(select.value));
+  return select;
+}
+
+/**
+ * Radio buttons; set() is called with what is chosen.
+ * @param {string} name @param {(value: any) => void} set
+ * @returns {(value: string) => void} shows which is chosen
+ */
+export function radiosOf(name, set) {
+  /** @type {NodeListOf<HTMLInputElement>} */
+  const radios = document.querySelectorAll(`input[name=${name}]`);
+  for (const radio of radios) radio.addEventListener('change', () => set(radio.value));
+  return (value) => radios.forEach((radio) => (radio.checked = radio.value === value));
+}
+
+/** A row of a table: its head and cells. @param {string} head @param {string[]} cells */
+export function tableRow(head, cells) {
+  const row = element('tr'),
+    first = element('th', '', head);
+  first.scope = 'row';
+  row.append(first, ...cells.map((text) => element('td', '', text)));
+  return row;
+}
+
+/** @param {unknown} error */
+export const messageOf = (error) => (error instanceof Error ? error.message : String(error));
+
+/**
+ * Calls act() with the share of the width, less a margin at both sides, at which a pointer is pressed or
+ * dragged.
+ * @param {HTMLElement} box @param {number} margin @param {(share: number) => void} act
+ * @param {string[]} [ignored] Kinds of pointers.
+ */
+export function onDrag(box, margin, act, ignored = []) {
+  const follow = (/** @type {PointerEvent} */ event) => {
+    const { left, width } = box.getBoundingClientRect();
+    act(clamp((event.clientX - left - margin) / (width - 2 * margin), 0, 1));
+  };
+  box.addEventListener('pointerdown', (event) => {
+    if (ignored.includes(event.pointerType)) return;
+    box.setPointerCapture(event.pointerId);
+    follow(event);
+  });
+  box.addEventListener('pointermove', (event) => {
+    if (box.hasPointerCapture(event.pointerId)) follow(event);
+  });
 }

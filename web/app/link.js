@@ -2,8 +2,8 @@
 // a person can read. Whatever does not make sense is left out and reported.
 import { features, speeds } from './state.js';
 
-/** @typedef {import("./state.js").State} State */
-/** @typedef {import("./page_data.js").PageData} PageData */
+/** @import { PageData } from './page_data.js' */
+/** @import { State } from './state.js' */
 
 /** @typedef {(text: string) => any} Reader  of a value; undefined if it makes no sense */
 
@@ -28,14 +28,11 @@ const numbers = (ranges) => (text) => {
 /** @param {readonly string[]} words @returns {Reader} */
 const oneOf = (words) => (text) => (words.includes(text) ? text : undefined);
 
-/** @param {readonly string[]} words @param {number} [count] @returns {Reader} */
+/** As many of the words as `count`; or else any, each at most once. @param {readonly string[]} words @param {number} [count] @returns {Reader} */
 const someOf = (words, count) => (text) => {
   const found = text === '' ? [] : text.split(',');
-  const fits = found.every(
-    (word, i) =>
-      (words.includes(word) && found.indexOf(word) === i) || (count !== undefined && words.includes(word)),
-  );
-  return fits && (count === undefined || found.length === count) ? found : undefined;
+  const fits = count === undefined ? new Set(found).size === found.length : found.length === count;
+  return fits && found.every((word) => words.includes(word)) ? found : undefined;
 };
 
 /**

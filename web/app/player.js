@@ -1,4 +1,5 @@
 // Lets the time of the motion go on, and the page be drawn only when something has changed.
+import { clamp } from '../math/linear.js';
 
 export const framesPerSecond = 60; // of the film, and of most displays
 const longestFrame = 0.1; // s: a tab that was hidden does not jump
@@ -55,7 +56,7 @@ export class Player {
  * @param {import("./state.js").Store} store @param {number} t
  */
 export function seek(store, t) {
-  const now = Math.min(Math.max(t, 0), 1e9);
+  const now = clamp(t, 0, 1e9);
   store.set({ t: now, from: pageOf({ ...store.state, t: now }) });
 }
 

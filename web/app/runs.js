@@ -1,9 +1,9 @@
 // The two methods that are compared, each under way along the motion, and how far they are from it.
+import { messageOf } from './dom.js';
 
-/** @typedef {import("../core/core.js").Run} Run */
-/** @typedef {import("../core/core.js").Sample} Sample */
-/** @typedef {import("./motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("./state.js").State} State */
+/** @import { Run } from '../core/core.js' */
+/** @import { MotionModel } from './motion_model.js' */
+/** @import { State } from './state.js' */
 
 const millisecondsOfFrame = 6; // that both methods together may take
 const stepsAtOnce = 400;
@@ -23,13 +23,8 @@ class Runner {
     try {
       if (!this.exact) this.run = model.motion.run(method, control);
     } catch (error) {
-      this.#fail(error);
+      this.failure = messageOf(error);
     }
-  }
-
-  /** @param {unknown} error */
-  #fail(error) {
-    this.failure = error instanceof Error ? error.message : String(error);
   }
 
   /** Goes on towards t for a while. @param {number} t s @param {number} deadline ms */
@@ -40,7 +35,7 @@ class Runner {
         this.reached = this.run.advance(t, stepsAtOnce);
       } while (this.reached < t && performance.now() < deadline);
     } catch (error) {
-      this.#fail(error);
+      this.failure = messageOf(error);
     }
   }
 
@@ -66,7 +61,7 @@ class Runner {
   }
 
   get steps() {
-    return this.run ? this.run.steps : 0;
+    return this.run?.steps ?? 0;
   }
 
   release() {

@@ -1,5 +1,6 @@
 // The state of the page: everything that a link to it holds. One object, replaced as a whole at each
 // change, so that a view can compare what it drew.
+import { clamp } from '../math/linear.js';
 
 /** @typedef {"space" | "body" | "rotating"} FrameName */
 /** @typedef {"off" | "beside" | "ghost"} Comparison */
@@ -44,11 +45,10 @@ export function languageOf(languages) {
  * @returns {State}
  */
 export function initialState({ scene }, languages) {
-  const power = Math.min(Math.max(Math.floor(Math.log2(scene.film.speed)), -4), 4);
   const compared = scene.overlay.compare ?? [];
   return {
     t: 0,
-    speed: 2 ** power,
+    speed: 2 ** clamp(Math.floor(Math.log2(scene.film.speed)), -4, 4),
     omega: scene.motion.omega,
     moments: null,
     theme: 'auto',
@@ -89,3 +89,6 @@ export class Store {
     for (const listener of this.listeners) listener(this.state, before);
   }
 }
+
+/** A copy of a list with another value at an index. @template T @param {T[]} list @param {number} at @param {T} value */
+export const replaced = (list, at, value) => list.map((old, i) => (i === at ? value : old));

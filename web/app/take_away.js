@@ -1,21 +1,22 @@
 // What the reader takes away as text: the command line of the motion as a film, its scene file, its
 // data.
+import { clamp } from '../math/linear.js';
 import { word } from '../words/words.js';
 import { samplesShown } from './motion_model.js';
+import { features } from './state.js';
 
-/** @typedef {import("./page_data.js").PageData} PageData */
-/** @typedef {import("./state.js").State} State */
-/** @typedef {import("./motion_model.js").MotionModel} MotionModel */
+/** @import { MotionModel } from './motion_model.js' */
+/** @import { PageData } from './page_data.js' */
+/** @import { State } from './state.js' */
 
 const mostRows = 20001;
 
 /** A word for a shell. @param {string} text */
 const quoted = (text) => (/^[\w./:@%+=,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
-/** @param {string} option @param {number | string | number[]} value An empty list where the value is not wanted. */
-const optionOf = (option, value) => [
-  `--${option}${String(value).startsWith('-') ? '=' : ' '}${quoted(String(value))}`,
-];
+/** @param {string} option @param {number | string | string[] | number[]} value */
+const optionOf = (option, value) =>
+  `--${option}${String(value).startsWith('-') ? '=' : ' '}${quoted(String(value))}`;
 
 /** @param {any} a @param {any} b */
 const differ = (a, b) => String(a) !== String(b);
@@ -38,8 +39,8 @@ function changes(state, data, theme) {
     ['film', 'speed', state.speed],
     ['look', 'theme', theme],
     ['camera', 'azimuth', camera.azimuth + azimuth],
-    ['camera', 'elevation', Math.min(Math.max(camera.elevation + elevation, -Math.PI / 2), Math.PI / 2)],
-    ['camera', 'distance', Math.min(Math.max(camera.distance / zoom, 0.2), 20)],
+    ['camera', 'elevation', clamp(camera.elevation + elevation, -Math.PI / 2, Math.PI / 2)],
+    ['camera', 'distance', clamp(camera.distance / zoom, 0.2, 20)],
     ['camera', 'frame', state.frame],
   ];
   if (compared) {
@@ -55,11 +56,7 @@ function changes(state, data, theme) {
 
 /** What is shown of the film beside what can be chosen here. @param {State} state @param {PageData} data */
 function shownFeatures({ show }, { scene }) {
-  const choosable = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
-  return [
-    ...scene.overlay.show.filter((/** @type {string} */ feature) => !choosable.includes(feature)),
-    ...show,
-  ];
+  return [...scene.overlay.show.filter((/** @type {string} */ name) => !features.includes(name)), ...show];
 }
 
 /**
@@ -97,15 +94,15 @@ export function commandLine(state, data, theme) {
   if (given.shot) return storyCommands(source);
   const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
   const inertia = state.moments ?? inertiaOf(data.scene.body);
-  if (differ(inertia, inertiaOf(given.body))) parts.push(...optionOf('inertia', inertia));
+  if (differ(inertia, inertiaOf(given.body))) parts.push(optionOf('inertia', inertia));
   for (const [, key, value] of changes(state, data, theme))
-    parts.push(...optionOf(key.replaceAll('_', '-'), value));
+    parts.push(optionOf(key, value));
   const show = shownFeatures(state, data),
     before = given.overlay.show;
   const hidden = before.filter((/** @type {string} */ feature) => !show.includes(feature));
   const added = show.filter((feature) => !before.includes(feature));
-  if (hidden.length) parts.push(...optionOf('hide', hidden));
-  if (added.length) parts.push(...optionOf('show', added));
+  if (hidden.length) parts.push(optionOf('hide', hidden));
+  if (added.length) parts.push(optionOf('show', added));
   return `${parts.join(' ')} -o flip.mp4`;
 }
 
@@ -113,18 +110,13 @@ export function commandLine(state, data, theme) {
 function toml(value) {
   if (Array.isArray(value)) return `[${value.map(toml).join(', ')}]`;
   if (typeof value !== 'string') return String(value);
-  const escaped = JSON.stringify(value).replace(
-    /[\u007f-\u009f\u2028\u2029]/g,
-    (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`,
-  );
-  return escaped;
+  const escaped = (/** @type {string} */ c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`;
+  return JSON.stringify(value).replace(/[\u007f-\u009f\u2028\u2029]/g, escaped);
 }
 
 /** @param {string} head @param {Record<string, any>} table */
 const tomlTable = (head, table) =>
-  `${head}\n${Object.entries(table)
-    .map(([key, value]) => `${key} = ${toml(value)}\n`)
-    .join('')}`;
+  [head, ...Object.entries(table).map(([key, value]) => `${key} = ${toml(value)}`), ''].join('\n');
 
 /**
  * The scene file of this motion.
@@ -179,17 +171,11 @@ export function csv(state, model, fps) {
   const lines = [
     't,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,momentum_error',
   ];
-  samples.t.forEach((t, i) => {
-    const row = [
-      t,
-      ...samples.X.subarray(9 * i, 9 * i + 9),
-      ...samples.omega.subarray(3 * i, 3 * i + 3),
-      found.energy[i],
-      found.energyDrift[i],
-      found.orthogonalityError[i],
-      found.momentumError[i],
-    ];
-    lines.push(row.map(digits17).join(','));
+  const { t, X, omega } = samples;
+  const columns = [found.energy, found.energyDrift, found.orthogonalityError, found.momentumError];
+  t.forEach((time, i) => {
+    const motion = [time, ...X.subarray(9 * i, 9 * i + 9), ...omega.subarray(3 * i, 3 * i + 3)];
+    lines.push([...motion, ...columns.map((column) => column[i])].map(digits17).join(','));
   });
   return lines.join('\n') + '\n';
 }

@@ -33,20 +33,9 @@ export function chartColors({ overlay }, name) {
   if (last.name === name) return last.colors;
   const style = getComputedStyle(document.documentElement);
   const own = (/** @type {string} */ key) => style.getPropertyValue(`--${key}`).trim();
-  last = {
-    name,
-    colors: {
-      text: own('text'),
-      dim: own('dim'),
-      line: own('line'),
-      panel: own('panel'),
-      ground: own('ground'),
-      accent: own('accent'),
-      panelShade: `color-mix(in srgb, ${own('ground')} 82%, transparent)`,
-      flip: css(overlay.omega),
-      second: css(overlay.omega),
-      curve: overlay.curve.map(css),
-    },
-  };
+  const names = ['text', 'dim', 'line', 'panel', 'ground', 'accent', 'second'];
+  const colors = Object.fromEntries(names.map((key) => [key, own(key)]));
+  const panelShade = `color-mix(in srgb, ${colors.ground} 82%, transparent)`;
+  last = { name, colors: { ...colors, panelShade, curve: overlay.curve.map(css) } };
   return last.colors;
 }

@@ -29,6 +29,32 @@ export class Chart {
     return context;
   }
 
+  /**
+   * Draws a line through points.
+   * @param {string} color @param {number} width @param {Iterable<number[]>} points @param {number[]} [dashes]
+   */
+  line(color, width, points, dashes = []) {
+    const { context } = this;
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.setLineDash(dashes);
+    context.beginPath();
+    for (const [x, y] of points) context.lineTo(x, y);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  /** Draws a disc with a rim. @param {number} x @param {number} y @param {number} radius @param {string} color @param {string} rim */
+  disc(x, y, radius, color, rim) {
+    const { context } = this;
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.fillStyle = color;
+    context.fill();
+    context.strokeStyle = rim;
+    context.stroke();
+  }
+
   get fontSize() {
     return 12 * this.unit;
   }

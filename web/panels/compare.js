@@ -1,12 +1,17 @@
 // Two methods against the exact motion: which, with what step, and what becomes of them.
-import { byId, element } from '../app/dom.js';
+import { byId, radiosOf, selectOf, showNote, tableRow } from '../app/dom.js';
+import { evenly } from '../app/motion_model.js';
+import { replaced } from '../app/state.js';
+import { clamp } from '../math/linear.js';
 import { brief, fillSelect, superscript, word } from '../words/words.js';
 import { Chart } from './chart.js';
 import { NumberField } from './number_field.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/runs.js").Runs} Runs */
-/** @typedef {import("../app/state.js").State} State */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { PageData } from '../app/page_data.js' */
+/** @import { Runs } from '../app/runs.js' */
+/** @import { State, Store } from '../app/state.js' */
+/** @import { Core } from '../core/core.js' */
 
 const pointsOfChart = 240,
   marginLeft = 40,
@@ -16,43 +21,26 @@ const least = 1e-16,
 
 export class ComparePanel {
   /**
-   * @param {import("../app/state.js").Store} store @param {import("../core/core.js").Core} core
-   * @param {import("../app/page_data.js").PageData} data @param {() => void} changed
+   * @param {Store} store @param {Core} core @param {PageData} data @param {() => void} changed
    */
   constructor(store, core, { limits }, changed) {
     this.core = core;
-    this.selects = [byId('method-a'), byId('method-b')].map(
-      (select) => /** @type {HTMLSelectElement} */ (select),
+    this.selects = ['method-a', 'method-b'].map((id, i) =>
+      selectOf(id, (name) => store.set({ methods: replaced(store.state.methods, i, name) })),
     );
-    this.selects.forEach((select, i) => {
-      fillSelect(
-        select,
-        core.methods.map(({ name }) => [name, name]),
-        store.state.methods[i],
-      );
-      select.addEventListener('change', () =>
-        store.set({ methods: store.state.methods.map((method, k) => (k === i ? select.value : method)) }),
-      );
-    });
-    this.modes = /** @type {NodeListOf<HTMLInputElement>} */ (
-      document.querySelectorAll('input[name=compare]')
-    );
-    for (const mode of this.modes)
-      mode.addEventListener('change', () => store.set({ compare: /** @type {any} */ (mode.value) }));
-    this.step = new NumberField(byId('step-field'), {
-      label: () => word('step'),
-      range: [1e-4, 2],
-      logarithmic: true,
-      limits: limits.step,
-      set: (step) => store.set({ step }),
-    });
-    this.tolerance = new NumberField(byId('tolerance-field'), {
-      label: () => word('tolerance'),
-      range: [1e-12, 1e-1],
-      logarithmic: true,
-      limits: limits.tolerance,
-      set: (tolerance) => store.set({ tolerance }),
-    });
+    for (const select of this.selects)
+      fillSelect(select, core.methods.map(({ name }) => [name, name]), '');
+    this.showMode = radiosOf('compare', (compare) => store.set({ compare }));
+    const field = (/** @type {"step" | "tolerance"} */ key, /** @type {number[]} */ range) =>
+      new NumberField(byId(`${key}-field`), {
+        label: () => word(key),
+        range,
+        logarithmic: true,
+        limits: limits[key],
+        set: (value) => store.set({ [key]: value }),
+      });
+    this.step = field('step', [1e-4, 2]);
+    this.tolerance = field('tolerance', [1e-12, 1e-1]);
     this.chart = new Chart(byId('error-chart'), changed);
     this.rows = [
       'attitudeError',
@@ -66,18 +54,14 @@ export class ComparePanel {
 
   /** @param {string} key */
   #row(key) {
-    const row = element('tr'),
-      head = element('th', '', word(key));
-    head.scope = 'row';
-    const cells = [element('td'), element('td')];
-    row.append(head, ...cells);
+    const row = tableRow(word(key), ['', '']);
     byId('errors').querySelector('tbody')?.append(row);
-    return { key, head, cells };
+    return { key, cells: [...row.cells] };
   }
 
   /** @param {State} state */
   show(state) {
-    for (const mode of this.modes) mode.checked = mode.value === state.compare;
+    this.showMode(state.compare);
     this.selects.forEach((select, i) => (select.value = state.methods[i]));
     this.step.show(state.step);
     this.tolerance.show(state.tolerance);
@@ -100,16 +84,14 @@ export class ComparePanel {
     const reports = runs.runners.map((runner) =>
       report(runner, model, Math.min(state.t, runner.exact ? state.t : runner.reached)),
     );
-    for (const { key, head, cells } of this.rows) {
+    for (const { key, cells: [head, ...cells] } of this.rows) {
       head.textContent = word(key, model.flipsUntil(state.t));
       cells.forEach((cell, i) => (cell.textContent = reports[i]?.[key] ?? ''));
     }
     const notes = runs.runners
       .filter((runner) => runner.failure || !runner.knows(state.t))
       .map((runner) => runner.failure || word('reached', runner.method, brief(runner.reached)));
-    const note = byId('compare-note'),
-      text = notes.join(' · ');
-    if (note.textContent !== text) note.textContent = text;
+    showNote('compare-note', notes.join(' · '));
     runs.runners.forEach(({ method, failure, reached }, i) => {
       const end = failure && state.t > reached ? ` · ${word('stopped', brief(reached))}` : '';
       byId(i === 0 ? 'name-a' : 'name-b').textContent = `${'AB'[i]}: ${method}${end}`;
@@ -122,8 +104,7 @@ export class ComparePanel {
     const context = this.chart.begin(),
       { width, height, fontSize } = this.chart;
     const y = (/** @type {number} */ error) => {
-      const share =
-        Math.log10(Math.min(Math.max(error, least), greatest) / least) / Math.log10(greatest / least);
+      const share = Math.log10(clamp(error, least, greatest) / least) / Math.log10(greatest / least);
       return (height - marginBottom) * (1 - share);
     };
     context.fillStyle = colors.dim;
@@ -132,27 +113,15 @@ export class ComparePanel {
       context.fillText(`10${superscript(power)}`, 0, y(10 ** power) + 0.35 * fontSize);
       context.strokeRect(marginLeft, Math.round(y(10 ** power)) + 0.5, width - marginLeft, 0);
     }
-    const end = Math.min(t, from + length);
-    const times = Array.from(
-      { length: pointsOfChart + 1 },
-      (_, i) => from + ((end - from) * i) / pointsOfChart,
-    );
+    const times = evenly(from, Math.min(t, from + length), pointsOfChart);
     runs.runners.forEach((runner, i) => {
       if (runner.exact) return;
       const samples = runner.samples(times),
         { error } = model.motion.diagnose(samples);
-      context.beginPath();
-      error.forEach((value, k) =>
-        context.lineTo(
-          marginLeft + ((samples.t[k] - from) / length) * (width - marginLeft),
-          y(value / Math.SQRT2),
-        ),
-      );
-      context.strokeStyle = i === 0 ? colors.text : colors.second;
-      context.setLineDash(i === 0 ? [] : [6, 3]);
-      context.lineWidth = 1.8 * this.chart.unit;
-      context.stroke();
-      context.setLineDash([]);
+      const x = (/** @type {number} */ time) => marginLeft + ((time - from) / length) * (width - marginLeft),
+        points = Array.from(error, (value, k) => [x(samples.t[k]), y(value / Math.SQRT2)]);
+      const [color, dashes] = i === 0 ? [colors.text, []] : [colors.second, [6, 3]];
+      this.chart.line(color, 1.8 * this.chart.unit, points, dashes);
     });
   }
 }

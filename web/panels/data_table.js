@@ -1,8 +1,9 @@
 // The motion as a table: for those who do not see the pictures, and for everybody who wants numbers.
-import { byId, element } from '../app/dom.js';
+import { byId, element, tableRow } from '../app/dom.js';
+import { evenly } from '../app/motion_model.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/state.js").State} State */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { State } from '../app/state.js' */
 
 const rows = 25;
 const names = ['t', 'x11', 'x12', 'x13', 'x21', 'x22', 'x23', 'x31', 'x32', 'x33', 'ωx', 'ωy', 'ωz'];
@@ -33,16 +34,13 @@ export class DataTable {
     if (!this.details.open || (this.key === key && this.model === model)) return;
     this.key = key;
     this.model = model;
-    const times = Float64Array.from({ length: rows }, (_, i) => from + (length * i) / (rows - 1));
+    const times = evenly(from, from + length, rows - 1);
     const { X, omega } = model.motion.samples(times);
     this.body.replaceChildren(
-      ...Array.from(times, (time, i) => {
-        const row = element('tr'),
-          head = element('th', '', String(Number(time.toPrecision(12))));
-        head.scope = 'row';
+      ...times.map((time, i) => {
         const values = [...X.subarray(9 * i, 9 * i + 9), ...omega.subarray(3 * i, 3 * i + 3)];
-        row.append(head, ...values.map((value) => element('td', '', value.toFixed(6).replace('-', '−'))));
-        return row;
+        const texts = values.map((value) => value.toFixed(6).replace('-', '−'));
+        return tableRow(String(Number(time.toPrecision(12))), texts);
       }),
     );
   }

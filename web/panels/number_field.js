@@ -1,6 +1,7 @@
 // A number that is set by a slider and by typing. The slider covers what is usual, the text field all
 // that is allowed.
 import { element } from '../app/dom.js';
+import { clamp } from '../math/linear.js';
 import { word } from '../words/words.js';
 
 /**
@@ -14,6 +15,21 @@ import { word } from '../words/words.js';
  */
 
 let nextId = 0;
+
+/**
+ * Calls set() with the number in a text field if it is allowed; otherwise marks the field as wrong.
+ * @param {HTMLInputElement} input @param {number[]} limits @param {(value: number) => void} set
+ * @param {boolean} done Whether the reader has finished typing.
+ */
+export function readNumber(input, [low, high], set, done) {
+  const text = input.value.trim().replace(',', '.').replace('−', '-');
+  const value = text === '' ? NaN : Number(text);
+  const fits = value >= low && value <= high;
+  input.ariaInvalid = String(!fits);
+  input.setCustomValidity(fits ? '' : word('badNumber', low, high));
+  if (fits) set(value);
+  else if (done) input.reportValidity();
+}
 
 export class NumberField {
   /** @param {HTMLElement} box @param {NumberFieldOptions} options */
@@ -32,8 +48,8 @@ export class NumberField {
     box.append(this.field);
     this.slider.addEventListener('input', () => options.set(this.#fromSlider(Number(this.slider.value))));
     this.slider.addEventListener('keydown', (event) => this.#nudge(event));
-    this.text.addEventListener('input', () => this.#read(false));
-    this.text.addEventListener('change', () => this.#read(true));
+    for (const type of /** @type {const} */ (['input', 'change']))
+      this.text.addEventListener(type, () => readNumber(this.text, options.limits, options.set, type === 'change'));
     this.relabel();
     this.setRange(options.range);
   }
@@ -64,24 +80,10 @@ export class NumberField {
     if (!direction) return;
     event.preventDefault();
     const step = (direction * (this.span ?? 1)) / (event.shiftKey ? 1000 : 100);
-    const value = Math.min(
-      Math.max(Number(this.slider.value) + step, Number(this.slider.min)),
-      Number(this.slider.max),
-    );
+    const { value: now, min, max } = this.slider,
+      value = clamp(Number(now) + step, Number(min), Number(max));
     this.slider.value = String(value);
     this.options.set(this.#fromSlider(value));
-  }
-
-  /** @param {boolean} done Whether the reader has finished typing. */
-  #read(done) {
-    const text = this.text.value.trim().replace(',', '.').replace('−', '-');
-    const value = text === '' ? NaN : Number(text);
-    const [low, high] = this.options.limits;
-    const fits = value >= low && value <= high;
-    this.text.ariaInvalid = String(!fits);
-    this.text.setCustomValidity(fits ? '' : word('badNumber', low, high));
-    if (done && !fits) this.text.reportValidity();
-    if (fits) this.options.set(value);
   }
 
   /** @param {number} value */

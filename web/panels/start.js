@@ -1,20 +1,18 @@
 // How the motion starts and of which body: angular velocity and moments, by sliders and by typing.
-import { byId, element } from '../app/dom.js';
+import { byId, element, radiosOf, showNote } from '../app/dom.js';
 import { spunAbout } from '../app/motion_model.js';
+import { replaced } from '../app/state.js';
 import { word } from '../words/words.js';
 import { NumberField } from './number_field.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/state.js").State} State */
-/** @typedef {import("../app/state.js").Store} Store */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { PageData } from '../app/page_data.js' */
+/** @import { State, Store } from '../app/state.js' */
 
 const push = 0.05; // of the rotation rate, beside the axis: so that an unstable one shows
 
-/** @param {number[]} list @param {number} at @param {number} value */
-const replaced = (list, at, value) => list.map((old, i) => (i === at ? value : old));
-
 export class StartPanel {
-  /** @param {Store} store @param {import("../app/page_data.js").PageData} data @param {() => MotionModel} model */
+  /** @param {Store} store @param {PageData} data @param {() => MotionModel} model */
   constructor(store, data, model) {
     const largest = Math.max(...store.initial.omega.map(Math.abs), 1e-9);
     this.fields = [0, 1, 2].map(
@@ -27,7 +25,7 @@ export class StartPanel {
           set: (value) => store.set({ omega: replaced(store.state.omega, i, value) }),
         }),
     );
-    this.buttons = ['aboutLeast', 'aboutMiddle', 'aboutGreatest'].map((key, i) => {
+    ['aboutLeast', 'aboutMiddle', 'aboutGreatest'].forEach((key, i) => {
       const button = element('button', '', word(key));
       button.type = 'button';
       button.dataset.word = key;
@@ -35,7 +33,6 @@ export class StartPanel {
         store.set({ omega: spunAbout(model(), i, push), t: 0, from: 0 }),
       );
       byId('about').append(button);
-      return button;
     });
   }
 
@@ -46,19 +43,14 @@ export class StartPanel {
 }
 
 export class BodyPanel {
-  /** @param {Store} store @param {import("../app/page_data.js").PageData} data */
+  /** @param {Store} store @param {PageData} data */
   constructor(store, data) {
     const own = [0, 4, 8].map((i) => data.inertia[i]);
     this.given = own.map((moment) => Number(moment.toPrecision(6)));
     this.range = rangeAbout(own);
-    this.choices = /** @type {NodeListOf<HTMLInputElement>} */ (
-      document.querySelectorAll('input[name=body]')
+    this.showChoice = radiosOf('body', (choice) =>
+      store.set({ moments: choice === 'scene' ? null : this.given }),
     );
-    for (const choice of this.choices) {
-      choice.addEventListener('change', () =>
-        store.set({ moments: choice.value === 'scene' ? null : this.given }),
-      );
-    }
     this.fields = [0, 1, 2].map(
       (i) =>
         new NumberField(byId('moments'), {
@@ -74,12 +66,10 @@ export class BodyPanel {
 
   /** @param {State} state @param {MotionModel} model */
   show({ moments }, model) {
-    for (const choice of this.choices) choice.checked = choice.value === (moments ? 'moments' : 'scene');
+    this.showChoice(moments ? 'moments' : 'scene');
     byId('moments').hidden = !moments;
     if (moments) this.#showMoments(moments);
-    const note = byId('moments-note'),
-      text = model.facts.isReal ? '' : word('unreal');
-    if (note.textContent !== text) note.textContent = text;
+    showNote('moments-note', model.facts.isReal ? '' : word('unreal'));
   }
 
   /** @param {number[]} moments */

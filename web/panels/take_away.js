@@ -1,31 +1,23 @@
 // The buttons by which the reader takes something along.
-import { byId } from '../app/dom.js';
+import { byId, messageOf, onClick, showNote } from '../app/dom.js';
 import { commandLine, csv, sceneFile } from '../app/take_away.js';
 import { word } from '../words/words.js';
 
-/**
- * @typedef {object} Shown
- * @property {import("../app/state.js").Store} store
- * @property {import("../app/page_data.js").PageData} data
- * @property {() => import("../app/motion_model.js").MotionModel} model
- * @property {() => string} theme
- * @property {() => string} link
- * @property {() => Promise<Blob>} picture A PNG.
- */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { PageData } from '../app/page_data.js' */
+/** @import { Store } from '../app/state.js' */
 
 /** @param {string} text */
 async function copy(text) {
-  const box = byId('copied');
-  box.hidden = false;
-  box.textContent = text;
-  let done = true;
+  showNote('copied', text);
   try {
     await navigator.clipboard.writeText(text);
+    byId('announce').textContent = word('copied');
   } catch {
-    done = false; // not allowed in a frame, or on a page from a file in some browsers
+    // Not allowed in a frame, or on a page from a file in some browsers.
+    byId('announce').textContent = word('notCopied');
+    getSelection()?.selectAllChildren(byId('copied'));
   }
-  byId('announce').textContent = word(done ? 'copied' : 'notCopied');
-  if (!done) getSelection()?.selectAllChildren(box);
 }
 
 /** @param {Blob} blob @param {string} name */
@@ -38,22 +30,22 @@ function save(blob, name) {
 }
 
 export class TakeAway {
-  /** @param {Shown} shown */
+  /**
+   * @param {{store: Store, data: PageData, model: () => MotionModel, theme: () => string, link: () => string, picture: () => Promise<Blob>}} shown
+   *   The picture is a PNG.
+   */
   constructor({ store, data, model, theme, link, picture }) {
-    const on = (/** @type {string} */ id, /** @type {() => void} */ act) =>
-      byId(id).addEventListener('click', act);
-    const { name } = data.scene;
-    on('copy-link', () => copy(link()));
-    on('copy-command', () => copy(commandLine(store.state, data, theme())));
-    on('copy-scene', () => copy(sceneFile(store.state, data, theme())));
-    on('save-png', async () => save(await picture(), `${name ?? 'twrench'}.png`));
-    on('save-csv', () => {
+    const name = data.scene.name ?? 'twrench';
+    onClick('copy-link', () => copy(link()));
+    onClick('copy-command', () => copy(commandLine(store.state, data, theme())));
+    onClick('copy-scene', () => copy(sceneFile(store.state, data, theme())));
+    onClick('save-png', async () => save(await picture(), `${name}.png`));
+    onClick('save-csv', () => {
       try {
         const text = csv(store.state, model(), data.scene.film.fps);
-        save(new Blob([text], { type: 'text/csv' }), `${name ?? 'twrench'}.csv`);
+        save(new Blob([text], { type: 'text/csv' }), `${name}.csv`);
       } catch (error) {
-        byId('copied').hidden = false; // the method that is shown cannot compute this
-        byId('copied').textContent = error instanceof Error ? error.message : String(error);
+        showNote('copied', messageOf(error)); // the method that is shown cannot compute this
       }
     });
   }

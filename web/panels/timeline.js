@@ -1,44 +1,32 @@
 // The timeline: where the motion is, and its flips. A slider for the pointer and the keyboard.
+import { onDrag } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
 import { seek } from '../app/player.js';
 import { Chart, tickStep, tickText } from './chart.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/state.js").State} State */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { State, Store } from '../app/state.js' */
+
+/** @typedef {{invalidate: () => void, flip: (direction: number) => void, step: (direction: number) => void, toggle: () => void}} Actions */
 
 const mostFlips = 400,
   margin = 10;
 
 export class Timeline {
-  /**
-   * @param {HTMLElement} box @param {import("../app/state.js").Store} store
-   * @param {{invalidate: () => void, flip: (direction: number) => void, step: (direction: number) => void, toggle: () => void}} actions
-   */
+  /** @param {HTMLElement} box @param {Store} store @param {Actions} actions */
   constructor(box, store, actions) {
-    this.box = box;
     this.store = store;
     this.chart = new Chart(box, actions.invalidate);
     /** @type {{model: MotionModel, key: string, dense: boolean, times: number[]} | null} */
     this.flipsFor = null;
-    box.addEventListener('pointerdown', (event) => {
-      box.setPointerCapture(event.pointerId);
-      this.#seekTo(event);
-    });
-    box.addEventListener('pointermove', (event) => {
-      if (box.hasPointerCapture(event.pointerId)) this.#seekTo(event);
+    onDrag(box, margin, (share) => {
+      const { from, length } = store.state;
+      store.set({ t: clamp(from + share * length, 0, 1e9) });
     });
     box.addEventListener('keydown', (event) => this.#key(event, actions));
   }
 
-  /** @param {PointerEvent} event */
-  #seekTo(event) {
-    const box = this.box.getBoundingClientRect(),
-      { from, length } = this.store.state;
-    const share = clamp((event.clientX - box.left - margin) / (box.width - 2 * margin), 0, 1);
-    this.store.set({ t: clamp(from + share * length, 0, 1e9) });
-  }
-
-  /** @param {KeyboardEvent} event @param {{flip: (direction: number) => void, step: (direction: number) => void, toggle: () => void}} actions */
+  /** @param {KeyboardEvent} event @param {Actions} actions */
   #key(event, { flip, step, toggle }) {
     const { t, from, length } = this.store.state;
     /** @type {Record<string, () => void>} */
@@ -97,20 +85,15 @@ export class Timeline {
         18,
       );
     }
-    context.beginPath();
-    context.arc(clamp(x(t), margin, width - margin), middle, 8, 0, 2 * Math.PI);
-    context.fillStyle = colors.text;
-    context.fill();
     context.lineWidth = 2;
-    context.strokeStyle = colors.panel;
-    context.stroke();
+    chart.disc(clamp(x(t), margin, width - margin), middle, 8, colors.text, colors.panel);
   }
 
   /** @param {MotionModel} model @param {any} colors @param {(t: number) => number} x @param {number} middle */
   #drawFlips(model, colors, x, middle) {
     const { context, width } = this.chart,
       { dense, times } = this.#flipsOf(model);
-    context.fillStyle = colors.flip;
+    context.fillStyle = colors.second;
     if (dense) {
       context.globalAlpha = 0.5;
       context.fillRect(margin, middle - 7, width - 2 * margin, 14);

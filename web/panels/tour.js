@@ -1,6 +1,6 @@
 // The guided tour: steps, each a state of the page with what to look at and what to try. Its text is
 // a file of its own, tour/tour.json.
-import { byId, element } from '../app/dom.js';
+import { byId, element, onClick } from '../app/dom.js';
 import { word } from '../words/words.js';
 
 /** @typedef {{title: string, text: string[], look: string, try: string}} TourText */
@@ -14,50 +14,6 @@ import { word } from '../words/words.js';
  * @property {TourText} en @property {TourText} nb
  */
 
-const tags = new Set([
-  'math',
-  'mi',
-  'mn',
-  'mo',
-  'mrow',
-  'msub',
-  'msup',
-  'msubsup',
-  'mfrac',
-  'mover',
-  'mtext',
-  'mspace',
-  'msqrt',
-  'mtable',
-  'mtr',
-  'mtd',
-  'b',
-  'i',
-  'em',
-  'sub',
-  'sup',
-]);
-
-/**
- * The nodes of a text with formulas; other elements become their text.
- * @param {string} text
- */
-function nodesOf(text) {
-  const parsed = new DOMParser().parseFromString(text, 'text/html');
-  const copy = (/** @type {Node} */ node) => {
-    if (!(node instanceof Element)) return document.createTextNode(node.textContent ?? '');
-    const name = node.localName;
-    const made = tags.has(name)
-      ? document.createElementNS(node.namespaceURI, name)
-      : document.createDocumentFragment();
-    if (made instanceof Element && node.getAttribute('display') === 'block')
-      made.setAttribute('display', 'block');
-    made.append(...[...node.childNodes].map(copy));
-    return made;
-  };
-  return [...parsed.body.childNodes].map(copy);
-}
-
 export class Tour {
   /**
    * @param {TourStep[]} steps @param {import("../app/state.js").Store} store
@@ -70,10 +26,10 @@ export class Tour {
     this.enter = enter;
     this.figures = figures;
     this.shown = '';
-    byId('open-tour').addEventListener('click', () => this.go(store.state.tour || 1));
-    byId('tour-close').addEventListener('click', () => this.go(0));
-    byId('tour-back').addEventListener('click', () => this.go(store.state.tour - 1));
-    byId('tour-next').addEventListener('click', () => this.go((store.state.tour + 1) % (steps.length + 1)));
+    onClick('open-tour', () => this.go(store.state.tour || 1));
+    onClick('tour-close', () => this.go(0));
+    onClick('tour-back', () => this.go(store.state.tour - 1));
+    onClick('tour-next', () => this.go((store.state.tour + 1) % (steps.length + 1)));
     byId('tour').addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.go(0);
     });
@@ -100,24 +56,24 @@ export class Tour {
       text.replace(/\{(\w+)\}/g, (_, name) => figures[name] ?? '?');
     byId('tour-count').textContent = word('tourCount', tour, this.steps.length);
     byId('tour-title').textContent = step.title;
-    const paragraphs = [...step.text, ...(formula ? [formula] : [])].map((text) =>
-      this.#paragraph('', '', filled(text)),
-    );
     byId('tour-text').replaceChildren(
-      ...paragraphs,
-      this.#paragraph('look', word('look'), step.look),
-      this.#paragraph('try', word('try'), filled(step.try)),
+      ...[...step.text, formula].filter(Boolean).map((text) => paragraph('', '', filled(text))),
+      paragraph('look', word('look'), step.look),
+      paragraph('try', word('try'), filled(step.try)),
     );
     byId('tour-text').scrollTop = 0;
     /** @type {HTMLButtonElement} */ (byId('tour-back')).disabled = tour === 1;
     byId('tour-next').textContent = word(tour === this.steps.length ? 'done' : 'next');
   }
+}
 
-  /** @param {string} className @param {string} head @param {string} text */
-  #paragraph(className, head, text) {
-    const paragraph = element('p', className);
-    if (head) paragraph.append(element('b', '', head));
-    paragraph.append(...nodesOf(text));
-    return paragraph;
-  }
+/**
+ * A paragraph of a text with formulas. The text is the page's own; of the motion it has only numbers.
+ * @param {string} className @param {string} head @param {string} text
+ */
+function paragraph(className, head, text) {
+  const made = element('p', className);
+  if (head) made.append(element('b', '', head));
+  made.append(...new DOMParser().parseFromString(text, 'text/html').body.childNodes);
+  return made;
 }

@@ -1,11 +1,14 @@
 // Play, pause, step, flips, speed, and the length of the timeline.
-import { byId } from '../app/dom.js';
+import { byId, onClick, selectOf } from '../app/dom.js';
 import { framesPerSecond, seek } from '../app/player.js';
 import { speeds } from '../app/state.js';
+import { clamp } from '../math/linear.js';
 import { brief, decimal, fillSelect, word } from '../words/words.js';
+import { readNumber } from './number_field.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/state.js").State} State */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { Player } from '../app/player.js' */
+/** @import { State, Store } from '../app/state.js' */
 
 const playIcon = 'M4 2 L15 9 L4 16 Z',
   pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';
@@ -14,10 +17,7 @@ const playIcon = 'M4 2 L15 9 L4 16 Z',
 const speedText = (speed) => `${speed >= 1 ? speed : `1/${1 / speed}`} ×`;
 
 export class Transport {
-  /**
-   * @param {import("../app/state.js").Store} store @param {import("../app/player.js").Player} player
-   * @param {() => MotionModel} model
-   */
+  /** @param {Store} store @param {Player} player @param {() => MotionModel} model */
   constructor(store, player, model) {
     this.store = store;
     this.player = player;
@@ -25,18 +25,15 @@ export class Transport {
     this.playButton = byId('play');
     this.time = /** @type {HTMLInputElement} */ (byId('t'));
     this.length = /** @type {HTMLInputElement} */ (byId('length'));
-    this.speed = /** @type {HTMLSelectElement} */ (byId('speed'));
+    this.speed = selectOf('speed', (speed) => store.set({ speed: Number(speed) }));
     this.#makeIcon();
-    const on = (/** @type {string} */ id, /** @type {() => void} */ act) =>
-      byId(id).addEventListener('click', act);
-    on('play', () => player.play(!player.playing));
-    on('step-back', () => this.step(-1));
-    on('step-on', () => this.step(1));
-    on('flip-back', () => this.toFlip(-1));
-    on('flip-on', () => this.toFlip(1));
-    on('shorter', () => this.#stretch(0.5));
-    on('longer', () => this.#stretch(2));
-    this.speed.addEventListener('change', () => store.set({ speed: Number(this.speed.value) }));
+    onClick('play', () => player.play(!player.playing));
+    onClick('step-back', () => this.step(-1));
+    onClick('step-on', () => this.step(1));
+    onClick('flip-back', () => this.toFlip(-1));
+    onClick('flip-on', () => this.toFlip(1));
+    onClick('shorter', () => this.#stretch(0.5));
+    onClick('longer', () => this.#stretch(2));
     this.#readNumber(this.time, 0, (t) => seek(store, t));
     this.#readNumber(this.length, 1e-3, (length) => this.#stretch(length / store.state.length));
     player.listeners.push(() => this.relabel());
@@ -56,15 +53,7 @@ export class Transport {
 
   /** @param {HTMLInputElement} input @param {number} low @param {(value: number) => void} set */
   #readNumber(input, low, set) {
-    input.addEventListener('change', () => {
-      const text = input.value.trim().replace(',', '.'),
-        value = text === '' ? NaN : Number(text);
-      const fits = value >= low && value <= 1e9;
-      input.ariaInvalid = String(!fits);
-      input.setCustomValidity(fits ? '' : word('badNumber', low, 1e9));
-      if (fits) set(value);
-      else input.reportValidity();
-    });
+    input.addEventListener('change', () => readNumber(input, [low, 1e9], set, true));
     input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') input.blur();
     });
@@ -89,7 +78,7 @@ export class Transport {
   /** Makes the timeline longer, around t. @param {number} factor */
   #stretch(factor) {
     const { from, length, t } = this.store.state;
-    const longer = Math.min(Math.max(length * factor, 1e-3), 1e9);
+    const longer = clamp(length * factor, 1e-3, 1e9);
     const start = Math.max(0, t - ((t - from) / length) * longer);
     this.store.set({ from: t <= longer ? 0 : start, length: longer });
   }
@@ -116,16 +105,14 @@ export class Transport {
     const count = model.flipsUntil(t),
       flips = count < 1e9 ? count : brief(count),
       next = model.nextFlip(t);
-    const slider = byId('timeline');
-    slider.setAttribute('aria-valuemin', String(from));
-    slider.setAttribute('aria-valuemax', String(from + length));
-    slider.setAttribute('aria-valuenow', String(Number(t.toPrecision(6))));
-    slider.setAttribute('aria-valuetext', word('timeText', decimal(t, 1), flips));
+    const now = Number(t.toPrecision(6)),
+      text = word('timeText', decimal(t, 1), flips);
+    for (const [key, value] of Object.entries({ min: from, max: from + length, now, text }))
+      byId('timeline').setAttribute(`aria-value${key}`, String(value));
     const says = model.flips
       ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', brief(next - t))}`
       : word('noFlips');
     byId('readout').textContent = `t = ${decimal(t, Math.min(digits, 2))} s · ${says}`;
-    byId('flip-back').toggleAttribute('disabled', !model.flips);
-    byId('flip-on').toggleAttribute('disabled', !model.flips);
+    for (const id of ['flip-back', 'flip-on']) byId(id).toggleAttribute('disabled', !model.flips);
   }
 }

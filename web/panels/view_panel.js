@@ -1,31 +1,29 @@
 // What is shown and from where: theme, language, frame of reference, overlays, full screen.
-import { byId, element } from '../app/dom.js';
+import { byId, element, onClick, selectOf } from '../app/dom.js';
 import { features } from '../app/state.js';
 import { fillSelect, word } from '../words/words.js';
 
-/** @typedef {import("../app/state.js").State} State */
+/** @import { PageData } from '../app/page_data.js' */
+/** @import { State, Store } from '../app/state.js' */
 
 export class ViewPanel {
-  /** @param {import("../app/state.js").Store} store @param {import("../app/page_data.js").PageData} data */
+  /** @param {Store} store @param {PageData} data */
   constructor(store, data) {
     this.store = store;
     this.data = data;
-    this.theme = this.#select('theme', (theme) => store.set({ theme }));
-    this.lang = this.#select('lang', (lang) => store.set({ lang: /** @type {any} */ (lang) }));
-    this.frame = this.#select('frame', (frame) => store.set({ frame: /** @type {any} */ (frame) }));
+    this.theme = selectOf('theme', (theme) => store.set({ theme }));
+    this.lang = selectOf('lang', (lang) => store.set({ lang }));
+    this.frame = selectOf('frame', (frame) => store.set({ frame }));
     this.boxes = features.map((feature) => this.#checkbox(feature));
-    byId('reset-view').addEventListener('click', () => this.#resetView());
-    byId('reset').addEventListener('click', () => {
+    onClick('reset-view', () => this.#resetView());
+    onClick('reset', () => {
       const { lang, theme } = store.state;
       store.set({ ...store.initial, lang, theme });
       this.#resetView();
     });
-    byId('full-screen').addEventListener('click', () => {
+    onClick('full-screen', () => {
       if (document.fullscreenElement) document.exitFullscreen();
-      else
-        byId('live')
-          .requestFullscreen?.()
-          .catch(() => {});
+      else byId('live').requestFullscreen().catch(() => {});
     });
     byId('full-screen').hidden = !document.fullscreenEnabled;
   }
@@ -33,13 +31,6 @@ export class ViewPanel {
   #resetView() {
     this.store.set({ view: [0, 0, 1] });
     dispatchEvent(new Event('resetview'));
-  }
-
-  /** @param {string} id @param {(value: string) => void} set */
-  #select(id, set) {
-    const select = /** @type {HTMLSelectElement} */ (byId(id));
-    select.addEventListener('change', () => set(select.value));
-    return select;
   }
 
   /** @param {string} feature */
@@ -62,23 +53,14 @@ export class ViewPanel {
 
   relabel() {
     const { theme, frame } = this.store.state;
-    fillSelect(
-      this.theme,
-      [
-        ['auto', word('themeAuto')],
-        ...Object.keys(this.data.themes).map((name) => /** @type {[string, string]} */ ([name, word(`theme_${name}`)])),
-      ],
-      theme,
-    );
-    fillSelect(
-      this.frame,
-      [
-        ['space', word('frameSpace')],
-        ['body', word('frameBody')],
-        ['rotating', word('frameRotating')],
-      ],
-      frame,
-    );
+    const themes = Object.keys(this.data.themes).map((name) => [name, word(`theme_${name}`)]);
+    fillSelect(this.theme, /** @type {any} */ ([['auto', word('themeAuto')], ...themes]), theme);
+    const frames = [
+      ['space', word('frameSpace')],
+      ['body', word('frameBody')],
+      ['rotating', word('frameRotating')],
+    ];
+    fillSelect(this.frame, /** @type {any} */ (frames), frame);
   }
 
   /** @param {State} state */
