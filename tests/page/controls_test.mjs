@@ -122,6 +122,20 @@ const tests = {
     quiet();
   },
 
+  async 'keys turn and zoom a view'() {
+    const { page, quiet } = await open(flip, still);
+    const isShown = (view) =>
+      page.waitForFunction((text) => decodeURIComponent(location.hash).includes(text), {}, view);
+    await page.focus('#body canvas');
+    for (const key of ['ArrowRight', 'ArrowUp', 'ArrowUp', '+']) await page.keyboard.press(key);
+    await isShown('view=0.08,0.16,1.12');
+    for (const key of ['ArrowLeft', 'ArrowDown', '-', '-']) await page.keyboard.press(key);
+    await isShown('view=0,0.08,0.8929');
+    await page.keyboard.press('0');
+    await page.waitForFunction(() => !location.hash.includes('view'));
+    quiet();
+  },
+
   async 'moments that no body has are told of, and the motion goes on'() {
     const { page, quiet } = await open(flip, { ...still, hash: '#moments=1,2,30' });
     assert.ok((await shown(page, '#moments-note')).length > 10);
