@@ -123,13 +123,11 @@ export class Pictures {
    * @returns {number[]} the attitude that is shown
    */
   draw(model, name, theme) {
-    const picture = this.#bodyPicture(model, name),
-      { settings, instants } = picture,
-      colors = theme.overlay;
+    const picture = this.#bodyPicture(model, name);
     this.bodyView.setBody(this.#surface, theme);
     this.bodyView.draw(picture);
-    for (const view of this.insets) view.draw({ model, settings, instants, colors });
-    return [...instants[0].X.slice(-9)];
+    for (const view of this.insets) view.draw({ ...picture, colors: theme.overlay });
+    return [...picture.instants[0].X.slice(-9)];
   }
 
   /**
