@@ -12,7 +12,7 @@ const twrench = {
   ready: Promise.resolve(),
   /** @type {Core | null} For motions of the asker's own. */
   core: null,
-  /** @param {number} t @returns {Promise<import("./core/core.js").Sample>} of the motion shown; of the first method where two are compared */
+  /** @param {number} t @returns {Promise<import("./core/types").Sample>} of the motion shown; of the first method where two are compared */
   sample: async (t) => (await working()).sample(t),
   /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
   picture: async (options) => {

@@ -5,7 +5,8 @@ import { word } from '../words/words.js';
 
 /** @import { Reader } from './link.js' */
 /** @import { Player } from './player.js' */
-/** @import { State, Store } from './state.js' */
+/** @import { Store } from './state.js' */
+/** @import { State } from './types' */
 
 const delay = 400; // ms after a change: browsers limit how often the address changes
 const mostIgnored = 5; // that the note lists

@@ -25,8 +25,7 @@ import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
 /** @import { Core } from '../core/core.js' */
 /** @import { TourStep } from '../panels/tour.js' */
-/** @import { PageData } from './page_data.js' */
-/** @import { State } from './state.js' */
+/** @import { PageData, State } from './types' */
 /** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
 const times = ['t', 'from']; // what changes at each picture while it plays

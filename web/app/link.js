@@ -2,8 +2,7 @@
 // a person can read. Whatever does not make sense is left out and reported.
 import { features, speeds } from './state.js';
 
-/** @import { PageData } from './page_data.js' */
-/** @import { State } from './state.js' */
+/** @import { PageData, State } from './types' */
 
 /** @typedef {(text: string) => any} Reader  of a value; undefined if it makes no sense */
 

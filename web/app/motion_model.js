@@ -3,7 +3,7 @@ import { add, clamp, column, norm, scale } from '../math/linear.js';
 import { brief } from '../words/words.js';
 
 /** @import { Core } from '../core/core.js' */
-/** @import { State } from './state.js' */
+/** @import { State } from './types' */
 
 const radiansOfTrail = 12; // how far the body rotates in the time that a trail covers
 

@@ -9,15 +9,15 @@ import { byId } from './dom.js';
 import { trailTimes } from './motion_model.js';
 import { framesPerSecond } from './player.js';
 
-/** @typedef {import('./motion_model.js').MotionModel} MotionModel */
-/** @typedef {import('./state.js').State} State */
+/** @import { MotionModel } from './motion_model.js' */
+/** @import { State } from './types' */
 
 const pointsOfHerpolhode = 1200,
   widestTurn = 0.35; // rad between two of them
 
 export class Pictures {
   /**
-   * @param {import('./state.js').Store} store @param {import('./page_data.js').PageData} data
+   * @param {import('./state.js').Store} store @param {import('./types').PageData} data
    * @param {import('./player.js').Player} player @param {import('./runs.js').Runs} runs
    * @param {import('../core/core.js').Core} core
    */
@@ -26,7 +26,7 @@ export class Pictures {
     this.data = data;
     this.player = player;
     this.runs = runs;
-    /** @type {{moments: number[], surface: import('../picture/surface.js').Surface} | null} */
+    /** @type {{moments: number[], surface: import('./types').Surface} | null} */
     this.box = null;
     const invalidate = () => player.invalidate();
     const shown = new CorePictures(core);
@@ -58,7 +58,7 @@ export class Pictures {
     this.bodyView.view = { azimuth, elevation, zoom };
   }
 
-  /** The trail of the exact motion, or of a method, that ends at t. @param {MotionModel} model @param {{samples: (times: number[]) => import("../core/core.js").Samples}} source */
+  /** The trail of the exact motion, or of a method, that ends at t. @param {MotionModel} model @param {{samples: (times: number[]) => import("../core/types").Samples}} source */
   #trail(model, source) {
     const { t } = this.store.state;
     return source.samples(trailTimes(t, model.trailLength, Math.hypot(...model.omega)));

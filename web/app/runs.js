@@ -3,7 +3,7 @@ import { messageOf } from './dom.js';
 
 /** @import { Run } from '../core/core.js' */
 /** @import { MotionModel } from './motion_model.js' */
-/** @import { State } from './state.js' */
+/** @import { State } from './types' */
 
 const millisecondsOfFrame = 6; // that both methods together may take
 const stepsAtOnce = 400;

@@ -2,28 +2,7 @@
 // change, so that a view can compare what it drew.
 import { clamp } from '../math/linear.js';
 
-/** @typedef {"space" | "body" | "rotating"} FrameName */
-/** @typedef {"off" | "beside" | "ghost"} Comparison */
-
-/**
- * @typedef {object} State
- * @property {number} t Time of the motion, s.
- * @property {number} speed Seconds of motion per second.
- * @property {number[]} omega At t = 0, body axes, rad/s.
- * @property {number[] | null} moments Of the body's x, y and z axes, g cm^2; null for the scene's body.
- * @property {string} theme One of the page's data, or "auto".
- * @property {FrameName} frame
- * @property {string[]} show What is shown around the body.
- * @property {number[]} view Azimuth and elevation from the scene's camera, rad, and zoom.
- * @property {number} from Where the timeline begins, s.
- * @property {number} length Of the timeline, s.
- * @property {Comparison} compare
- * @property {string[]} methods The two that are compared.
- * @property {number} step s
- * @property {number} tolerance
- * @property {"en" | "nb"} lang
- * @property {number} tour The step that is open, from 1; 0 for none.
- */
+/** @import { State } from './types' */
 
 export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
 export const speeds = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((power) => 2 ** power);
@@ -40,7 +19,7 @@ export function languageOf(languages) {
 
 /**
  * The state in which the page of a scene opens.
- * @param {import("./page_data.js").PageData} data
+ * @param {import("./types").PageData} data
  * @param {readonly string[]} languages The reader's, as in navigator.languages.
  * @returns {State}
  */

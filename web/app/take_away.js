@@ -6,8 +6,7 @@ import { samplesShown } from './motion_model.js';
 import { features } from './state.js';
 
 /** @import { MotionModel } from './motion_model.js' */
-/** @import { PageData } from './page_data.js' */
-/** @import { State } from './state.js' */
+/** @import { PageData, State } from './types' */
 
 const mostRows = 20001;
 

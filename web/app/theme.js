@@ -3,7 +3,7 @@ import { css } from '../views/canvas_view.js';
 
 /**
  * The theme for a reader who prefers light pages: the scene's own, or else the first light one.
- * @param {import("./page_data.js").PageData} data @returns {string}
+ * @param {import("./types").PageData} data @returns {string}
  */
 export function lightTheme({ scene, themes }) {
   const names = [scene.look.theme, ...Object.keys(themes)];

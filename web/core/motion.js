@@ -1,5 +1,6 @@
 /** One motion: exact at any t, and as methods step along it. */
-/** @import { Core, Diagnostics, Facts, Kind, Matrix, Sample, Samples, StepControl, Vector } from './core.js' */
+/** @import { Core } from './core.js' */
+/** @import { Diagnostics, Facts, Kind, Matrix, Sample, Samples, StepControl, Vector } from './types' */
 /** @import { Instance } from './instance.js' */
 
 const kinds = /** @type {Kind[]} */ (['steady', 'about_least', 'about_greatest', 'separatrix']);

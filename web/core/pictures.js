@@ -1,42 +1,8 @@
 /** The contents of the page's views. C++ computes them (src/picture); this file reads its memory. */
-/** @typedef {import('./core.js').Core} Core */
-/** @typedef {import('./core.js').Samples} Samples */
-/** @typedef {import('./instance.js').Instance} Instance */
-/** @typedef {import('./motion.js').Motion} Motion */
-
-/** From where a view is seen; angles in rad. @typedef {{azimuth: number, elevation: number, zoom: number}} Viewpoint */
-/** Triangles as indices of vertices. @typedef {{faces: Uint32Array, edgeQuads: Uint32Array}} Triangles */
-/** As src/picture/overlay/draw_list.h says. @typedef {{vertices: Float32Array, items: Triangles, outlines: Triangles, ghosts: Triangles}} DrawList */
-/** In pixels of the pane from its top left; `away` is where there is room. @typedef {{text: string, anchor: number[], away: number[], color: number[]}} Label */
-
-/**
- * Matrices row by row, for column vectors in OpenGL's conventions.
- * @typedef {object} Camera
- * @property {number[]} attitude camera_from_space, 9 numbers
- * @property {number} distance From the origin to the eye, cm.
- * @property {number[]} projection clip_from_camera, 16 numbers
- */
-
-/**
- * The contents of a view. The lists are in the core's memory until the next view replaces them. Each use
- * of an array reads the memory again, because it moves when it grows.
- * @typedef {object} Contents
- * @property {Camera} camera
- * @property {number} clipZNearer What brings an item nearer by the picture's height, in clip space.
- * @property {DrawList} opaque
- * @property {DrawList} translucent
- * @property {Label[]} labels
- */
-
-/**
- * The properties of a picture, in addition to the motion and the viewpoint, as page_views.h describes
- * them. The features of `show` are by name.
- * @typedef {{
- *   theme: string, frame: string, show: readonly string[], width: number, height: number, thinnest: number,
- *   azimuth: number, elevation: number, distance: number, fieldOfView: number, interval: number, radius: number,
- *   trailLength: number, trailX: number, trailY: number, trailZ: number, curveBegin: number, curveEnd: number,
- * }} Settings
- */
+/** @import { Core } from './core.js' */
+/** @import { Instance } from './instance.js' */
+/** @import { Motion } from './motion.js' */
+/** @import { Camera, Contents, DrawList, Samples, Settings, Triangles, Viewpoint } from './types' */
 
 const floatsOfVertex = 11,
   numbersOfLabel = 8;

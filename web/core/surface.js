@@ -3,8 +3,8 @@ import { Held } from './motion.js';
 import { floatsAt } from './pictures.js';
 
 /** @import { Core } from './core.js' */
-/** @import { Camera } from './pictures.js' */
-/** @import { Surface } from '../picture/surface.js' */
+/** @import { Camera } from './types' */
+/** @import { Surface } from '../app/types' */
 
 /** Values by the names of uniforms in the shaders. @typedef {Record<string, Float32Array>} Uniforms */
 

@@ -8,9 +8,9 @@ import { Chart } from './chart.js';
 import { NumberField } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { PageData } from '../app/page_data.js' */
 /** @import { Runs } from '../app/runs.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { PageData, State } from '../app/types' */
 /** @import { Core } from '../core/core.js' */
 
 const pointsOfChart = 240,

@@ -6,7 +6,8 @@ import { evenly } from '../app/motion_model.js';
 import { Chart } from './chart.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { State } from '../app/types' */
 
 const margin = 10; // as the timeline's
 const widestTurn = 0.3; // rad between two points of a curve

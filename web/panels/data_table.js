@@ -3,7 +3,7 @@ import { byId, element, tableRow } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { State } from '../app/state.js' */
+/** @import { State } from '../app/types' */
 
 const rows = 25;
 const names = ['t', 'x11', 'x12', 'x13', 'x21', 'x22', 'x23', 'x31', 'x32', 'x33', 'ωx', 'ωy', 'ωz'];

@@ -6,8 +6,8 @@ import { word } from '../words/words.js';
 import { NumberField } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { PageData } from '../app/page_data.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { PageData, State } from '../app/types' */
 
 const push = 0.05; // of the rotation rate, beside the axis: so that an unstable one shows
 

@@ -4,7 +4,7 @@ import { commandLine, csv, sceneFile } from '../app/take_away.js';
 import { word } from '../words/words.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { PageData } from '../app/page_data.js' */
+/** @import { PageData } from '../app/types' */
 /** @import { Store } from '../app/state.js' */
 
 /** @param {string} text */

@@ -5,7 +5,8 @@ import { seek } from '../app/player.js';
 import { Chart, tickStep, tickText } from './chart.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { State } from '../app/types' */
 
 /** @typedef {{invalidate: () => void, flip: (direction: number) => void, step: (direction: number) => void, toggle: () => void}} Actions */
 

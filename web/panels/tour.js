@@ -42,7 +42,7 @@ export class Tour {
     byId(number > 0 ? 'tour-title' : 'open-tour').focus();
   }
 
-  /** @param {import("../app/state.js").State} state */
+  /** @param {import("../app/types").State} state */
   show({ tour, lang }) {
     const key = `${tour} ${lang}`;
     if (key === this.shown) return;

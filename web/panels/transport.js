@@ -8,7 +8,8 @@ import { readNumber } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { Player } from '../app/player.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { State } from '../app/types' */
 
 const playIcon = 'M4 2 L15 9 L4 16 Z',
   pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';

@@ -3,8 +3,8 @@ import { byId, element, onClick, selectOf } from '../app/dom.js';
 import { features } from '../app/state.js';
 import { fillSelect, word } from '../words/words.js';
 
-/** @import { PageData } from '../app/page_data.js' */
-/** @import { State, Store } from '../app/state.js' */
+/** @import { Store } from '../app/state.js' */
+/** @import { PageData, State } from '../app/types' */
 
 export class ViewPanel {
   /** @param {Store} store @param {PageData} data */

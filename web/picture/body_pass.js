@@ -21,9 +21,9 @@ import { CoreSurface } from '../core/surface.js';
 import { Program, VertexArray } from './program.js';
 
 /** @import { Core } from '../core/core.js' */
-/** @import { Camera } from '../core/pictures.js' */
+/** @import { Camera } from '../core/types' */
 /** @import { Uniforms } from '../core/surface.js' */
-/** @import { Surface } from './surface.js' */
+/** @import { Surface } from '../app/types' */
 /**
  * As GLSL, see src/page/theme_json.h; whether vertices have colours, and the colour of what it reflects.
  * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material

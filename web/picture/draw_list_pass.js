@@ -3,7 +3,7 @@ import draw_list_frag from '../../shaders/draw_list.frag';
 import draw_list_vert from '../../shaders/draw_list.vert';
 import { Program, VertexArray } from './program.js';
 
-/** @import { Contents, DrawList } from '../core/pictures.js' */
+/** @import { Contents, DrawList } from '../core/types' */
 /**
  * How triangles are drawn: which faces; whether they write depth; whether only what is hidden is
  * drawn; what is added to z in clip space.

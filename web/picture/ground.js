@@ -7,7 +7,7 @@ import { clamp } from '../math/linear.js';
 import { Program } from './program.js';
 import { SoftTarget } from './soft_target.js';
 
-/** @import { Camera } from '../core/pictures.js' */
+/** @import { Camera } from '../core/types' */
 /** @import { BodyPass } from './body_pass.js' */
 /**
  * A theme's ground, as page_json writes it; colours are sRGB from 0 to 255.

@@ -3,7 +3,7 @@ import stars_frag from './stars.frag';
 import stars_vert from './stars.vert';
 import { Program, VertexArray } from './program.js';
 
-/** @import { Camera } from '../core/pictures.js' */
+/** @import { Camera } from '../core/types' */
 
 export class Stars {
   /** @param {WebGL2RenderingContext} gl */

@@ -2,26 +2,7 @@
 // a body that is given by its moments.
 import { unpacked } from './unpacking.js';
 
-/**
- * @typedef {object} SurfacePart
- * @property {number} side_begin In indices, where the side of a cylinder begins; else `end`.
- * @property {number} end
- * @property {number[]} [tint] The mean colour of its vertices, if they have colours.
- * @property {number} material Index in the materials of a theme.
- */
-
-/**
- * @typedef {object} Surface
- * @property {Float32Array} vertices Positions in body axes, cm, each with its normal.
- * @property {Uint32Array} indices
- * @property {Uint16Array | null} colors Linear, of the vertices, if a part has colours of its own.
- * @property {SurfacePart[]} parts
- * @property {boolean} marked Whether a stripe shows how a body of revolution turns.
- * @property {number} radius Bounding radius, cm.
- * @property {number[]} trail_point The point of the body that draws the trail.
- * @property {number} occluder_count The most occluders of a part.
- * @property {number[]} model The numbers from which the core computes uniforms.
- */
+/** @import { Surface } from '../app/types' */
 
 /**
  * The surface that src/page/surface_json.h wrote.

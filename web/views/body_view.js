@@ -5,11 +5,9 @@ import { Ground } from '../picture/ground.js';
 import { Stars } from '../picture/stars.js';
 import { CanvasView } from './canvas_view.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../app/state.js").FrameName} FrameName */
-/** @typedef {import("../core/core.js").Samples} Samples */
-/** @typedef {import("../core/pictures.js").Camera} Camera */
-/** @typedef {import("../core/pictures.js").Settings} Settings */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { FrameName } from '../app/types' */
+/** @import { Camera, Samples, Settings } from '../core/types' */
 
 /**
  * What the view shows.
@@ -51,7 +49,7 @@ export class BodyView extends CanvasView {
     if (this.surface && this.theme) this.setBody(this.surface, this.theme);
   }
 
-  /** @param {import("../picture/surface.js").Surface} surface @param {any} theme */
+  /** @param {import("../app/types").Surface} surface @param {any} theme */
   setBody(surface, theme) {
     if (this.body && this.surface === surface && this.theme === theme) return;
     this.surface = surface;
@@ -89,7 +87,7 @@ export class BodyView extends CanvasView {
 
   /**
    * @param {BodyPicture} picture @param {number} index Of the motion.
-   * @param {import("../core/pictures.js").Contents} contents
+   * @param {import("../core/types").Contents} contents
    * @param {{left: number, width: number, inner: number[]}} pane
    */
   #drawPane({ instants, settings, ghost }, index, contents, { left, width, inner }) {

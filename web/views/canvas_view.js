@@ -6,8 +6,7 @@ import { DrawListPass } from '../picture/draw_list_pass.js';
 import { word } from '../words/words.js';
 import { makeTurnable, turnByKey } from './turning.js';
 
-/** @typedef {import("../core/pictures.js").Label} Label */
-/** @typedef {import("../core/pictures.js").Viewpoint} Viewpoint */
+/** @import { Label, Viewpoint } from '../core/types' */
 
 /** @param {number[]} color sRGB, 0 to 255 */
 export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
@@ -100,7 +99,7 @@ export class CanvasView {
     return this.canvas.width / Math.max(1, this.canvas.height);
   }
 
-  /** The settings for the canvas as it is. @param {import("../core/pictures.js").Settings} settings */
+  /** The settings for the canvas as it is. @param {import("../core/types").Settings} settings */
   sized(settings) {
     const { width, height } = this.canvas;
     return { ...settings, width, height, thinnest: pixelsOfUnit() };

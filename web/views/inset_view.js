@@ -1,9 +1,8 @@
 // A view without the body. The core computes its contents (src/picture/views).
 import { CanvasView } from './canvas_view.js';
 
-/** @typedef {import("../app/motion_model.js").MotionModel} MotionModel */
-/** @typedef {import("../core/core.js").Samples} Samples */
-/** @typedef {import("../core/pictures.js").Settings} Settings */
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { Samples, Settings } from '../core/types' */
 
 /** What the view shows: one motion, or two to compare. @typedef {{model: MotionModel, settings: Settings, instants: Samples[], colors: any}} InsetPicture */
 

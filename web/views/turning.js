@@ -1,6 +1,6 @@
 // Turns and zooms a view: by dragging with one pointer, pinching with two, the wheel, and keys.
 
-/** @typedef {import("./canvas_view.js").CanvasView} CanvasView */
+/** @import { CanvasView } from './canvas_view.js' */
 
 const turnOfKey = 0.08,
   zoomOfKey = 1.12;

@@ -1,0 +1,61 @@
+// The state of the page, and what the program writes into it.
+
+export type FrameName = 'space' | 'body' | 'rotating';
+export type Comparison = 'off' | 'beside' | 'ghost';
+
+export interface State {
+  t: number; // Time of the motion, s.
+  speed: number; // Seconds of motion per second.
+  omega: number[]; // At t = 0, body axes, rad/s.
+  moments: number[] | null; // Of the body's x, y and z axes, g cm^2; null for the scene's body.
+  theme: string; // One of the page's data, or `auto`.
+  frame: FrameName;
+  show: string[]; // What is shown around the body.
+  view: number[]; // Azimuth and elevation from the scene's camera, rad, and zoom.
+  from: number; // Where the timeline begins, s.
+  length: number; // Of the timeline, s.
+  compare: Comparison;
+  methods: string[]; // The two that are compared.
+  step: number; // s
+  tolerance: number;
+  lang: 'en' | 'nb';
+  tour: number; // The step that is open, from 1; 0 for none.
+}
+
+export interface SurfacePart {
+  side_begin: number; // In indices, where the side of a cylinder begins; else `end`.
+  end: number;
+  tint?: number[]; // The mean colour of its vertices, if they have colours.
+  material: number; // Index in the materials of a theme.
+}
+
+export interface Surface {
+  vertices: Float32Array; // Positions in body axes, cm, each with its normal.
+  indices: Uint32Array;
+  colors: Uint16Array | null; // Linear, of the vertices, if a part has colours of its own.
+  parts: SurfacePart[];
+  marked: boolean; // whether a stripe shows how a body of revolution turns.
+  radius: number; // Bounding radius, cm.
+  trail_point: number[]; // The point of the body that draws the trail.
+  occluder_count: number; // The most occluders of a part.
+  model: number[]; // The numbers from which the core computes uniforms.
+}
+
+/** What `twrench page` writes into the page: see src/page/page_json.h. */
+export interface PageData {
+  source?: string; // what to write on the command line for the scene
+  source_options?: string[]; // options that belong to it, if it is a mesh
+  scene: Record<string, any>; // its values, with the keys of scene files
+  source_scene?: Record<string, any>; // its values before the command line changed them
+  inertia: number[]; // body axes, g cm^2, row by row
+  surface: Surface;
+  themes: Record<string, any>;
+  limits: {
+    moment: number[];
+    moment_ratio: number;
+    omega: number[];
+    step: number[];
+    tolerance: number[];
+    time: number[];
+  };
+}

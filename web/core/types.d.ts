@@ -1,0 +1,173 @@
+// What the core takes and returns. Units are cm, g, s and rad.
+
+export type Vector = [number, number, number];
+/** Nine numbers, row by row. */
+export type Matrix = number[];
+export type Kind = 'steady' | 'about_least' | 'about_greatest' | 'separatrix';
+
+/** The motion at one time. */
+export interface Sample {
+  t: number; // s
+  X: Matrix; // space_from_body
+  omega: Vector; // in body axes, rad/s
+}
+
+/** The motion at many times; sample i has X[9 i ... 9 i + 8] and omega[3 i ... 3 i + 2]. */
+export interface Samples {
+  t: Float64Array; // s
+  X: Float64Array;
+  omega: Float64Array;
+}
+
+/** How far samples are from what is conserved, and from the exact motion. */
+export interface Diagnostics {
+  energy: Float64Array; // 1/2 omega . (I omega), g cm^2/s^2
+  energyDrift: Float64Array; // energy/energy(0) - 1
+  orthogonalityError: Float64Array; // |X^T X - Id|, Frobenius
+  momentumError: Float64Array; // |X I omega - L| / |L|
+  error: Float64Array; // |X - X_exact|, Frobenius; for a small angle a it is sqrt(2) a
+}
+
+export interface Method {
+  name: string;
+  order: number | null;
+  exact: boolean; // the closed form: no step, no error
+  adaptive: boolean; // takes a tolerance and chooses its steps
+  leavesGroup: boolean; // X does not remain a rotation
+  conservesEnergy: boolean;
+  reversible: boolean;
+  summary: string; // one line
+  source: string;
+}
+
+/** Sign changes of omega along the intermediate axis. */
+export interface Flips {
+  interval: number; // s; Infinity on the separatrix
+  first: number; // s, after t = 0
+  asymptoticInterval: number; // s, its approximation near the separatrix
+  swing: number; // rad, through which the intermediate axis swings
+  turnsOver: boolean; // whether it is a turning over and not a wobble
+}
+
+/** What is known of a motion without computing any of it. */
+export interface Facts {
+  kind: Kind;
+  momentum: Vector; // L in space axes, g cm^2/s; also the body momentum at t = 0
+  energy: number; // 1/2 omega . (I omega), g cm^2/s^2
+  moments: Vector; // principal moments, ascending, g cm^2
+  axes: Matrix; // body_from_principal; column i is the axis of moments[i]
+  flips: Flips | null; // null for a steady motion and a symmetric body
+  isReal: boolean; // whether a body can have these moments (the triangle inequality holds)
+}
+
+export interface StepControl {
+  step: number; // s, of a method with fixed steps; the first one of an adaptive method
+  tolerance: number; // of an adaptive method
+}
+
+/**
+ * A part of a body, which has the dimensions of its shape in cm under their keys in scene files; it cannot
+ * be a mesh.
+ */
+export interface PartValues {
+  shape: string;
+  density: number; // g/cm^3
+  position: Vector; // cm
+  body_from_part: Matrix; // rotation
+  name?: string;
+}
+
+/** A shape and the keys of its dimensions, each a number or a vector. */
+export interface Shape {
+  name: string;
+  keys: string[];
+}
+
+export interface MassProperties {
+  mass: number; // g
+  centreOfMass: Vector; // cm
+  inertia: Matrix; // about the centre of mass, body axes, g cm^2
+  moments: Vector; // ascending, g cm^2
+  axes: Matrix; // body_from_principal
+}
+
+/** What a small tilt of a steady rotation does. */
+export interface Stability {
+  kind: 'unstable' | 'stable' | 'neutral';
+  rate: number; // 1/s of growth, or rad/s of the wobble
+}
+
+export type Part = PartValues & Record<string, any>;
+
+/** From where a view is seen; angles in rad. */
+export interface Viewpoint {
+  azimuth: number;
+  elevation: number;
+  zoom: number;
+}
+
+/** Triangles as indices of vertices. */
+export interface Triangles {
+  faces: Uint32Array;
+  edgeQuads: Uint32Array;
+}
+
+/** As src/picture/overlay/draw_list.h says. */
+export interface DrawList {
+  vertices: Float32Array;
+  items: Triangles;
+  outlines: Triangles;
+  ghosts: Triangles;
+}
+
+/** In pixels of the pane from its top left. */
+export interface Label {
+  text: string;
+  anchor: number[];
+  away: number[]; // where there is room
+  color: number[];
+}
+
+/** Matrices row by row, for column vectors in OpenGL's conventions. */
+export interface Camera {
+  attitude: number[]; // camera_from_space, 9 numbers
+  distance: number; // From the origin to the eye, cm.
+  projection: number[]; // clip_from_camera, 16 numbers
+}
+
+/**
+ * The contents of a view. The lists are in the core's memory until the next view replaces them. Each use
+ * of an array reads the memory again, because it moves when it grows.
+ */
+export interface Contents {
+  camera: Camera;
+  clipZNearer: number; // What brings an item nearer by the picture's height, in clip space.
+  opaque: DrawList;
+  translucent: DrawList;
+  labels: Label[];
+}
+
+/**
+ * The properties of a picture, in addition to the motion and the viewpoint, as page_views.h describes
+ * them. The features of `show` are by name.
+ */
+export interface Settings {
+  theme: string;
+  frame: string;
+  show: readonly string[];
+  width: number;
+  height: number;
+  thinnest: number;
+  azimuth: number;
+  elevation: number;
+  distance: number;
+  fieldOfView: number;
+  interval: number;
+  radius: number;
+  trailLength: number;
+  trailX: number;
+  trailY: number;
+  trailZ: number;
+  curveBegin: number;
+  curveEnd: number;
+}
