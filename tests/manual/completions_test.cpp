@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/enumeration.h"
 #include "manual/program.h"
 #include "run_command.h"
+#include "scene/scene.h"
 #include "scratch_folder.h"
 
 namespace twrench::manual {
@@ -50,10 +52,17 @@ std::string offered(const std::string& words) {
   return {text.begin(), text.end()};
 }
 
+/// "studio paper space", a line.
+std::string spaced(const std::vector<std::string>& names) {
+  std::string line;
+  for (const std::string& name : names) line += (line.empty() ? "" : " ") + name;
+  return line + "\n";
+}
+
 TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench re"), "render report\n");
   EXPECT_EQ(offered("twrench render --th"), "--theme\n");
-  EXPECT_EQ(offered("twrench render --theme \"\""), "studio paper space\n");
+  EXPECT_EQ(offered("twrench render --theme \"\""), spaced(enumerator_names<scene::Theme>()));
   EXPECT_EQ(offered("twrench render --theme = p"), "paper\n");
   EXPECT_EQ(offered("twrench render --show floor,tr"), "floor,trail\n");
   EXPECT_EQ(offered("twrench render m"), "mine.toml model.stl\n");

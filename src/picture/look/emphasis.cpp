@@ -29,11 +29,13 @@ OverlayColors emphasised(OverlayColors colors, const scene::Overlay& overlay) {
   const auto dim = [&](scene::Feature feature, Color& color) {
     if (is_dimmed(overlay, feature)) color = dimmed(color, colors);
   };
-  for (Color& axis : colors.axis) dim(scene::Feature::axes, axis);
-  dim(scene::Feature::momentum, colors.momentum);
-  dim(scene::Feature::omega, colors.omega);
-  dim(scene::Feature::trail, colors.trail);
-  dim(scene::Feature::plane, colors.plane);
+  // All members, so that a new one is not forgotten.
+  auto& [text, secondary, panel, opacity, axes, momentum, omega, trail, plane, curves] = colors;
+  for (Color& axis : axes) dim(scene::Feature::axes, axis);
+  dim(scene::Feature::momentum, momentum);
+  dim(scene::Feature::omega, omega);
+  dim(scene::Feature::trail, trail);
+  dim(scene::Feature::plane, plane);
   return colors;
 }
 

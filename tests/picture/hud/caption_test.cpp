@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/enumeration.h"
 #include "canvas/error.h"
 #include "canvas/typesetting.h"
 #include "picture/overlay_scene.h"
@@ -107,8 +108,7 @@ TEST(Caption, HasCapitalsAsHighAsA25thOfThePicture) {
 }
 
 TEST(Caption, IsDrawnInItsRoomAsStronglyAsItIsTold) {
-  for (const scene::Theme theme :
-       {scene::Theme::studio, scene::Theme::paper, scene::Theme::space}) {
+  for (const scene::Theme theme : enumerators<scene::Theme>) {
     scene::Scene scene = captioned(640, 360);
     scene.look.theme = theme;
     const OverlayScene with(scene);

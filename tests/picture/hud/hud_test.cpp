@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/enumeration.h"
 #include "canvas/error.h"
 #include "picture/overlay_scene.h"
 
@@ -184,8 +185,7 @@ TEST(Hud, DescribesAViewOfItsOwn) {
 }
 
 TEST(Hud, CanBeReadOnWhateverLiesBelow) {
-  for (const scene::Theme theme :
-       {scene::Theme::studio, scene::Theme::paper, scene::Theme::space}) {
+  for (const scene::Theme theme : enumerators<scene::Theme>) {
     const OverlayColors& colors = style_of(theme).overlay;
     for (const double below : {0.0, 0.5, 1.0}) {
       std::array<double, 3> ground = of(colors.panel);

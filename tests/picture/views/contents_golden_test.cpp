@@ -196,7 +196,8 @@ std::map<std::string, scene::Scene> scenes() {
   std::map<std::string, scene::Scene> all;
   std::size_t i = 0;
   for (const std::string& name : scene::builtin_scene_names()) {
-    constexpr auto& themes = enumerators<scene::Theme>;
+    // Another theme changes only colours and lights, so new ones need no numbers.
+    constexpr std::array themes{scene::Theme::studio, scene::Theme::paper, scene::Theme::space};
     constexpr auto& frames = enumerators<scene::Frame>;
     all[name] = with_all(name, themes[i % themes.size()], frames[i / 2 % frames.size()]);
     ++i;
