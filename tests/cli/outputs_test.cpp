@@ -174,7 +174,7 @@ TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
   const ScratchFolder folder;
   fs::create_directory(folder / "folder.mp4");
   const std::string both = "render " + picture + "--frames-dir f -o ";
-  for (const std::string& name : {std::string("out/x"), std::string("x.apng"), std::string("x.avi"),
+  for (const std::string& name : {std::string("out/x"), std::string("x.apng"), std::string("x.xyz"),
                                   std::string("x.txt"), std::string("x.mp4.")}) {
     expect_refused(run_twrench(folder, both + name), 2, ".webm");
   }

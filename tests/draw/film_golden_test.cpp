@@ -2,6 +2,7 @@
 // golden_test.cpp.
 #include <gtest/gtest.h>
 
+#include "base/enumeration.h"
 #include "draw/renderer.h"
 #include "gl/test_context.h"
 #include "picture/golden.h"
@@ -66,6 +67,19 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(film_goldens()), [](
   std::erase(name, '-');
   return name;
 });
+
+// golden_test.cpp has the floor, tests/picture/overlay_golden_test.cpp the texts and panels; the
+// forces are tested elsewhere.
+TEST(GoldenFilms, ShowEachOverlayOfTheViews) {
+  using enum scene::Feature;
+  std::set<scene::Feature> shown{floor,  labels, hud,    components, curve,
+                                 method, drift,  forces, tilt,       moments};
+  for (const FilmGolden& golden : film_goldens())
+    shown.insert(golden.show.begin(), golden.show.end());
+  for (const scene::Feature feature : enumerators<scene::Feature>) {
+    EXPECT_TRUE(shown.contains(feature)) << enumerator_name(feature) << " has no golden image";
+  }
+}
 
 }  // namespace
 }  // namespace twrench::draw

@@ -1,5 +1,5 @@
 // Frames compared with images that were inspected and found correct. To change an image, run
-// TWRENCH_UPDATE_GOLDENS=1 draw_test, inspect the new image, and commit it with the reason.
+// TWRENCH_UPDATE_GOLDENS=1 golden_test, inspect the new image, and commit it with the reason.
 #include "picture/golden.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/enumeration.h"
 #include "draw/pose_renderer.h"
 #include "gl/test_context.h"
 #include "image/png.h"
@@ -123,6 +124,14 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(golden_scenes()),
                            std::erase(name, '-');
                            return name;
                          });
+
+TEST(GoldenImages, ShowEachTheme) {
+  std::set<scene::Theme> shown;
+  for (const Golden& golden : golden_scenes()) shown.insert(golden.scene.look.theme);
+  for (const scene::Theme theme : enumerators<scene::Theme>) {
+    EXPECT_TRUE(shown.contains(theme)) << enumerator_name(theme) << " has no golden image";
+  }
+}
 
 }  // namespace
 }  // namespace twrench::draw

@@ -53,13 +53,15 @@ TEST(MethodRecipe, GivesAMethodThatStaysOnTheGroup) {
 }
 
 // The last step of the recipe, for those that are there.
-TEST(MethodRecipe, HasARowInTheDocumentForEachMethod) {
+TEST(MethodRecipe, HasARowAndAParagraphInTheDocumentForEachMethod) {
   std::ifstream file(TWRENCH_TESTS_DIR "/../docs/methods.md");
   std::ostringstream text;
   text << file.rdbuf();
   for (const Method& method : methods()) {
     EXPECT_NE(text.str().find("\n| `" + std::string(method.name) + "` | "), std::string::npos)
         << method.name << " has no row in docs/methods.md";
+    EXPECT_NE(text.str().find("**" + std::string(method.name) + "**"), std::string::npos)
+        << method.name << " has no paragraph in docs/methods.md";
   }
 }
 

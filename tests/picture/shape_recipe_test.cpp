@@ -176,6 +176,33 @@ TYPED_TEST(ShapeRecipe, HoldsWhatIsInsideItsSurface) {
   }
 }
 
+// The integrals are those over the points that it holds, by the midpoint rule on a grid.
+TYPED_TEST(ShapeRecipe, HasTheIntegralsOverWhatItHolds) {
+  if constexpr (IsRings<TypeParam>) {
+    const auto shape = example<TypeParam>();
+    const Eigen::AlignedBox3d box = body::bounding_box(shape);
+    constexpr int n = 120;
+    double count = 0;
+    Vector3d sum = Vector3d::Zero(), squares = Vector3d::Zero();
+    for (int i = 0; i < n * n * n; ++i) {
+      const Vector3d share = Vector3d(i % n + 0.5, i / n % n + 0.5, i / (n * n) + 0.5) / n;
+      const Vector3d point = box.min() + share.cwiseProduct(box.sizes());
+      if (!holds(shape, point, 0)) continue;
+      ++count;
+      sum += point;
+      squares += point.cwiseAbs2();
+    }
+    const double volume = count / n / n / n * box.volume();
+    EXPECT_NEAR(volume / body::volume(shape), 1, 2e-3);
+    const Vector3d centre = sum / count;
+    EXPECT_LE((centre - body::centroid(shape)).norm(), 2e-3 * body::bounding_radius(shape));
+    const Vector3d spread = squares / count - centre.cwiseAbs2();
+    const Vector3d moments = Vector3d::Constant(spread.sum()) - spread;
+    const Vector3d expected = body::central_inertia(shape, 1).diagonal();
+    EXPECT_LE((moments - expected).norm(), 3e-3 * expected.norm());
+  }
+}
+
 TYPED_TEST(ShapeRecipe, HasTheSymmetryOfItsExtent) {
   const body::Shape shape = example<TypeParam>();
   const auto extent = [&](double angle) {

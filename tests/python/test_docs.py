@@ -8,6 +8,7 @@ import doctest
 import inspect
 import io
 import re
+import typing
 from pathlib import Path
 from typing import Any, Callable, Iterator
 
@@ -62,6 +63,16 @@ def test_the_reference_has_every_public_name():
     page = (PROJECT / "docs/reference/python-reference.rst").read_text()
     listed = re.findall(r"^\.\. (?:auto\w+|data):: twrench\.(\w+)", page, re.MULTILINE)
     assert sorted(listed) == sorted(set(twrench.__all__) - {"__version__"})
+
+
+def test_the_page_and_the_reference_name_each_solid():
+    solids = [each.__name__ for each in typing.get_args(twrench.Part)]
+    assert "Mesh" in solids
+    page = (PROJECT / "docs/python.md").read_text()
+    reference = (PROJECT / "docs/reference/python-reference.rst").read_text()
+    for name in solids:
+        assert f"`{name}`" in page
+        assert f":class:`{name}`" in reference
 
 
 def public_functions() -> Iterator[tuple[str, Callable[..., Any], str]]:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "base/enumeration.h"
@@ -92,6 +93,14 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
     for (std::size_t j = i - i % 3; j < i; ++j) {
       EXPECT_GE(distance(colors.curve[i], colors.curve[j]), 20) << "curves " << i << " and " << j;
     }
+  }
+}
+
+// The shader divides by the distance and the size of each.
+TEST_P(ThemeTest, HasAPlaceAndASizeForEachLight) {
+  for (const AreaLight& light : style.studio.lights) {
+    EXPECT_GT(glm::length(light.centre), 0);
+    EXPECT_GT(glm::length(glm::cross(light.across, light.along)), 0);
   }
 }
 

@@ -1,6 +1,6 @@
 // The contents of the views, compared with numbers whose pictures were inspected and found correct.
 // A golden image does not notice a line that is 1 % fainter; the numbers do. To renew them, run
-// TWRENCH_UPDATE_GOLDENS=1 picture_test, look at the pictures of draw_test, and commit them with
+// TWRENCH_UPDATE_GOLDENS=1 picture_test, look at the pictures of golden_test, and commit them with
 // the reason.
 #include <gtest/gtest.h>
 
