@@ -2,8 +2,9 @@
 # Every check of a change: scripts/test.sh, the formatting of the sources, the rendering tests with EGL
 # only, the tests of threads under ThreadSanitizer, all tests under AddressSanitizer and
 # UndefinedBehaviorSanitizer, the library built alone and used from outside, the reference pages,
-# exported files read by other programs, pages in a browser, the tests for uninitialised values under
-# valgrind, one minute of scripts/torture.sh, and both commands of README.md in a bare Debian 13.
+# exported files read by other programs, pages in a browser, the recipes of CONTRIBUTING.md followed in a
+# copy, the tests for uninitialised values under valgrind, one minute of scripts/torture.sh, and both
+# commands of README.md in a bare Debian 13.
 #
 # Debian 13 is installed and tested beside the other steps: together they use the processors when one
 # of them downloads, waits or has one thread. Its output is printed at the end.
@@ -89,6 +90,7 @@ step "The library of the dynamics: alone, installed, and used from outside, stat
 step "The reference pages; warnings are errors" scripts/docs.sh
 step "Exported files, read by other programs" scripts/interchange.sh
 step "Pages, in a browser" scripts/page_test.sh
+step "The recipes of CONTRIBUTING.md, followed in a copy" scripts/recipes.sh
 step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick
 step "Random scenes, motions and command lines, and injected faults: one minute" \
   scripts/torture.sh 1 2020

@@ -14,6 +14,7 @@
 #   setup.sh interchange running other programs on what is exported
 #   setup.sh page     building what pages are written from
 #   setup.sh browser  testing pages in a browser
+#   setup.sh recipes  following the recipes of CONTRIBUTING.md
 #   setup.sh node     running the programs of npm
 #   setup.sh distros  testing the project on other releases of Debian
 # Packages are selected by what the release has, not by its name. If nothing is missing, it prints
@@ -120,6 +121,7 @@ browser  | Chromium                      | chromium chromium-browser
 browser  | Firefox                       | firefox-esr               | pages are tested in Chromium alone
 browser  | a screen for Firefox          | xvfb                      | pages are tested in Chromium alone
 browser  | its access control            | xauth                     | pages are tested in Chromium alone
+recipes  | patch, to apply changes       | patch
 node     | Node.js                       | nodejs
 node     | npm                           | npm
 browser  | ImageMagick, for its pictures | imagemagick
@@ -163,9 +165,10 @@ case "${1-}" in
   test | interchange) uses=(render python "$1") ;;
   package) uses=(render python page package) ;;
   browser) uses=(render page browser) ;;
+  recipes) uses=(render python test page recipes) ;;
   check | tidy | coverage | docs) uses=(render python test "$1") ;;
   *)
-    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|node|distros" >&2
+    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|recipes|node|distros" >&2
     exit 2
     ;;
 esac

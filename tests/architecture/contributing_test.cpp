@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <regex>
 
 #include "architecture/markdown.h"
@@ -72,14 +73,66 @@ TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
   EXPECT_GT(identifiers, 20);
 }
 
-TEST(Contributing, HasRecipesOfAboutTenLines) {
+constexpr std::array recipe_names{"method", "shape", "overlay", "view", "theme", "output format"};
+
+/// What stands below "### Add a method"; nothing if there is no such recipe.
+std::string recipe_of(const std::string& name) {
   const std::string text = contributing();
-  for (const char* name : {"method", "shape", "overlay", "view", "theme", "output format"}) {
-    const std::regex heading(std::string("\n### Add an? ") + name + "\n");
-    std::smatch match;
-    ASSERT_TRUE(std::regex_search(text, match, heading)) << name;
-    const std::string recipe = match.suffix().str().substr(0, match.suffix().str().find("\n#"));
-    EXPECT_LE(std::ranges::count(recipe, '\n'), 16) << name;
+  std::smatch match;
+  if (!std::regex_search(text, match, std::regex("\n### Add an? " + name + "\n"))) return {};
+  const std::string rest = match.suffix();
+  return rest.substr(0, rest.find("\n#"));
+}
+
+TEST(Contributing, HasRecipesOfAboutTenLines) {
+  for (const char* const name : recipe_names) {
+    EXPECT_THAT(recipe_of(name), testing::Not(testing::IsEmpty())) << name;
+    EXPECT_LE(std::ranges::count(recipe_of(name), '\n'), 16) << name;
+  }
+}
+
+/// The files that a patch changes, and those that it creates.
+struct Patch {
+  std::vector<std::string> changed, created;
+};
+
+Patch read_patch(const std::filesystem::path& file) {
+  Patch patch;
+  static const std::regex names(R"(\n--- (\S+)\n\+\+\+ b/(\S+))");
+  const std::string text = file_text(file);
+  for (std::sregex_iterator match(text.begin(), text.end(), names), end; match != end; ++match) {
+    ((*match)[1] == "/dev/null" ? patch.created : patch.changed).push_back((*match)[2]);
+  }
+  return patch;
+}
+
+/// "src/body/shapes" and the like, of the files that a recipe names.
+std::vector<std::string> folders_in(const std::string& recipe) {
+  std::vector<std::string> folders;
+  for (const std::string& span : code_spans(recipe)) {
+    if (is_path(span)) folders.push_back(std::filesystem::path(span).parent_path().string());
+  }
+  return folders;
+}
+
+// Whoever follows a recipe need not look for places that it does not name. A new source lies beside
+// one that it names.
+TEST(Contributing, HasRecipesThatNameEachFileOfTheirExamples) {
+  using testing::Contains;
+  for (const char* const name : recipe_names) {
+    if (std::string_view(name) == "view") continue;  // has no example yet
+    const std::string recipe = recipe_of(name);
+    std::string file = name;
+    std::ranges::replace(file, ' ', '-');
+    const Patch patch = read_patch(project_folder() / "tests/recipes" / (file + ".patch"));
+    EXPECT_FALSE(patch.changed.empty()) << name;
+    for (const std::string& path : patch.changed) {
+      EXPECT_THAT(code_spans(recipe), Contains(path)) << "not named by: Add a " << name;
+    }
+    for (const std::string& path : patch.created) {
+      const std::string folder = std::filesystem::path(path).parent_path().string();
+      EXPECT_THAT(folders_in(recipe), Contains(folder)) << path << ", Add a " << name;
+    }
   }
 }
 
