@@ -140,7 +140,10 @@ if [[ -n $mode && $mode != --forget ]]; then
 fi
 (($# == 0)) || shift
 for recipe in "$@"; do
-  [[ -f $patches/$recipe.patch ]] || die "there is no recipe '$recipe'" "the recipes are: ${recipes[*]}"
+  [[ -f $patches/$recipe.patch ]] || {
+    say "error: there is no recipe '$recipe'; the recipes are: ${recipes[*]}"
+    exit 2
+  }
 done
 
 scripts/setup.sh recipes
