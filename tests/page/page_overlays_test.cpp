@@ -47,10 +47,12 @@ std::vector<std::size_t> drawn_for(const std::set<scene::Feature>& features) {
   settings.trail_length = 2;
   settings.trail_x = 1;
   for (const scene::Feature feature : features) settings.show += 1U << static_cast<int>(feature);
-  timeline::SolutionState instant;
+  timeline::SolutionState instant{};
   instant.trail = motion.exact.at(std::vector{0.0, 0.5, 1.0, 1.5, 2.0}, 1);
   instant.sample = instant.trail.back();
-  const picture::ViewContents& contents = body_contents(motion, settings, {0.3, 0.2, 1}, instant);
+  timeline::FrameState state;
+  state.solutions.push_back(std::move(instant));
+  const picture::ViewContents& contents = body_contents(motion, settings, {0.3, 0.2, 1}, state);
   return {contents.opaque.vertices().size(), contents.translucent.vertices().size(),
           contents.labels.size()};
 }
