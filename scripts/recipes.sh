@@ -73,7 +73,7 @@ build() {
 # A newcomer makes the golden images of his own, looks at them and commits them.
 make_goldens() {
   local bin=$copy/build/release/bin
-  TWRENCH_UPDATE_GOLDENS=1 "$bin/golden_test" --gtest_filter='*Golden*/night:*Golden*/filmspin' &&
+  TWRENCH_UPDATE_GOLDENS=1 "$bin/golden_test" --gtest_filter='*Golden*/night:*Golden*/filmspin:*Golden*/filmrates' &&
   TWRENCH_UPDATE_GOLDENS=1 "$bin/picture_test" --gtest_filter='ContentsOfViews.*'
 }
 

@@ -44,3 +44,8 @@ const vertices = (show) => {
   return contents.translucent.vertices.length;
 };
 assert.ok(vertices(['spin']) > vertices([]), 'the overlay draws nothing');
+
+assert.ok(html.includes('id="rates"') && pictures.names.insets.includes('rates'));
+const home = pictures.home('rates', motion, { ...settings, show: [] });
+const inset = pictures.inset('rates', motion, { ...settings, show: [] }, { ...home, zoom: 1 }, [{ t: [0], X, omega }]);
+assert.ok(inset.opaque.vertices.length > 0, 'the view draws nothing');

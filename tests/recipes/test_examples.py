@@ -60,9 +60,11 @@ def test_the_film_is_of_the_scene(film: Path) -> None:
     [
         {"theme": "studio"},
         {"show": ["floor", "momentum"]},
+        {"view": "rates"},
+        {"show": ["floor", "momentum", "spin", "rates"]},
         {"body": twrench.Body([twrench.Sphere(radius=2, density=2)])},
     ],
-    ids=["theme", "overlay", "shape"],
+    ids=["theme", "overlay", "view", "inset", "shape"],
 )
 def test_each_example_changes_the_picture(values: dict[str, object]) -> None:
     picture, other = scene().frame(5), scene(**values).frame(5)
