@@ -2,7 +2,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <twrench/base/require.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/free_body.h>
 
@@ -14,6 +13,7 @@
 
 #include "base/color.h"
 #include "base/enumeration.h"
+#include "base/require.h"
 #include "body.h"
 #include "mesh/mesh_file.h"
 #include "module.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <twrench/base/nearest.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,6 +7,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "base/nearest.h"
 
 // The names of enumerators, for enumerations whose values are 0, 1, 2 and so on. Compilers write
 // them into the name of a function, so that source code lists them only in the enumeration.

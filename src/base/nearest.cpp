@@ -1,6 +1,7 @@
+#include "base/nearest.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,6 @@
+#include "base/require.h"
+
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,12 @@ void require_finite(const char* quantity, std::span<const double> values) {
 double require_positive(const char* quantity, double value) {
   if (std::isfinite(value) && value > 0) return value;
   throw OutOfRange(quantity, fmt::format("is {}, but must be positive and finite", value),
+                   {value, 0, greatest});
+}
+
+double require_not_negative(const char* quantity, double value) {
+  if (std::isfinite(value) && value >= 0) return value;
+  throw OutOfRange(quantity, fmt::format("is {}, but must be finite and not negative", value),
                    {value, 0, greatest});
 }
 

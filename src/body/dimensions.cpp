@@ -1,11 +1,11 @@
 #include "body/dimensions.h"
 
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "base/require.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body {

@@ -1,4 +1,3 @@
-#include <twrench/base/require.h>
 #include <twrench/body/mass_properties.h>
 
 #include <algorithm>
@@ -6,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "base/require.h"
+#include "body/shape_functions.h"
 
 namespace twrench::body {
 namespace {
@@ -114,6 +116,7 @@ std::array<Part, 7> equimomental_cross(const Matrix3d& inertia) {
 }
 
 std::array<PointMass, 6> equimomental_points(const Part& part) {
+  require_part(part);
   const double mass = part.density * volume(part.shape);
   const PrincipalAxes own = own_axes(central_inertia(part.shape, mass));
   const Matrix3d body_from_own = part.body_from_part * own.axes;

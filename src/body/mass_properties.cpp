@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/body/mass_properties.h>
 
 #include <Eigen/Eigenvalues>
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <variant>
 
+#include "base/require.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body {
@@ -34,19 +34,6 @@ Matrix3d with_definite_signs(Matrix3d axes) {
   return axes;
 }
 
-// Eigen's functions are inlined: those of a program that is compiled with -ffast-math, which the
-// linker may use for both, might accept a NaN.
-[[gnu::flatten]] void check(const Part& part) {
-  std::visit([](const auto& solid) { shapes::check(solid); }, part.shape);
-  require_positive("density", part.density);
-  for (const double coordinate : part.position) require_finite("position", coordinate);
-  constexpr double round_off = 1e-9;
-  const Matrix3d& R = part.body_from_part;
-  if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
-    throw InvalidArgument("body_from_part", "must be a proper rotation");
-  }
-}
-
 /// Throws unless it is finite and, to round-off, symmetric.
 void check(const Matrix3d& inertia) {
   constexpr double round_off = 1e-12;
@@ -59,30 +46,57 @@ void check(const Matrix3d& inertia) {
                                     asymmetry));
 }
 
+// The parts are checked before these are called.
+
+double mass_of(const Part& part) {
+  return part.density *
+         std::visit([](const auto& solid) { return shapes::volume(solid); }, part.shape);
+}
+
 /// The centre of mass of a part in cm, in the frame in which it is placed.
-Vector3d centroid(const Part& part) {
-  return part.position + part.body_from_part * centroid(part.shape);
+Vector3d centroid_of(const Part& part) {
+  return part.position +
+         part.body_from_part *
+             std::visit([](const auto& solid) { return shapes::centroid(solid); }, part.shape);
+}
+
+Matrix3d inertia_of(const Part& part) {
+  const double mass = mass_of(part);
+  return std::visit([&](const auto& solid) { return shapes::central_inertia(solid, mass); },
+                    part.shape);
 }
 
 }  // namespace
 
+// Eigen's functions are inlined: those of a program that is compiled with -ffast-math, which the
+// linker may use for both, might accept a NaN.
+[[gnu::flatten]] void require_part(const Part& part) {
+  std::visit([](const auto& solid) { shapes::check(solid); }, part.shape);
+  require_positive("density", part.density);
+  for (const double coordinate : part.position) require_finite("position", coordinate);
+  constexpr double round_off = 1e-9;
+  const Matrix3d& R = part.body_from_part;
+  if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
+    throw InvalidArgument("body_from_part", "must be a proper rotation");
+  }
+}
+
 MassProperties mass_properties(std::span<const Part> parts) {
   if (parts.empty()) throw InvalidArgument("parts", "there must be one at least");
-  for (const Part& part : parts) check(part);
+  for (const Part& part : parts) require_part(part);
   MassProperties body{};
   body.centre_of_mass.setZero();
   body.inertia.setZero();
   for (const Part& part : parts) {
-    const double mass = part.density * volume(part.shape);
+    const double mass = mass_of(part);
     body.mass += mass;
-    body.centre_of_mass += mass * centroid(part);  // Eq. (44), divided by the mass below.
+    body.centre_of_mass += mass * centroid_of(part);  // Eq. (44), divided by the mass below.
   }
   body.centre_of_mass /= body.mass;
   for (const Part& part : parts) {
-    const double mass = part.density * volume(part.shape);
     const Matrix3d& R = part.body_from_part;
-    body.inertia += R * central_inertia(part.shape, mass) * R.transpose() +
-                    point_inertia(mass, centroid(part) - body.centre_of_mass);
+    body.inertia += R * inertia_of(part) * R.transpose() +
+                    point_inertia(mass_of(part), centroid_of(part) - body.centre_of_mass);
   }
   if (!body.inertia.allFinite()) {
     throw InvalidArgument("parts", "their inertia is beyond what double precision holds");

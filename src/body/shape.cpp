@@ -2,31 +2,54 @@
 
 #include <cmath>
 
+#include "base/require.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// Throws OutOfRange or InvalidArgument unless it is a solid.
+const Shape& checked(const Shape& shape) {
+  std::visit([](const auto& solid) { shapes::check(solid); }, shape);
+  return shape;
+}
+
+/// Returns the unit vector along `vector`, or throws InvalidArgument about it.
+Vector3d checked_direction(const char* quantity, const Vector3d& vector) {
+  for (const double component : vector) require_finite(quantity, component);
+  if (vector.isZero(0.0)) throw InvalidArgument(quantity, "must not be zero");
+  return vector.stableNormalized();  // The square of its length may underflow.
+}
+
+}  // namespace
+
 double volume(const Shape& shape) {
-  return std::visit([](const auto& solid) { return shapes::volume(solid); }, shape);
+  return std::visit([](const auto& solid) { return shapes::volume(solid); }, checked(shape));
 }
 
 Vector3d centroid(const Shape& shape) {
-  return std::visit([](const auto& solid) { return shapes::centroid(solid); }, shape);
+  return std::visit([](const auto& solid) { return shapes::centroid(solid); }, checked(shape));
 }
 
 Eigen::Matrix3d central_inertia(const Shape& shape, double mass) {
-  return std::visit([&](const auto& solid) { return shapes::central_inertia(solid, mass); }, shape);
+  require_positive("mass", mass);
+  return std::visit([&](const auto& solid) { return shapes::central_inertia(solid, mass); },
+                    checked(shape));
 }
 
 double bounding_radius(const Shape& shape, const Vector3d& centre) {
-  return std::visit([&](const auto& solid) { return shapes::far_side(solid, centre); }, shape);
+  for (const double coordinate : centre) require_finite("centre", coordinate);
+  return std::visit([&](const auto& solid) { return shapes::far_side(solid, centre); },
+                    checked(shape));
 }
 
 Vector3d support(const Shape& shape, const Vector3d& direction) {
-  const Vector3d unit = direction.stableNormalized();
-  return std::visit([&](const auto& solid) { return shapes::support(solid, unit); }, shape);
+  const Vector3d unit = checked_direction("direction", direction);
+  return std::visit([&](const auto& solid) { return shapes::support(solid, unit); },
+                    checked(shape));
 }
 
 Eigen::AlignedBox3d bounding_box(const Shape& shape) {
@@ -38,7 +61,7 @@ Eigen::AlignedBox3d bounding_box(const Shape& shape) {
 }
 
 Eigen::Matrix3d frame_with_z_along(const Vector3d& axis) {
-  const Vector3d n = axis.stableNormalized();  // The square of its length may underflow.
+  const Vector3d n = checked_direction("axis", axis);
   const double sign = std::copysign(1.0, n.z());
   const double a = -1.0 / (sign + n.z());
   const double b = n.x() * n.y() * a;

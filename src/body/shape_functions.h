@@ -25,6 +25,14 @@
 // far_side         the distance from a point to the farthest point of the shape, or an upper bound
 //                  of it for an ellipsoid
 
+namespace twrench::body {
+
+/// Throws OutOfRange or InvalidArgument unless it is a solid with a density, a position and a
+/// proper rotation.
+void require_part(const Part& part);
+
+}  // namespace twrench::body
+
 namespace twrench::body::shapes {
 
 std::string name(const Cylinder&);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/body/shape.h>
 #include <twrench/body/triangle_mesh.h>
 
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/require.h"
 #include "body/double_double.h"
 
 namespace twrench::body {
@@ -207,6 +207,8 @@ SolidIntegrals shell_integrals(const TriangleMesh& mesh, double thickness) {
 }
 
 double surface_area(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return 0.0;
+  check(mesh);
   std::vector<DoubleDouble> parts((mesh.triangles.size() + grain - 1) / grain);
   for_each_part(mesh.triangles.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
     DoubleDouble& sum = parts[begin / grain];

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <hb.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 
+#include "base/nearest.h"
 #include "canvas/font_file.h"
 #include "embedded/fonts.h"
 #include "system/error.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "base/enumeration.h"
+#include "base/nearest.h"
 #include "embedded/cases.h"
 #include "scene/limits.h"
 #include "scene/toml_table.h"

@@ -6,10 +6,19 @@
 
 namespace twrench::so3 {
 
-/// The formulas of so3.h as inline functions. They are private so that only the library's compiler
-/// flags apply to them: an inline function of a public header would also be compiled with the flags
-/// of a program, and the linker would keep one of the two versions.
+/// The formulas of so3.h as inline functions, which do not check their arguments: what is not
+/// finite gives NaN. They are private so that only the library's compiler flags apply to them: an
+/// inline function of a public header would also be compiled with the flags of a program, and the
+/// linker would keep one of the two versions.
 struct Formulas {
+  static Matrix3d hat(const Vector3d& w) {
+    Matrix3d Omega;
+    Omega << 0, -w.z(), w.y(),  //
+        w.z(), 0, -w.x(),       //
+        -w.y(), w.x(), 0;
+    return Omega;
+  }
+
   static AngleFunctions angle_functions(const Vector3d& u) {
     const double half = 0.5 * u.norm();
     if (half == 0.0) return {1.0, 0.5, 1.0 / 12.0};
@@ -26,6 +35,18 @@ struct Formulas {
   static Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega) {
     const Vector3d w = u.cross(omega);
     return omega + 0.5 * w + f.c * u.cross(w);
+  }
+
+  static Matrix3d exp(const Vector3d& u) {
+    const AngleFunctions f = angle_functions(u);
+    const double a = f.a, b = f.b;
+    const double xx = u.x() * u.x(), yy = u.y() * u.y(), zz = u.z() * u.z();
+    const double xy = b * u.x() * u.y(), xz = b * u.x() * u.z(), yz = b * u.y() * u.z();
+    Matrix3d X;
+    X << 1.0 - b * (yy + zz), xy - a * u.z(), xz + a * u.y(),  //
+        xy + a * u.z(), 1.0 - b * (xx + zz), yz - a * u.x(),   //
+        xz - a * u.y(), yz + a * u.x(), 1.0 - b * (xx + yy);
+    return X;
   }
 };
 

@@ -1,8 +1,6 @@
 #include "mesh/mesh_file.h"
 
 #include <fmt/format.h>
-#include <twrench/base/nearest.h>
-#include <twrench/base/require.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,6 +10,8 @@
 #include <memory>
 #include <utility>
 
+#include "base/nearest.h"
+#include "base/require.h"
 #include "mesh/diagnosis.h"
 #include "mesh/gltf.h"
 #include "mesh/obj.h"

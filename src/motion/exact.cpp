@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 
@@ -7,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/require.h"
 #include "math/unaligned.h"
 
 namespace twrench::motion {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/exact_many.h>
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/require.h"
 
 namespace twrench::motion {
 namespace {

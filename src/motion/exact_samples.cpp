@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/require.h"
 #include "math/elementary.h"
 #include "math/elliptic_series.h"
 

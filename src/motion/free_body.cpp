@@ -1,10 +1,11 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/free_body.h>
 
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+
+#include "base/require.h"
 
 namespace twrench::motion {
 namespace {

@@ -1,8 +1,9 @@
-#include <twrench/base/nearest.h>
 #include <twrench/motion/method.h>
 
 #include <algorithm>
 #include <array>
+
+#include "base/nearest.h"
 
 namespace twrench::motion {
 namespace {

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <twrench/motion/polhode.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "base/require.h"
 
 namespace twrench::motion {
 namespace {
@@ -14,12 +17,40 @@ constexpr double alike = 1e-9;
 
 bool differ(double a, double b) { return b - a > alike * b; }
 
+void check(const Vector3d& moments) {
+  for (const double moment : moments) require_positive("moments", moment);
+  if (moments[0] <= moments[1] && moments[1] <= moments[2]) return;
+  throw InvalidArgument("moments", "must be ascending");
+}
+
+void check(const EnergyLevel& level) {
+  check(level.moments);
+  if (!differ(level.moments[0], level.moments[2])) {
+    throw InvalidArgument("moments", "must not all be equal");
+  }
+  if (level.axis != 0 && level.axis != 2) {
+    throw OutOfRange("axis", fmt::format("is {}, but must be 0 or 2", level.axis),
+                     {double(level.axis), 0, 2});
+  }
+  if (level.side != 1 && level.side != -1) {
+    throw OutOfRange("side", fmt::format("is {}, but must be 1 or -1", level.side),
+                     {level.side, -1, 1});
+  }
+  const double least = 1 / level.moments[2], greatest = 1 / level.moments[0];
+  if (level.energy >= least * (1 - alike) && level.energy <= greatest * (1 + alike)) return;
+  throw OutOfRange("energy",
+                   fmt::format("is {}, but must be {} to {}", level.energy, least, greatest),
+                   {level.energy, least, greatest});
+}
+
 /// a / b, clamped to [0, 1] against rounding; 0 if both vanish.
 double share(double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0; }
 
 }  // namespace
 
 Vector3d EnergyLevel::at(double phi) const {
+  check(*this);
+  require_finite("phi", phi);
   const Vector3d inverse = moments.cwiseInverse();
   const int other = 2 - axis;
   const double excess = std::abs(energy - inverse[axis]);
@@ -35,11 +66,17 @@ Vector3d EnergyLevel::at(double phi) const {
 }
 
 bool EnergyLevel::is_separatrix() const {
+  check(*this);
   return std::abs(energy * moments[1] - 1) < alike && differ(moments[0], moments[1]) &&
          differ(moments[1], moments[2]);
 }
 
 std::optional<EnergyLevel> level_through(const Vector3d& moments, const Vector3d& mu) {
+  check(moments);
+  for (const double component : mu) require_finite("mu", component);
+  if (!(std::abs(mu.squaredNorm() - 1) < alike)) {
+    throw InvalidArgument("mu", "must be a unit vector");
+  }
   if (!differ(moments[0], moments[2])) return std::nullopt;
   const double energy = (mu.array().square() / moments.array()).sum();
   const bool about_least = differ(moments[0], moments[1]) &&
@@ -49,6 +86,8 @@ std::optional<EnergyLevel> level_through(const Vector3d& moments, const Vector3d
 }
 
 std::vector<EnergyLevel> level_family(const Vector3d& moments, int count) {
+  check(moments);
+  require_not_negative("count", count);
   std::vector<EnergyLevel> levels;
   const Vector3d inverse = moments.cwiseInverse();
   for (const int axis : {0, 2}) {
@@ -63,6 +102,7 @@ std::vector<EnergyLevel> level_family(const Vector3d& moments, int count) {
 }
 
 std::optional<std::array<Vector3d, 2>> separatrix(const Vector3d& moments) {
+  check(moments);
   if (!differ(moments[0], moments[1]) || !differ(moments[1], moments[2])) return std::nullopt;
   const Vector3d inverse = moments.cwiseInverse();
   const double least = std::sqrt((inverse[1] - inverse[2]) / (inverse[0] - inverse[2]));
@@ -71,6 +111,7 @@ std::optional<std::array<Vector3d, 2>> separatrix(const Vector3d& moments) {
 }
 
 Annulus herpolhode_annulus(const EnergyLevel& level) {
+  check(level);
   // |omega| is largest and smallest where the polhode crosses the coordinate planes.
   const auto radius = [&](double phi) {
     const Vector3d omega = level.at(phi).cwiseQuotient(level.moments) / level.energy;

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/propagator.h>
-#include <twrench/motion/stepper.h>
 #include <twrench/motion/taylor.h>
 
 #include <algorithm>
@@ -11,6 +9,9 @@
 #include <limits>
 #include <numbers>
 #include <string>
+
+#include "base/require.h"
+#include "motion/unchecked_stepper.h"
 
 namespace twrench::motion {
 namespace {
@@ -71,14 +72,14 @@ class StepPropagator final : public Propagator {
     while (std::abs(t) > std::abs(t_next_)) advance();
     if (t == 0) return {t, Matrix3d::Identity(), body_.omega()};
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
-    const Sample sample{t, X, angular_velocity(body_, method_, X)};
+    const Sample sample{t, X, unchecked::angular_velocity(body_, method_, X)};
     require_sane(sample);
     return sample;
   }
 
   AcceptedStep next_step() override {
     advance();
-    require_sane({t_next_, X_next_, angular_velocity(body_, method_, X_next_)});
+    require_sane({t_next_, X_next_, unchecked::angular_velocity(body_, method_, X_next_)});
     return {t_, t_next_ - t_, X_, X_next_, error_};
   }
 
@@ -104,7 +105,7 @@ class StepPropagator final : public Propagator {
                     fmt::format("a step of {} s is longer than a turn of the body ({:.3g} s)",
                                 length, a_turn_));
     }
-    const Step step = take_step(body_, method_, X_, length);
+    const Step step = unchecked::take_step(body_, method_, X_, length);
     evaluations_ += step.evaluations;
     if (std::isfinite(step.error)) return step.X;
     throw failure(method_, MotionError::Reason::step_too_long,
@@ -124,7 +125,7 @@ class StepPropagator final : public Propagator {
       length = t_end - t_;  // As t can represent it, so that no time is lost to rounding.
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
         throw underflow(method_, control_, t_);
-      const Step step = take_step(body_, method_, X_, length);
+      const Step step = unchecked::take_step(body_, method_, X_, length);
       evaluations_ += step.evaluations;
       const double ratio = control_.tolerance / std::max(step.error, 1e-300);
       const double factor =

@@ -2,6 +2,7 @@
 #include <twrench/motion/rotating_frame.h>
 #include <twrench/motion/stability.h>
 
+#include "base/require.h"
 #include "math/unaligned.h"
 
 namespace twrench::motion {
@@ -9,7 +10,20 @@ namespace twrench::motion {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+namespace {
+
+void require_finite_entries(const char* quantity, const Vector3d& vector) {
+  for (const double component : vector) require_finite(quantity, component);
+}
+
+void require_finite_entries(const char* quantity, const Matrix3d& matrix) {
+  for (const double entry : matrix.reshaped()) require_finite(quantity, entry);
+}
+
+}  // namespace
+
 Vector3d angular_acceleration(const FreeBody& body, const Vector3d& omega) {
+  require_finite_entries("omega", omega);
   // In principal axes, where the difference of two moments is exact: where another is much smaller,
   // that of I omega x omega would not be.
   const auto& [I, axes] = body.principal();
@@ -19,11 +33,13 @@ Vector3d angular_acceleration(const FreeBody& body, const Vector3d& omega) {
 }
 
 RotatingFrame body_frame(const FreeBody& body, const Sample& sample) {
+  require_finite_entries("X", sample.X);
   return {so3::Quaternion(sample.X).normalized().toRotationMatrix(), sample.omega,
           angular_acceleration(body, sample.omega)};
 }
 
 RotatingFrame steady_frame(const FreeBody& body, double t) {
+  require_finite("t", t);
   // The axis of the rotation is L both in space and in the frame.
   const Vector3d omega = Tilt(body).steady_rate() * body.momentum().stableNormalized();
   return {so3::exp(t * omega), omega, Vector3d::Zero()};
@@ -33,9 +49,16 @@ FrameForces::FrameForces(const RotatingFrame& frame, const FreeBody& body, const
     : frame_from_body_(frame.attitude.transpose() * sample.X),
       frame_(frame),
       omega_(frame_from_body_ * sample.omega),
-      alpha_(frame_from_body_ * angular_acceleration(body, sample.omega)) {}
+      alpha_(frame_from_body_ * angular_acceleration(body, sample.omega)) {
+  require_finite_entries("attitude", frame.attitude);
+  require_finite_entries("omega", frame.omega);
+  require_finite_entries("alpha", frame.alpha);
+  require_finite_entries("X", sample.X);
+}
 
 PointForces FrameForces::on(double mass, const Vector3d& position) const {
+  require_not_negative("mass", mass);
+  require_finite_entries("position", position);
   const auto& [attitude, Omega, Omega_dot] = frame_;
   const Vector3d r = frame_from_body_ * position;
   // The body turns in the frame with u, whose derivative there is u'.

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <twrench/motion/stability.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+
+#include "base/require.h"
 
 namespace twrench::motion {
 
@@ -12,6 +15,12 @@ double Stability::doubling_time() const { return std::numbers::ln2 / rate; }
 double Stability::period() const { return 2 * std::numbers::pi / rate; }
 
 Stability stability(const Vector3d& moments, int axis, double omega) {
+  for (const double moment : moments) require_positive("moments", moment);
+  if (axis < 0 || axis > 2) {
+    throw OutOfRange("axis", fmt::format("is {}, but must be 0, 1 or 2", axis),
+                     {double(axis), 0, 2});
+  }
+  require_finite("omega", omega);
   const double I = moments[axis], J = moments[(axis + 1) % 3], K = moments[(axis + 2) % 3];
   const double square = (I - J) / J * ((I - K) / K);  // of a wobble's frequency over omega
   const double rate = std::abs(omega) * std::sqrt(std::abs(square));
@@ -32,12 +41,14 @@ Tilt::Tilt(const FreeBody& body)
 }
 
 double Tilt::of(const Sample& sample) const {
+  for (const double component : sample.omega) require_finite("omega", component);
   const Vector3d m = momentum_from_omega_ * sample.omega;
   const double across = std::hypot(m[(axis_ + 1) % 3], m[(axis_ + 2) % 3]);
   return std::atan2(across, std::abs(m[axis_]));
 }
 
 Vector3d Tilt::direction(const Sample& sample) const {
+  for (const double component : sample.omega) require_finite("omega", component);
   const Vector3d m = momentum_from_omega_ * sample.omega;
   const Vector3d nearer_end = std::copysign(1.0, m[axis_]) * Vector3d::Unit(axis_);
   return axes_ * m.cross(nearer_end).stableNormalized();

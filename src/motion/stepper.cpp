@@ -1,12 +1,14 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
-#include <twrench/motion/stepper.h>
 #include <twrench/motion/taylor.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "base/require.h"
 #include "math/so3_formulas.h"
+#include "motion/unchecked_stepper.h"
 
 namespace twrench::motion {
 namespace {
@@ -62,12 +64,12 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
     s[row] = so3::Formulas::dexpinv(f, u, s[row]);
   }
   const Vector3d u = h * weighted_sum(tableau.weights, s, tableau.stages);
-  if (method.update == Update::linear) return {X + X * so3::hat(u), 0.0, tableau.stages};
-  const Matrix3d rotation = so3::exp(u);
+  if (method.update == Update::linear) return {X + X * so3::Formulas::hat(u), 0.0, tableau.stages};
+  const Matrix3d rotation = so3::Formulas::exp(u);
   if (!tableau.embedded_pair) return {X * rotation, 0.0, tableau.stages};
   // |W' - Z'| = |W (exp u - exp v)| = |exp u - exp v|, because W is orthogonal.
   const Vector3d v = h * weighted_sum(tableau.embedded, s, tableau.stages);
-  return {X * rotation, (rotation - so3::exp(v)).norm(), tableau.stages};
+  return {X * rotation, (rotation - so3::Formulas::exp(v)).norm(), tableau.stages};
 }
 
 Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X, double h) {
@@ -83,7 +85,7 @@ Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X,
   }
   Matrix3d end = X;
   for (const TableauRow& row : method.update)
-    end *= so3::exp(h * weighted_sum(row, s, method.stages));
+    end *= so3::Formulas::exp(h * weighted_sum(row, s, method.stages));
   return {end, 0.0, method.stages};
 }
 
@@ -109,7 +111,7 @@ Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d&
     }
     if (!(change <= 1e-14 * m0.norm())) return {X, infinite, evaluations};
     m0 = m1;
-    end *= so3::exp(u);
+    end *= so3::Formulas::exp(u);
   }
   return {end, 0.0, evaluations};
 }
@@ -123,7 +125,7 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
     const Vector3d a = body.principal().axes.col(axis);
     const Vector3d u = (fraction * h * a.dot(m) / body.principal().moments[axis]) * a;
     m = turned_back(u, m);
-    end *= so3::exp(u);
+    end *= so3::Formulas::exp(u);
   }
   return {end, 0.0, 5};
 }
@@ -140,7 +142,15 @@ Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) 
   return {X * ExactMotion(FreeBody(body.inertia(), omega)).at(h).X, 0.0, 1};
 }
 
+/// Throws OutOfRange unless all entries are finite. Their sum is, except where it overflows.
+void require_attitude(const Matrix3d& X) {
+  if (std::isfinite(X.sum())) return;
+  for (const double entry : X.reshaped()) require_finite("X", entry);
+}
+
 }  // namespace
+
+namespace unchecked {
 
 Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
   return body.inverse() * body_momentum(body, method.linear(), X);
@@ -148,6 +158,19 @@ Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matr
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
   return std::visit([&](const auto& scheme) { return step(body, scheme, X, h); }, method.scheme);
+}
+
+}  // namespace unchecked
+
+Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
+  require_attitude(X);
+  return unchecked::angular_velocity(body, method, X);
+}
+
+Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
+  require_attitude(X);
+  require_finite("h", h);
+  return unchecked::take_step(body, method, X, h);
 }
 
 }  // namespace twrench::motion

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
-#include <twrench/base/require.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "base/require.h"
 
 namespace twrench::motion {
 namespace {
@@ -20,6 +21,13 @@ void require_possible(const Method& method, const StepControl& control, double t
                     fmt::format("{:.3g} steps of {} s to t = {} s are more than {}", steps,
                                 control.step, t_end, control.max_steps),
                     MotionError::Reason::too_many_steps);
+}
+
+/// Returns the time of a sample, or throws unless it is finite and not before that of the last one.
+double require_not_before(double last, double t) {
+  require_not_negative("time", t);
+  if (t >= last) return t;
+  throw InvalidArgument("time", fmt::format("is {} s after {} s, but must ascend", t, last));
 }
 
 }  // namespace
@@ -47,21 +55,30 @@ Trajectory integrate(const FreeBody& body, const Method& method, const StepContr
 void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
                    std::size_t count, const std::function<double(std::size_t)>& time,
                    const std::function<void(const Sample&)>& visit) {
+  if (!time) throw InvalidArgument("time", "is empty");
+  if (!visit) throw InvalidArgument("visit", "is empty");
   const auto propagator = make_propagator(body, method, control);
-  if (count > 0 && !method.exact()) require_possible(method, control, time(count - 1));
+  if (count > 0 && !method.exact()) {
+    require_possible(method, control, require_not_negative("time", time(count - 1)));
+  }
   // A method that goes in steps hands over each sample before it goes on and perhaps fails.
   const std::size_t together = method.exact() ? 4096 : 1;
   std::vector<double> times;
+  double last = 0;
   for (std::size_t i = 0; i < count;) {
     times.clear();
-    for (; i < count && times.size() < together; ++i) times.push_back(time(i));
+    for (; i < count && times.size() < together; ++i) {
+      times.push_back(require_not_before(last, time(i)));
+      last = times.back();
+    }
     std::ranges::for_each(propagator->samples_at(times), visit);
   }
 }
 
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const AcceptedStep&)>& visit) {
-  require_finite("t_end", t_end);
+  require_not_negative("t_end", t_end);
+  if (!visit) throw InvalidArgument("visit", "is empty");
   const auto propagator = make_propagator(body, method, control);
   require_possible(method, control, t_end);
   while (propagator->t() < t_end) visit(propagator->next_step());

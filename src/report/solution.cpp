@@ -1,11 +1,12 @@
 #include "report/solution.h"
 
 #include <twrench/motion/error.h>
-#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "study/ladder.h"
 
 namespace twrench::report {
 namespace {

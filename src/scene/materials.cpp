@@ -1,8 +1,8 @@
 #include "scene/materials.h"
 
-#include <twrench/base/nearest.h>
-
 #include <iterator>
+
+#include "base/nearest.h"
 
 namespace twrench::scene {
 

@@ -1,7 +1,6 @@
 #include "scene/mesh_files.h"
 
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <iterator>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nearest.h"
 #include "embedded/meshes.h"
 
 namespace twrench::scene {

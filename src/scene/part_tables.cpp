@@ -1,13 +1,13 @@
 #include "scene/part_tables.h"
 
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 #include <twrench/math/so3.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "base/nearest.h"
 #include "scene/dimensions.h"
 #include "scene/fields.h"
 #include "scene/limits.h"

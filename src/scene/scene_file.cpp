@@ -1,12 +1,12 @@
 // Scenes from TOML. Keys, units and defaults are documented in docs/scene-files.md.
 #include <fmt/format.h>
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <filesystem>
 #include <system_error>
 
 #include "base/letters.h"
+#include "base/nearest.h"
 #include "embedded/scenes.h"
 #include "scene/fields.h"
 #include "scene/mesh_files.h"

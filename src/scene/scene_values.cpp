@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "base/nearest.h"
 #include "scene/dimensions.h"
 #include "scene/fields.h"
 #include "scene/limits.h"

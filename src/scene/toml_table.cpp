@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
+
+#include "base/nearest.h"
 
 namespace twrench::scene {
 namespace {

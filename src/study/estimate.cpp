@@ -1,19 +1,23 @@
 #include <twrench/motion/stepper.h>
 #include <twrench/study/estimate.h>
-#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "base/require.h"
+#include "study/ladder.h"
+
 namespace twrench::study {
 
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
+  for (const double entry : step.after.reshaped()) require_finite("after", entry);
   static const motion::Method& exact = motion::find_method("exact");
   return (step.after - motion::take_step(body, exact, step.before, step.length).X).norm();
 }
 
 void EstimateCheck::visit(const motion::AcceptedStep& step) {
   constexpr double round_off = 1e-14;
+  require_not_negative("error", step.error);
   const double error = local_error(body_, step);
   largest_error_ = std::max(largest_error_, error);
   if (error > round_off) ratios_.push_back(error / step.error);

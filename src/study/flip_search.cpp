@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/require.h"
+
 namespace twrench::study {
 
 double FlipSearch::component(const Eigen::Matrix3d& X) const {
@@ -13,7 +15,13 @@ double FlipSearch::component(const Eigen::Matrix3d& X) const {
 }
 
 void FlipSearch::visit(const motion::AcceptedStep& step) {
+  require_positive("length", step.length);
+  require_finite("t", step.t);
+  if (last_ && !(step.t > *last_)) {
+    throw InvalidArgument("t", "the steps must be visited in their order");
+  }
   const double before = component(step.before), after = component(step.after);
+  last_ = step.t;
   if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
   if (sign_ * after < 0.0) {
     times_.push_back(before == 0.0 ? step.t : step.t + root(step, before, after));

@@ -1,4 +1,4 @@
-#include <twrench/study/ladder.h>
+#include "study/ladder.h"
 
 #include <algorithm>
 #include <cmath>

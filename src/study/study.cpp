@@ -1,9 +1,7 @@
-#include <twrench/base/require.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/stepper.h>
 #include <twrench/study/flip_search.h>
-#include <twrench/study/ladder.h>
 #include <twrench/study/study.h>
 
 #include <algorithm>
@@ -11,6 +9,9 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+
+#include "base/require.h"
+#include "study/ladder.h"
 
 namespace twrench::study {
 namespace {
@@ -143,6 +144,12 @@ Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
   constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
   require_positive("duration", plan.duration);
   if (plan.steps.empty()) throw InvalidArgument("steps", "there must be one at least");
+  for (const motion::Method* method : plan.methods) {
+    if (method == nullptr) throw InvalidArgument("methods", "one is null");
+    if (method->adaptive() && plan.tolerances.empty()) {
+      throw InvalidArgument("tolerances", "there must be one at least");
+    }
+  }
   const motion::ExactMotion motion(body);
   Study result{plan.duration,
                early_time(plan.duration, body.omega().norm()),

@@ -1,5 +1,6 @@
+#include "base/nearest.h"
+
 #include <gtest/gtest.h>
-#include <twrench/base/nearest.h>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
+#include "study/ladder.h"
+
 #include <gtest/gtest.h>
-#include <twrench/study/ladder.h>
 
 #include <cmath>
 

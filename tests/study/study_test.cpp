@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
-#include <twrench/study/ladder.h>
 #include <twrench/study/study.h>
 
 #include <cmath>
 
 #include "motion/reference.h"
+#include "study/ladder.h"
 
 namespace twrench::study {
 namespace {

@@ -1,12 +1,13 @@
 #include "recorded_run.h"
 
-#include <twrench/base/require.h>
 #include <twrench/motion/error.h>
 #include <twrench/motion/stepper.h>
 
 #include <algorithm>
 #include <limits>
 #include <string>
+
+#include "base/require.h"
 
 namespace twrench::page {
 namespace {

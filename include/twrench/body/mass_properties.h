@@ -68,7 +68,8 @@ struct PointMass {
 /// Returns six point masses with the mass, the centre of mass and the inertia of a part, so that
 /// forces that are linear in the position have the same sum and the same torque on them as on the
 /// part. They lie in pairs on the part's own principal axes, each with a sixth of the mass: for a
-/// cylinder's z axis at the centres of its ends, for a box at the centres of its faces.
+/// cylinder's z axis at the centres of its ends, for a box at the centres of its faces. Throws as
+/// mass_properties() does.
 std::array<PointMass, 6> equimomental_points(const Part& part);
 
 }  // namespace twrench::body

@@ -83,7 +83,8 @@ struct Mesh {
 /// Throws OutOfRange or InvalidArgument as solid_integrals() and shell_integrals() do.
 Mesh make_mesh(TriangleMesh surface, double shell = 0.0);
 
-/// The geometry of a solid.
+/// The geometry of a solid. The functions of a shape throw OutOfRange about a length that is not
+/// positive, such as "radius", and InvalidArgument about "mesh" where a mesh has no surface.
 using Shape = std::variant<Cylinder, Box, Ellipsoid, Cone, Torus, Capsule, Tube, Mesh>;
 
 /// A homogeneous solid, placed in the frame in which the scene describes the body.
@@ -107,15 +108,17 @@ Eigen::Vector3d centroid(const Shape& shape);
 
 /// Returns the inertia matrix in g cm^2 about the centroid, in the axes of the shape's own frame,
 /// for `mass` grams distributed homogeneously: the integrals of eq. (13). It is diagonal for all
-/// shapes but meshes.
+/// shapes but meshes. Throws OutOfRange about "mass" unless it is positive.
 Eigen::Matrix3d central_inertia(const Shape& shape, double mass);
 
 /// Returns the bounding radius in cm: that of the smallest sphere about `centre`, in the shape's
-/// own frame, which contains it; of an ellipsoid that is not a sphere, a bound on it.
+/// own frame, which contains it; of an ellipsoid that is not a sphere, a bound on it. Throws
+/// OutOfRange about "centre" unless it is finite.
 double bounding_radius(const Shape& shape, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
 /// Returns a point of the shape that lies farthest along `direction` (of any nonzero length), in
-/// cm, in the shape's own frame.
+/// cm, in the shape's own frame. Throws InvalidArgument about "direction" if it is zero or not
+/// finite.
 Eigen::Vector3d support(const Shape& shape, const Eigen::Vector3d& direction);
 
 /// Returns the smallest box with edges along the axes of the shape's own frame which contains it,
@@ -123,7 +126,8 @@ Eigen::Vector3d support(const Shape& shape, const Eigen::Vector3d& direction);
 Eigen::AlignedBox3d bounding_box(const Shape& shape);
 
 /// Returns a proper rotation whose third column is `axis` (of any nonzero length); exact for the
-/// coordinate axes. Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
+/// coordinate axes. Throws InvalidArgument about "axis" if it is zero or not finite. Source: Duff
+/// et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
 Eigen::Matrix3d frame_with_z_along(const Eigen::Vector3d& axis);
 
 }  // namespace twrench::body

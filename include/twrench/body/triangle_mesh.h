@@ -38,7 +38,8 @@ SolidIntegrals solid_integrals(const TriangleMesh& mesh);
 /// is 0.
 SolidIntegrals shell_integrals(const TriangleMesh& mesh, double thickness);
 
-/// Returns the area of the triangles in cm^2.
+/// Returns the area of the triangles in cm^2; 0 if there are none. Throws InvalidArgument about
+/// "mesh" where an index is out of range or a coordinate is not finite.
 double surface_area(const TriangleMesh& mesh);
 
 }  // namespace twrench::body

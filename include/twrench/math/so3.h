@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// The rotation group SO(3) and its Lie algebra, with the specification's names.
+/// The rotation group SO(3) and its Lie algebra, with the specification's names. Each function
+/// throws OutOfRange about a vector, a matrix or a number that is not finite, by its name here.
 namespace twrench::so3 {
 
 using Eigen::Matrix3d;

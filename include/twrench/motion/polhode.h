@@ -13,6 +13,9 @@ namespace twrench::motion {
 /// axis of least or greatest moment; the momentum moves along it.
 ///
 /// With omega_i = G mu_i / I_i it becomes the polhode, the path of omega in the body.
+///
+/// The functions of a level throw InvalidArgument about "moments" unless they are positive, finite,
+/// ascending and not all equal, and OutOfRange about "energy", "axis" and "side".
 struct EnergyLevel {
   Eigen::Vector3d moments;  ///< Principal moments in g cm^2, ascending, not all equal.
   double energy;            ///< 2T/G^2 in 1/(g cm^2), from 1/moments[2] to 1/moments[0].
@@ -20,7 +23,8 @@ struct EnergyLevel {
   double side;              ///< Sign of mu along that axis: 1 or -1.
 
   /// Returns the point whose other two components are proportional to the cosine and sine of `phi`,
-  /// each scaled by its amplitude; phi from 0 to 2 pi traverses the curve once.
+  /// each scaled by its amplitude; phi from 0 to 2 pi traverses the curve once. Throws OutOfRange
+  /// about "phi" unless it is finite.
   Eigen::Vector3d at(double phi) const;
 
   /// Returns whether motion along the curve comes to rest at the intermediate axis, or so close to
@@ -28,16 +32,22 @@ struct EnergyLevel {
   bool is_separatrix() const;
 };
 
+// `moments` are principal moments in g cm^2, ascending. The functions throw InvalidArgument about
+// "moments" unless they are positive, finite and ascending.
+
 /// Returns the level through the unit vector mu; nothing for a sphere, where every mu is at rest.
+/// Throws InvalidArgument about "moments" as above and about "mu" unless its length is 1.
 std::optional<EnergyLevel> level_through(const Eigen::Vector3d& moments, const Eigen::Vector3d& mu);
 
 /// Returns `count` levels around each end of the axes of least and greatest moment, evenly spaced
 /// where they cross the plane of the intermediate axis. There are none around an axis without a
-/// stable rotation, such as the transverse axes of a symmetric body.
+/// stable rotation, such as the transverse axes of a symmetric body. Throws InvalidArgument about
+/// "moments" as above and OutOfRange about a negative "count".
 std::vector<EnergyLevel> level_family(const Eigen::Vector3d& moments, int count);
 
 /// Returns the two unit vectors u for which the separatrix consists of the great circles cos(phi)
-/// e_2 + sin(phi) u through the intermediate axis. Nothing for a symmetric body.
+/// e_2 + sin(phi) u through the intermediate axis. Nothing for a symmetric body. Throws
+/// InvalidArgument about "moments" as above.
 std::optional<std::array<Eigen::Vector3d, 2>> separatrix(const Eigen::Vector3d& moments);
 
 /// The annulus of the herpolhode: the range of distances from L within which the tip of omega moves

@@ -18,17 +18,18 @@ struct RotatingFrame {
 };
 
 /// Returns the derivative of omega in rad/s^2 for an angular velocity in body axes, rad/s: Euler's
-/// equations, I omega' = I omega x omega.
+/// equations, I omega' = I omega x omega. Throws OutOfRange about "omega" unless it is finite.
 Eigen::Vector3d angular_acceleration(const FreeBody& body, const Eigen::Vector3d& omega);
 
 /// Returns the frame that is fixed in the body. Its axes are those of a rotation even if the
-/// sample, of a method that leaves SO(3), is none.
+/// sample, of a method that leaves SO(3), is none. Throws OutOfRange about "X" or "omega" unless
+/// those of the sample are finite.
 RotatingFrame body_frame(const FreeBody& body, const Sample& sample);
 
 /// Returns the frame that turns steadily about L as the body would if it rotated about axis k, the
 /// principal axis nearest to L at t = 0: with Omega = L / I_k, and at t = 0 along the axes of
 /// space. A steady rotation is at rest in it, and a slow deviation from one is a slow motion. It is
-/// inertial for a body at rest. `t` is in s.
+/// inertial for a body at rest. `t` is in s. Throws OutOfRange about "t" unless it is finite.
 RotatingFrame steady_frame(const FreeBody& body, double t);
 
 /// A point mass of the body as it moves in a frame, and the forces on it. Vectors are along the
@@ -48,10 +49,13 @@ struct PointForces {
 /// The forces in a frame on the points of a body at one time.
 class FrameForces {
  public:
-  /// `sample` is the motion of `body` at the time of `frame`.
+  /// `sample` is the motion of `body` at the time of `frame`. Throws OutOfRange about "attitude",
+  /// "omega", "alpha" or "X" unless it is finite.
   FrameForces(const RotatingFrame& frame, const FreeBody& body, const Sample& sample);
 
   /// Returns the forces on a mass in g at a position in body axes, cm. All are linear in both.
+  /// Throws OutOfRange about "mass" unless it is finite and not negative, and about "position"
+  /// unless it is finite.
   PointForces on(double mass, const Eigen::Vector3d& position) const;
 
  private:

@@ -22,15 +22,16 @@ struct Stability {
   /// Rate of growth in 1/s or angular frequency in rad/s; 0 if neutral.
   double rate = 0;
 
-  /// Returns the time in s in which an unstable tilt doubles, ln 2 / rate.
+  /// Returns the time in s in which an unstable tilt doubles, ln 2 / rate; infinite if neutral.
   double doubling_time() const;
-  /// Returns the time in s of one turn of a stable wobble, 2 pi / rate.
+  /// Returns the time in s of one turn of a stable wobble, 2 pi / rate; infinite if neutral.
   double period() const;
 };
 
 /// Returns the stability of a rotation at `omega` rad/s about the axis with that index, for
 /// principal moments in g cm^2, in any order: rate^2 = omega^2 |(I_k - I_i)(I_k - I_j)| / (I_i
-/// I_j).
+/// I_j). Throws OutOfRange about "moments" unless they are positive and finite, about "axis" unless
+/// it is 0, 1 or 2, and about "omega" unless it is finite.
 Stability stability(const Eigen::Vector3d& moments, int axis, double omega);
 
 /// The tilt of a body against its angular momentum: the angle between L and the principal axis that
@@ -46,11 +47,12 @@ class Tilt {
   /// Returns the rate in rad/s of the steady rotation about this axis with the same L: |L| / I_k.
   double steady_rate() const { return steady_rate_; }
 
-  /// Returns the tilt in rad, from 0 to pi/2; 0 for a body at rest.
+  /// Returns the tilt in rad, from 0 to pi/2; 0 for a body at rest. Throws OutOfRange about "omega"
+  /// unless that of the sample is finite.
   double of(const Sample& sample) const;
 
   /// Returns the unit vector in body axes about which the body must turn, right-handed, to tilt
-  /// further; 0 if it is not tilted.
+  /// further; 0 if it is not tilted. Throws as of() does.
   Eigen::Vector3d direction(const Sample& sample) const;
 
   /// The growth of a small tilt: the linearised tilt tends to amplitude * exp(rate * t).

@@ -9,6 +9,7 @@ namespace twrench::motion {
 
 /// Returns the angular velocity in body axes, rad/s, for the attitude X: eq. (19), omega = I^-1 X^T
 /// L. A method that leaves SO(3) uses the inverse instead of the transpose, as eq. (24) prints it.
+/// Throws OutOfRange about "X" unless it is finite.
 Eigen::Vector3d angular_velocity(const FreeBody& body, const Method& method,
                                  const Eigen::Matrix3d& X);
 
@@ -23,7 +24,8 @@ struct Step {
   int evaluations;
 };
 
-/// Takes one step of h seconds (which may be negative) from X with a method that takes steps.
+/// Takes one step of h seconds (which may be negative) from X with any method. Throws OutOfRange
+/// about "X" or "h" unless it is finite.
 Step take_step(const FreeBody& body, const Method& method, const Eigen::Matrix3d& X, double h);
 
 }  // namespace twrench::motion

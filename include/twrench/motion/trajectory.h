@@ -26,22 +26,24 @@ struct Trajectory {
 /// t_(k+1) is one shortened step from t_k that does not affect later steps, so that the sample at t
 /// is bit-identical whichever other times are requested.
 ///
-/// Throws OutOfRange for a time that is not finite and as make_propagator does; MotionError when an
-/// adaptive step underflows, the motion diverges, a step is longer than a turn of the body or
-/// otherwise too long for the method, or max_steps is passed.
+/// Throws OutOfRange about a "time" that is not finite and as make_propagator does; MotionError
+/// when an adaptive step underflows, the motion diverges, a step is longer than a turn of the body
+/// or otherwise too long for the method, or max_steps is passed.
 Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
                      std::span<const double> times);
 
 /// Calls `visit` with the samples at time(0), ..., time(count - 1), which must be ascending and not
-/// negative. The samples are those of trajectory(), but none is stored. Throws as trajectory()
-/// does.
+/// negative. The samples are those of integrate(), but none is stored. Throws as integrate() does,
+/// InvalidArgument about a "time" that is less than the one before, and about "time" or "visit" if
+/// the function is empty.
 void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
                    std::size_t count, const std::function<double(std::size_t)>& time,
                    const std::function<void(const Sample&)>& visit);
 
 /// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that
-/// ends at t_end (s, > 0) or beyond. The closed form, which has none, goes in steps of
-/// `control.step`. Throws as trajectory.
+/// ends at t_end (s, >= 0) or beyond. The closed form, which has none, goes in steps of
+/// `control.step`. Throws as integrate() does, OutOfRange about "t_end" if it is negative or not
+/// finite, and InvalidArgument about "visit" if the function is empty.
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const AcceptedStep&)>& visit);
 

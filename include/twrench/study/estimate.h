@@ -7,7 +7,8 @@
 namespace twrench::study {
 
 /// Returns the true local error of a step: the Frobenius distance between its end and the exact
-/// motion started from its beginning.
+/// motion started from its beginning. Throws OutOfRange about "X", "after" or "h" where the
+/// beginning, the end or the length of the step is not finite.
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step);
 
 /// The quality of an embedded pair's error estimate E: the true local errors of accepted steps
@@ -21,16 +22,17 @@ struct EstimateQuality {
 /// Accumulates the quality over the steps of a trajectory.
 class EstimateCheck {
  public:
-  /// Refers to `body`, which must outlive the check.
+  /// Keeps a copy of `body`.
   explicit EstimateCheck(const motion::FreeBody& body) : body_(body) {}
 
-  /// Takes the next step into account.
+  /// Takes the next step into account. Throws as local_error() does, and OutOfRange about "error"
+  /// unless that of the step is finite and not negative.
   void visit(const motion::AcceptedStep& step);
   /// Returns the quality over the steps so far.
   EstimateQuality quality() const;
 
  private:
-  const motion::FreeBody& body_;
+  motion::FreeBody body_;
   double largest_error_ = 0.0;
   std::vector<double> ratios_;
 };

@@ -2,6 +2,7 @@
 
 #include <twrench/motion/trajectory.h>
 
+#include <optional>
 #include <vector>
 
 namespace twrench::study {
@@ -11,11 +12,13 @@ namespace twrench::study {
 /// the method's own samples within the step. Two sign changes within one step are missed.
 class FlipSearch {
  public:
-  /// Refers to `body` and `method`, which must outlive the search.
+  /// Keeps copies of `body` and `method`.
   FlipSearch(const motion::FreeBody& body, const motion::Method& method)
       : body_(body), method_(method) {}
 
-  /// Processes the next step; steps must arrive in order.
+  /// Processes the next step. Throws OutOfRange about "length" unless that of the step is positive,
+  /// about "t" or "X" unless it is finite, and InvalidArgument about "t" unless the step begins
+  /// after the one before.
   void visit(const motion::AcceptedStep& step);
 
   /// Returns the times found so far in s, ascending.
@@ -25,9 +28,10 @@ class FlipSearch {
   double component(const Eigen::Matrix3d& X) const;
   double root(const motion::AcceptedStep& step, double at_start, double at_end) const;
 
-  const motion::FreeBody& body_;
-  const motion::Method& method_;
-  double sign_ = 0.0;  ///< Sign of the component when it was last nonzero; 0 before that.
+  motion::FreeBody body_;
+  motion::Method method_;
+  double sign_ = 0.0;           ///< Sign of the component when it was last nonzero; 0 before that.
+  std::optional<double> last_;  ///< s, where the last step began.
   std::vector<double> times_;
 };
 

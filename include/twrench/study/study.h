@@ -96,7 +96,8 @@ struct Study {
 
 /// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
 /// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
-/// InvalidArgument where there are no steps, MotionError when it is stopped.
+/// InvalidArgument about "steps" if there are none, about "tolerances" if there are none for an
+/// adaptive method, and about "methods" if one is null; MotionError when it is stopped.
 Study run_study(const motion::FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench::study

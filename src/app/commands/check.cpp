@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/study/ladder.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "check/verdict/error.h"
 #include "plot/check_plot.h"
 #include "scene/limits.h"
+#include "study/ladder.h"
 #include "system/file.h"
 
 namespace twrench::app {

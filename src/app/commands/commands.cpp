@@ -1,7 +1,5 @@
 #include "app/commands/commands.h"
 
-#include <twrench/base/nearest.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -9,6 +7,7 @@
 #include "app/options/help.h"
 #include "app/options/usage.h"
 #include "app/terminal/version.h"
+#include "base/nearest.h"
 
 namespace twrench::app {
 namespace {

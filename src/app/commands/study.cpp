@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/study/ladder.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
 #include "scene/limits.h"
+#include "study/ladder.h"
 #include "system/file.h"
 #include "text/escape.h"
 

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <twrench/base/error.h>
-#include <twrench/base/nearest.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+
+#include "base/nearest.h"
 
 namespace twrench::app {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <twrench/base/nearest.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "app/options/command_model.h"
 #include "app/terminal/output.h"
+#include "base/nearest.h"
 
 namespace twrench::app {
 namespace {

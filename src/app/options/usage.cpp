@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <twrench/base/nearest.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
 #include "app/options/command_model.h"
+#include "base/nearest.h"
 
 namespace twrench::app {
 namespace {

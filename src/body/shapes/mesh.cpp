@@ -1,8 +1,7 @@
-#include <twrench/base/require.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/require.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body::shapes {
@@ -14,7 +13,7 @@ std::string name(const Mesh&) { return "mesh"; }
 std::vector<Dimension> dimensions(Mesh& m) { return {length_or_zero("shell", m.shell)}; }
 
 void check(const Mesh& m) {
-  if (!m.surface) throw InvalidArgument("mesh", "has no surface");
+  if (!m.surface || m.surface->vertices.empty()) throw InvalidArgument("mesh", "has no surface");
   require_positive("mesh", m.integrals.volume);
 }
 

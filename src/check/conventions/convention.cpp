@@ -1,12 +1,12 @@
 #include "check/conventions/convention.h"
 
 #include <fmt/format.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <array>
 
 #include "base/letters.h"
+#include "base/nearest.h"
 #include "check/conventions/names.h"
 #include "check/conventions/units.h"
 

@@ -1,7 +1,6 @@
 #include "check/reading/columns.h"
 
 #include <fmt/format.h>
-#include <twrench/base/nearest.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "base/letters.h"
+#include "base/nearest.h"
 #include "check/conventions/names.h"
 #include "check/reading/column_error.h"
 #include "check/reading/column_sets.h"

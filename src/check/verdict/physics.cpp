@@ -2,13 +2,13 @@
 
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
-#include <twrench/study/ladder.h>
 
 #include <algorithm>
 #include <functional>
 #include <vector>
 
 #include "check/verdict/fit.h"
+#include "study/ladder.h"
 
 namespace twrench::check {
 namespace {

@@ -17,4 +17,7 @@ void require_finite(const char* quantity, std::span<const double> values);
 /// A finite number above zero.
 double require_positive(const char* quantity, double value);
 
+/// A finite number that is zero or above.
+double require_not_negative(const char* quantity, double value);
+
 }  // namespace twrench
