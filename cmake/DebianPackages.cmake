@@ -48,11 +48,8 @@ in weightlessness. Scenes in TOML describe other bodies and motions. It also
 compares methods, plots attitudes and writes trajectories as CSV or JSON.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 
-# The static library holds calls of the fmt against which it was compiled, whose names change with
-# each major version.
-math(EXPR next_fmt "${fmt_VERSION_MAJOR} + 1")
 twrench_package(development NAME libtwrench-dev SECTION libdevel
-  DEPENDS "libeigen3-dev (>= 3.4), libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${next_fmt}~)"
+  DEPENDS "libeigen3-dev (>= 3.4)"
   SYNOPSIS "rigid-body rotation on SO(3) - development files"
   DESCRIPTION
 "A C++20 library that computes the free rotation of rigid bodies: maps of the

@@ -44,13 +44,13 @@ find_package(Boost QUIET CONFIG)
 twrench_require("Boost's headers" FOUND "${Boost_FOUND}"
   DEBIAN libboost-dev FEDORA boost-devel ARCH boost HINT "-DBoost_ROOT=FOLDER")
 
-if(TWRENCH_RENDER OR BUILD_TESTING)
+if(TWRENCH_RENDER OR twrench_tests)
   find_package(nlohmann_json QUIET)
   twrench_require("nlohmann-json" FOUND "${nlohmann_json_FOUND}"
     DEBIAN nlohmann-json3-dev FEDORA json-devel ARCH nlohmann-json HINT "-Dnlohmann_json_ROOT=FOLDER")
 endif()
 
-if(BUILD_TESTING AND NOT TWRENCH_FUZZ)
+if(twrench_tests AND NOT TWRENCH_FUZZ)
   find_package(GTest QUIET)
   twrench_require("GoogleTest, for the tests" FOUND "${GTest_FOUND}"
     DEBIAN "libgtest-dev libgmock-dev" FEDORA gmock-devel ARCH gtest HINT "-DGTest_ROOT=FOLDER")

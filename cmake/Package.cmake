@@ -3,10 +3,7 @@
 
 include(CMakePackageConfigHelpers)
 
-set_target_properties(twrench_dynamics PROPERTIES
-  EXPORT_NAME dynamics OUTPUT_NAME twrench-dynamics
-  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-install(TARGETS twrench_dynamics EXPORT twrench
+install(TARGETS ${twrench_public} EXPORT twrench
   ARCHIVE COMPONENT development
   LIBRARY COMPONENT program NAMELINK_COMPONENT development
   FILE_SET HEADERS COMPONENT development)
@@ -20,11 +17,6 @@ write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY SameMi
 install(FILES ${PROJECT_BINARY_DIR}/twrenchConfig.cmake ${PROJECT_BINARY_DIR}/twrenchConfigVersion.cmake
   DESTINATION ${package} COMPONENT development)
 
-# A static library leaves fmt to be linked by whoever links it.
-set(twrench_pc_requires "eigen3 >= 3.4")
-if(NOT BUILD_SHARED_LIBS)
-  string(APPEND twrench_pc_requires ", fmt")
-endif()
 file(RELATIVE_PATH twrench_pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/twrench.pc.in twrench.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig

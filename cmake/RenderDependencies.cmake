@@ -86,7 +86,7 @@ foreach(weight Regular Medium)
     DEBIAN fonts-firacode FEDORA fira-code-fonts ARCH ttf-fira-code)
 endforeach()
 
-if(BUILD_TESTING AND NOT TWRENCH_FUZZ)
+if(twrench_tests AND NOT TWRENCH_FUZZ)
   find_file(TWRENCH_MANY_SCRIPTS NAMES FreeSerif.ttf FreeSerif.otf PATHS /usr/share/fonts
     PATH_SUFFIXES truetype/freefont gnu-free NO_DEFAULT_PATH)
   twrench_require("the typeface FreeSerif, for the tests" FOUND "${TWRENCH_MANY_SCRIPTS}"

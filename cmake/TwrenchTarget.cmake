@@ -40,21 +40,15 @@ if(TWRENCH_RENDER)
     <nlohmann/json.hpp> <optional> <span> <string> <vector>)
 endif()
 
-# twrench_library(NAME [INSTALLED] SOURCES ... LINKS ... [HEADERS ...]): creates the library
-# twrench_NAME, static unless it is installed and BUILD_SHARED_LIBS says otherwise. HEADERS are
-# precompiled for it instead of those above.
+# twrench_library(NAME SOURCES ... LINKS ... [HEADERS ...]): creates the static library twrench_NAME.
+# HEADERS are precompiled for it instead of those above.
 function(twrench_library name)
-  cmake_parse_arguments(ARG "INSTALLED" "" "SOURCES;LINKS;HEADERS" ${ARGN})
-  set(kind STATIC)
-  if(ARG_INSTALLED)
-    set(kind "")
-  endif()
-  add_library(twrench_${name} ${kind} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
+  add_library(twrench_${name} STATIC ${ARG_SOURCES})
   # The Python module is a shared library that holds them all.
   set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)
-  target_include_directories(twrench_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   if(ARG_HEADERS)
     target_precompile_headers(twrench_${name} PRIVATE ${ARG_HEADERS})
   else()

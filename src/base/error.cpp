@@ -38,6 +38,10 @@ Error::Error(const std::string& what, const std::string& why, const std::string&
     : std::runtime_error(printable(what, longest) + ": " + printable(why, longest)),
       remedy_(printable(remedy, longest_remedy)) {}
 
+Error::~Error() = default;
+InvalidArgument::~InvalidArgument() = default;
+OutOfRange::~OutOfRange() = default;
+
 std::string Error::quoted(const std::string& what) { return printable(what, longest); }
 
 }  // namespace twrench

@@ -10,11 +10,17 @@
 namespace twrench {
 
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
+///
+/// Errors are copied, not moved. Their destructors are defined in the library, so that it holds the
+/// only copy of what a handler compares.
 class Error : public std::runtime_error {
  public:
   /// `what` failed because of `why`; `remedy` may be empty. The texts may quote input of any length
   /// and content. A long text loses its middle, and a NUL becomes an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
+  Error(const Error&) = default;
+  Error& operator=(const Error&) = default;
+  ~Error() override;
 
   /// What can be done about it, whoever calls; may be empty.
   const std::string& remedy() const noexcept { return remedy_; }
@@ -34,6 +40,9 @@ class InvalidArgument : public Error {
   InvalidArgument(const std::string& quantity, const std::string& why,
                   const std::string& remedy = {})
       : Error(quantity, why, remedy), quantity_(quoted(quantity)) {}
+  InvalidArgument(const InvalidArgument&) = default;
+  InvalidArgument& operator=(const InvalidArgument&) = default;
+  ~InvalidArgument() override;
 
   /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
   const std::string& quantity() const noexcept { return quantity_; }
@@ -56,6 +65,9 @@ class OutOfRange : public InvalidArgument {
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
              const std::string& remedy = {})
       : InvalidArgument(quantity, why, remedy), range_(range) {}
+  OutOfRange(const OutOfRange&) = default;
+  OutOfRange& operator=(const OutOfRange&) = default;
+  ~OutOfRange() override;
 
   /// What the number is.
   double value() const noexcept { return range_.value; }

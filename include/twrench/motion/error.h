@@ -21,6 +21,9 @@ class MotionError : public Error {
   /// What failed and why, in words and as one of the reasons.
   MotionError(const std::string& what, const std::string& why, Reason reason)
       : Error(what, why), reason_(reason) {}
+  MotionError(const MotionError&) = default;
+  MotionError& operator=(const MotionError&) = default;
+  ~MotionError() override;
 
   /// Why, as one of the reasons.
   Reason reason() const noexcept { return reason_; }
