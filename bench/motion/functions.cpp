@@ -3,12 +3,13 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact_many.h>
 #include <twrench/motion/stepper.h>
-#include <twrench/motion/taylor.h>
 #include <twrench/motion/trajectory.h>
 
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "motion/taylor.h"
 
 namespace twrench {
 namespace {
@@ -41,7 +42,8 @@ BENCHMARK_CAPTURE(step, rkmk45, "rkmk45");
 /// A step as a trajectory takes it.
 void taylor_step(benchmark::State& state) {
   const motion::FreeBody body = tumbler();
-  motion::TaylorSeries series(body, std::get<motion::Taylor>(motion::find_method("taylor").scheme));
+  motion::TaylorSeries series(body,
+                              std::get<motion::Taylor>(motion::find_method("taylor").scheme->kind));
   motion::TaylorSeries::State at = series.state_of(Eigen::Matrix3d::Identity(), body.momentum());
   for (auto _ : state) {
     series.expand(at);
@@ -53,7 +55,8 @@ BENCHMARK(taylor_step);
 
 void taylor_sample(benchmark::State& state) {
   const motion::FreeBody body = tumbler();
-  motion::TaylorSeries series(body, std::get<motion::Taylor>(motion::find_method("taylor").scheme));
+  motion::TaylorSeries series(body,
+                              std::get<motion::Taylor>(motion::find_method("taylor").scheme->kind));
   series.expand(series.state_of(Eigen::Matrix3d::Identity(), body.momentum()));
   double t = 0;
   for (auto _ : state) {
@@ -112,7 +115,7 @@ void exact_many(benchmark::State& state) {
   const std::size_t samples = times.size() * omega.size() / 3;
   std::vector<double> X(9 * samples), velocity(3 * samples);
   for (auto _ : state) {
-    motion::exact_many(inertia, omega, times, X, velocity, 1);
+    motion::exact_many({inertia, omega}, times, {X, velocity}, 1);
     benchmark::ClobberMemory();
   }
   state.counters["sample"] = each(static_cast<double>(samples));
@@ -123,7 +126,7 @@ void first_flip(benchmark::State& state) {
   const std::vector<double> inertia{1, 2, 3}, omega = starts(10'000);
   std::vector<double> first(omega.size() / 3);
   for (auto _ : state) {
-    motion::first_flip_times(inertia, omega, first, 1);
+    motion::first_flip_times({inertia, omega}, first, 1);
     benchmark::ClobberMemory();
   }
   state.counters["body"] = each(static_cast<double>(first.size()));
@@ -135,7 +138,7 @@ void flip_map(benchmark::State& state) {
   const std::vector<double> inertia{1, 2, 3}, omega = starts(1'000'000);
   std::vector<double> first(omega.size() / 3);
   for (auto _ : state) {
-    motion::first_flip_times(inertia, omega, first);
+    motion::first_flip_times({inertia, omega}, first);
     benchmark::ClobberMemory();
   }
 }
@@ -147,6 +150,14 @@ void exact_set_up(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(motion::ExactMotion(body));
 }
 BENCHMARK(exact_set_up);
+
+/// A step of a simulation, whose body is pushed between steps.
+void exact_restart(benchmark::State& state) {
+  motion::FreeBody body = tumbler();
+  for (auto _ : state) body = motion::exact_step(body, 0.01);
+  benchmark::DoNotOptimize(body);
+}
+BENCHMARK(exact_restart);
 
 }  // namespace
 }  // namespace twrench

@@ -99,10 +99,11 @@ py::tuple exact_many(const Array& inertia, const Array& omega, const Array& time
       static_cast<std::size_t>(n),
       [&](std::size_t begin, std::size_t end) {
         const std::size_t count = end - begin, samples = count * t.size();
-        motion::exact_many(alike ? moments : moments.subspan(3 * begin, 3 * count),
-                           start.subspan(3 * begin, 3 * count), t,
-                           X_to.subspan(9 * begin * t.size(), 9 * samples),
-                           velocities_to.subspan(3 * begin * t.size(), 3 * samples));
+        motion::exact_many({.inertia = alike ? moments : moments.subspan(3 * begin, 3 * count),
+                            .omega = start.subspan(3 * begin, 3 * count)},
+                           t,
+                           {.X = X_to.subspan(9 * begin * t.size(), 9 * samples),
+                            .omega = velocities_to.subspan(3 * begin * t.size(), 3 * samples)});
       },
       t.size());
   return py::make_tuple(X, velocities);
@@ -115,8 +116,9 @@ Array first_flip_times(const Array& inertia, const Array& omega) {
   const bool alike = moments.size() == 3;
   for_parts(to.size(), [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
-    motion::first_flip_times(alike ? moments : moments.subspan(3 * begin, 3 * count),
-                             start.subspan(3 * begin, 3 * count), to.subspan(begin, count));
+    motion::first_flip_times({.inertia = alike ? moments : moments.subspan(3 * begin, 3 * count),
+                              .omega = start.subspan(3 * begin, 3 * count)},
+                             to.subspan(begin, count));
   });
   return first;
 }

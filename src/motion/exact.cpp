@@ -92,12 +92,19 @@ Matrix4 right_product(const Quaternion& q) {
 }  // namespace
 
 ExactMotion::ExactMotion(const FreeBody& body)
-    : start_{0, Matrix3d::Identity(), body.omega()}, orbit_(steady_orbit(body.omega())) {
+    : start_{0, body.attitude(), body.omega()}, orbit_(steady_orbit(body.omega())) {
+  prepare(body);
+  // Unless X(0) = Id: a quaternion that is multiplied by 1 might lose the sign of a zero.
+  if (body.attitude() == Matrix3d::Identity()) return;
+  orbit_.attitude_from_turn = left_product(Quaternion(body.attitude())) * orbit_.attitude_from_turn;
+}
+
+void ExactMotion::prepare(const FreeBody& body) {
   // A unit of mass in which the greatest moment is about 1, so that its squares neither overflow
   // nor underflow. It is a power of two, so that nothing is rounded.
   const double unit = std::exp2(-std::ilogb(body.principal().moments[2]));
   const body::PrincipalAxes principal{unit * body.principal().moments, body.principal().axes};
-  const Vector3d momentum = unit * body.momentum(), m = principal.axes.transpose() * momentum;
+  const Vector3d momentum = unit * body.body_momentum(), m = principal.axes.transpose() * momentum;
   const double G = m.stableNorm();
   if (G == 0) return;
   const double D2 =

@@ -20,6 +20,11 @@ void require_count(const char* array, std::size_t size, std::size_t expected, co
                         fmt::format("has {} numbers, but must have {}: {}", size, expected, shape));
 }
 
+/// Returns a part of an array; nothing of an array that is left out.
+std::span<double> part_of(std::span<double> array, std::size_t first, std::size_t count) {
+  return array.empty() ? array : array.subspan(first, count);
+}
+
 /// The bodies of the two arrays.
 class Bodies {
  public:
@@ -63,14 +68,18 @@ class Bodies {
 
 }  // namespace
 
-void exact_many(std::span<const double> inertia, std::span<const double> omega,
-                std::span<const double> times, std::span<double> X, std::span<double> velocities,
+void exact_many(const ManyBodies& many, std::span<const double> times, const ManySamples& output,
                 unsigned threads) {
-  const Bodies bodies(inertia, omega);
+  const Bodies bodies(many.inertia, many.omega);
   require_finite("times", times);
   const std::size_t m = times.size(), samples = bodies.size() * m;
-  require_count("X", X.size(), 9 * samples, "3 x 3 for each body and time");
-  require_count("velocities", velocities.size(), 3 * samples, "3 for each body and time");
+  const auto [X, omega] = output;
+  if (!X.empty()) {
+    require_count("samples.X", X.size(), 9 * samples, "3 x 3 for each body and time");
+  }
+  if (!omega.empty()) {
+    require_count("samples.omega", omega.size(), 3 * samples, "3 for each body and time");
+  }
   if (samples == 0) return;
   // A body with many times is work for several threads, which prepare it each for itself.
   const std::size_t stretch = std::min(m, samples_at_once), stretches = (m + stretch - 1) / stretch;
@@ -80,15 +89,14 @@ void exact_many(std::span<const double> inertia, std::span<const double> omega,
     for (std::size_t item = begin; item < end; ++item) {
       const std::size_t i = item / stretches, from = item % stretches * stretch;
       const std::size_t first = i * m + from, count = std::min(stretch, m - from);
-      bodies.motion(i).at(times.subspan(from, count), X.subspan(9 * first, 9 * count),
-                          velocities.subspan(3 * first, 3 * count), 1);
+      bodies.motion(i).at(times.subspan(from, count), part_of(X, 9 * first, 9 * count),
+                          part_of(omega, 3 * first, 3 * count), 1);
     }
   });
 }
 
-void first_flip_times(std::span<const double> inertia, std::span<const double> omega,
-                      std::span<double> first, unsigned threads) {
-  const Bodies bodies(inertia, omega);
+void first_flip_times(const ManyBodies& many, std::span<double> first, unsigned threads) {
+  const Bodies bodies(many.inertia, many.omega);
   require_count("first", first.size(), bodies.size(), "one for each body");
   constexpr std::size_t grain = samples_at_once / samples_per_body;
   for_each_part(bodies.size(), grain, threads, [&](std::size_t begin, std::size_t end) {

@@ -174,15 +174,32 @@ void ExactMotion::for_each_block(std::span<const double> times, unsigned threads
 void ExactMotion::at(std::span<const double> times, std::span<double> X, std::span<double> omega,
                      unsigned threads) const {
   require_finite("times", times);
-  require_size("X", X.size(), times.size(), 9);
-  require_size("omega", omega.size(), times.size(), 3);
-  for_each_block(times, threads, [&](std::size_t first, const Samples::Block& block) {
-    double *attitude = &X[9 * first], *velocity = &omega[3 * first];
-    for (std::size_t i = 0; i < block.size; ++i) {
-      for (const auto& row : block.X) *attitude++ = row[i];
-      for (const auto& row : block.omega) *velocity++ = row[i];
-    }
-  });
+  if (!X.empty()) require_size("X", X.size(), times.size(), 9);
+  if (!omega.empty()) require_size("omega", omega.size(), times.size(), 3);
+  if (X.empty() && omega.empty()) return;
+  if (omega.empty()) {
+    for_each_block(times, threads, [&](std::size_t first, const Samples::Block& block) {
+      double* attitude = &X[9 * first];
+      for (std::size_t i = 0; i < block.size; ++i) {
+        for (const auto& row : block.X) *attitude++ = row[i];
+      }
+    });
+  } else if (X.empty()) {
+    for_each_block(times, threads, [&](std::size_t first, const Samples::Block& block) {
+      double* velocity = &omega[3 * first];
+      for (std::size_t i = 0; i < block.size; ++i) {
+        for (const auto& row : block.omega) *velocity++ = row[i];
+      }
+    });
+  } else {
+    for_each_block(times, threads, [&](std::size_t first, const Samples::Block& block) {
+      double *attitude = &X[9 * first], *velocity = &omega[3 * first];
+      for (std::size_t i = 0; i < block.size; ++i) {
+        for (const auto& row : block.X) *attitude++ = row[i];
+        for (const auto& row : block.omega) *velocity++ = row[i];
+      }
+    });
+  }
 }
 
 std::vector<Sample> ExactMotion::at(std::span<const double> times, unsigned threads) const {
@@ -197,6 +214,23 @@ std::vector<Sample> ExactMotion::at(std::span<const double> times, unsigned thre
     }
   });
   return samples;
+}
+
+Eigen::Matrix3d attitude_at(std::span<const double> X, std::size_t index) {
+  const std::size_t count = X.size() / 9;
+  if (index >= count) {
+    throw OutOfRange("index", fmt::format("is {}, but there are {} attitudes", index, count),
+                     {double(index), 0, double(count) - 1});
+  }
+  const double* x = &X[9 * index];
+  Eigen::Matrix3d attitude;
+  attitude << x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8];
+  return attitude;
+}
+
+FreeBody exact_step(const FreeBody& body, double h) {
+  const Sample end = ExactMotion(body).at(h);
+  return body.with_start(end.omega, end.X);
 }
 
 }  // namespace twrench::motion

@@ -1,9 +1,9 @@
-#include <twrench/motion/method.h>
 
 #include <algorithm>
 #include <array>
 
 #include "base/nearest.h"
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 namespace {
@@ -37,7 +37,7 @@ constexpr Tableau fehlberg{
     .embedded_pair = true};
 
 /// Celledoni, Marthinsen and Owren: X2 = X e^(k1/2), X3 = X e^(k2/2), X4 = X2 e^(k3 - k1/2).
-constexpr CommutatorFree cf4{
+constexpr CommutatorFree two_exponentials{
     .stages = 4,
     .stage = {{{}, {{{1.0 / 2}, {}}}, {{{0.0, 1.0 / 2}, {}}}, {{{1.0 / 2}, {-1.0 / 2, 0.0, 1.0}}}}},
     .update = {
@@ -49,57 +49,75 @@ constexpr double suzuki = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
 constexpr ImplicitTrapezoid suzuki_trapezoid{
     .count = 5, .fractions = {suzuki, suzuki, 1.0 - 4.0 * suzuki, suzuki, suzuki}};
 
+namespace schemes {
+
+constexpr Scheme euler{RungeKutta{Update::linear, one_stage}};
+constexpr Scheme lie_euler{RungeKutta{Update::averaged, one_stage}};
+constexpr Scheme midpoint{RungeKutta{Update::averaged, explicit_midpoint}};
+constexpr Scheme trapezoid{RungeKutta{Update::averaged, explicit_trapezoid}};
+constexpr Scheme rk4{RungeKutta{Update::averaged, kutta}};
+constexpr Scheme rkf45{RungeKutta{Update::averaged, fehlberg}};
+constexpr Scheme implicit_trapezoid{ImplicitTrapezoid{1, {1.0}}};
+constexpr Scheme strang{StrangSplitting{}};
+constexpr Scheme rkmk4{RungeKutta{Update::munthe_kaas, kutta}};
+constexpr Scheme rkmk45{RungeKutta{Update::munthe_kaas, fehlberg}};
+constexpr Scheme cf4{two_exponentials};
+constexpr Scheme suzuki4{suzuki_trapezoid};
+constexpr Scheme taylor{Taylor{20}};
+constexpr Scheme exact{ClosedForm{}};
+
+}  // namespace schemes
+
 // The specification is H. J. Rivertz, "Rotasjon av stive legemer" (2020). `rk4` and `rkf45` measure
 // order 2 on SO(3), not 4 and 5: a single exponential of the averaged stage velocities omits their
 // commutators, to leading order (h^3/12) omega x omega'.
 constexpr auto all = std::to_array<Method>({
-    {"euler", RungeKutta{Update::linear, one_stage}, 1, false, false, "specification, eq. (24)",
+    {"euler", &schemes::euler, 1, false, false, "specification, eq. (24)",
      "Euler's method on the matrix itself; drifts off SO(3); for comparison"},
-    {"lie-euler", RungeKutta{Update::averaged, one_stage}, 1, false, false,
-     "specification, eq. (25)", "Lie-Euler method on the group: one exponential per step"},
-    {"midpoint", RungeKutta{Update::averaged, explicit_midpoint}, 2, false, false,
-     "specification, 4.2", "explicit midpoint rule on the group"},
-    {"trapezoid", RungeKutta{Update::averaged, explicit_trapezoid}, 2, false, false,
-     "specification, 4.3", "explicit trapezoid rule on the group"},
-    {"rk4", RungeKutta{Update::averaged, kutta}, 2, false, false, "specification, 4.4",
+    {"lie-euler", &schemes::lie_euler, 1, false, false, "specification, eq. (25)",
+     "Lie-Euler method on the group: one exponential per step"},
+    {"midpoint", &schemes::midpoint, 2, false, false, "specification, 4.2",
+     "explicit midpoint rule on the group"},
+    {"trapezoid", &schemes::trapezoid, 2, false, false, "specification, 4.3",
+     "explicit trapezoid rule on the group"},
+    {"rk4", &schemes::rk4, 2, false, false, "specification, 4.4",
      "RK4 as the specification prints it: no commutators, hence order 2 on SO(3)"},
-    {"rkf45", RungeKutta{Update::averaged, fehlberg}, 2, false, false,
-     "specification, 4.5, eq. (39)",
+    {"rkf45", &schemes::rkf45, 2, false, false, "specification, 4.5, eq. (39)",
      "Runge-Kutta-Fehlberg as printed, adaptive: no commutators, hence order 2 on SO(3)"},
-    {"implicit-trapezoid", ImplicitTrapezoid{1, {1.0}}, 2, true, true,
+    {"implicit-trapezoid", &schemes::implicit_trapezoid, 2, true, true,
      "Simo, Wong, Int. J. Numer. Methods Eng. 31 (1991)",
      "symmetric; conserves energy to round-off"},
-    {"strang", StrangSplitting{}, 2, false, true, "McLachlan, Phys. Rev. Lett. 71 (1993)",
+    {"strang", &schemes::strang, 2, false, true, "McLachlan, Phys. Rev. Lett. 71 (1993)",
      "splitting into rotations about the principal axes; Poisson, bounded energy error"},
-    {"rkmk4", RungeKutta{Update::munthe_kaas, kutta}, 4, false, false,
-     "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
+    {"rkmk4", &schemes::rkmk4, 4, false, false, "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
      "the specification's RK4 with commutator correction"},
-    {"rkmk45", RungeKutta{Update::munthe_kaas, fehlberg}, 4, false, false,
-     "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
+    {"rkmk45", &schemes::rkmk45, 4, false, false, "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
      "the specification's RKF45 with commutator correction, adaptive; the default"},
-    {"cf4", cf4, 4, false, false,
+    {"cf4", &schemes::cf4, 4, false, false,
      "Celledoni, Marthinsen, Owren, Future Gener. Comput. Syst. 19 (2003)",
      "commutator-free: products of two exponentials"},
-    {"suzuki4", suzuki_trapezoid, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
+    {"suzuki4", &schemes::suzuki4, 4, true, true, "Suzuki, Phys. Lett. A 146 (1990)",
      "five implicit trapezoidal steps per step; conserves energy to round-off"},
-    {"taylor", Taylor{20}, 20, true, false, "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
+    {"taylor", &schemes::taylor, 20, true, false,
+     "Jorba, Zou, Exp. Math. 14 (2005); docs/performance.md",
      "Taylor series of momentum and one angle, adaptive; conserves energy; the fastest"},
-    {"exact", ClosedForm{}, std::nullopt, true, true,
+    {"exact", &schemes::exact, std::nullopt, true, true,
      "Jacobi, J. reine angew. Math. 39 (1849); docs/exact.md",
      "closed form with elliptic and theta functions; the same cost at any t"},
 });
 
 }  // namespace
 
-bool Method::exact() const { return std::holds_alternative<ClosedForm>(scheme); }
+bool Method::exact() const { return std::holds_alternative<ClosedForm>(scheme->kind); }
 
 bool Method::adaptive() const {
-  const auto* rk = std::get_if<RungeKutta>(&scheme);
-  return std::holds_alternative<Taylor>(scheme) || (rk != nullptr && rk->tableau.embedded_pair);
+  const auto* rk = std::get_if<RungeKutta>(&scheme->kind);
+  return std::holds_alternative<Taylor>(scheme->kind) ||
+         (rk != nullptr && rk->tableau.embedded_pair);
 }
 
 bool Method::linear() const {
-  const auto* rk = std::get_if<RungeKutta>(&scheme);
+  const auto* rk = std::get_if<RungeKutta>(&scheme->kind);
   return rk != nullptr && rk->update == Update::linear;
 }
 

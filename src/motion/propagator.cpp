@@ -2,18 +2,40 @@
 #include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/propagator.h>
-#include <twrench/motion/taylor.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "base/require.h"
+#include "motion/taylor.h"
 #include "motion/unchecked_stepper.h"
 
 namespace twrench::motion {
+
+class Propagator::Engine {
+ public:
+  virtual ~Engine() = default;
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  virtual Sample sample_at(double t) = 0;
+  virtual std::vector<Sample> samples_at(std::span<const double> times) {
+    std::vector<Sample> samples;
+    samples.reserve(times.size());
+    for (const double t : times) samples.push_back(sample_at(t));
+    return samples;
+  }
+  virtual AcceptedStep next_step() = 0;
+  virtual double t() const = 0;
+  virtual std::int64_t steps() const = 0;
+  virtual std::int64_t evaluations() const = 0;
+};
+
 namespace {
 
 using Eigen::Matrix3d;
@@ -61,7 +83,7 @@ void require_ahead(double t, double start, double sign) {
 }
 
 /// Advances through the method's accepted steps t_0 = 0, t_1, ... in the direction of `sign`.
-class StepPropagator final : public Propagator {
+class StepPropagator final : public Propagator::Engine {
  public:
   StepPropagator(const FreeBody& body, const Method& method, const StepControl& control,
                  double sign)
@@ -70,7 +92,7 @@ class StepPropagator final : public Propagator {
   Sample sample_at(double t) override {
     require_ahead(t, t_, sign_);
     while (std::abs(t) > std::abs(t_next_)) advance();
-    if (t == 0) return {t, Matrix3d::Identity(), body_.omega()};
+    if (t == 0) return {t, body_.attitude(), body_.omega()};
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
     const Sample sample{t, X, unchecked::angular_velocity(body_, method_, X)};
     require_sane(sample);
@@ -117,7 +139,7 @@ class StepPropagator final : public Propagator {
   }
 
   void step_adaptively() {
-    const double order = std::get<RungeKutta>(method_.scheme).tableau.order;
+    const double order = std::get<RungeKutta>(method_.scheme->kind).tableau.order;
     double length = next_length_;
     for (int attempt = 0;; ++attempt) {
       if (attempt > 0) require_allowed(++steps_, method_, control_, t_);
@@ -161,25 +183,25 @@ class StepPropagator final : public Propagator {
   std::int64_t evaluations_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
   double error_ = 0.0;  ///< E of the step from t_ to t_next_.
-  Matrix3d X_ = Matrix3d::Identity(), X_next_ = Matrix3d::Identity();
+  Matrix3d X_ = body_.attitude(), X_next_ = body_.attitude();
 };
 
 /// Goes from series to series: each serves all times as far as it reaches.
-class TaylorPropagator final : public Propagator {
+class TaylorPropagator final : public Propagator::Engine {
  public:
   TaylorPropagator(const FreeBody& body, const Method& method, const StepControl& control,
                    double sign)
       : method_(method),
         control_(control),
         sign_(sign),
-        omega_(body.omega()),
-        series_(body, std::get<Taylor>(method.scheme)),
-        state_next_(series_.state_of(Matrix3d::Identity(), body.momentum())) {}
+        start_{0, body.attitude(), body.omega()},
+        series_(body, std::get<Taylor>(method.scheme->kind)),
+        state_next_(series_.state_of(body.attitude(), body.body_momentum())) {}
 
   Sample sample_at(double t) override {
     require_ahead(t, t_, sign_);
     while (steps_ == 0 || std::abs(t) > std::abs(t_next_)) advance();
-    if (t == 0) return {t, Matrix3d::Identity(), omega_};
+    if (t == 0) return {t, start_.X, start_.omega};
     return series_.sample(t, t == t_next_ ? state_next_ : series_.at(t - t_));
   }
 
@@ -193,7 +215,7 @@ class TaylorPropagator final : public Propagator {
   double t() const override { return t_next_; }
   std::int64_t steps() const override { return steps_; }
   std::int64_t evaluations() const override {
-    return steps_ * std::get<Taylor>(method_.scheme).order;
+    return steps_ * std::get<Taylor>(method_.scheme->kind).order;
   }
 
  private:
@@ -210,7 +232,7 @@ class TaylorPropagator final : public Propagator {
   const Method method_;
   const StepControl control_;
   const double sign_;
-  const Eigen::Vector3d omega_;  ///< At t = 0, rad/s.
+  const Sample start_;
   TaylorSeries series_;
   std::int64_t steps_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
@@ -218,9 +240,10 @@ class TaylorPropagator final : public Propagator {
 };
 
 /// Goes to each time at once.
-class ExactPropagator final : public Propagator {
+class ExactPropagator final : public Propagator::Engine {
  public:
-  ExactPropagator(const FreeBody& body, double signed_step) : motion_(body), step_(signed_step) {}
+  ExactPropagator(const FreeBody& body, double signed_step)
+      : motion_(body), step_(signed_step), X_(body.attitude()) {}
 
   Sample sample_at(double t) override {
     require_finite("t", t);
@@ -250,7 +273,7 @@ class ExactPropagator final : public Propagator {
   const ExactMotion motion_;
   const double step_;
   std::int64_t made_ = 0, evaluations_ = 0;
-  Matrix3d X_ = Matrix3d::Identity();
+  Matrix3d X_;
 };
 
 void check(const Method& method, const StepControl& control) {
@@ -267,22 +290,31 @@ void check(const Method& method, const StepControl& control) {
 
 }  // namespace
 
+Propagator::Propagator(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+Propagator::~Propagator() = default;
+
+Sample Propagator::sample_at(double t) { return engine_->sample_at(t); }
 std::vector<Sample> Propagator::samples_at(std::span<const double> times) {
-  std::vector<Sample> samples;
-  samples.reserve(times.size());
-  for (const double t : times) samples.push_back(sample_at(t));
-  return samples;
+  return engine_->samples_at(times);
 }
+AcceptedStep Propagator::next_step() { return engine_->next_step(); }
+double Propagator::t() const { return engine_->t(); }
+std::int64_t Propagator::steps() const { return engine_->steps(); }
+std::int64_t Propagator::evaluations() const { return engine_->evaluations(); }
 
 std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& method,
                                             const StepControl& control, Direction direction) {
   check(method, control);
   const double sign = direction == Direction::forward ? 1.0 : -1.0;
-  if (method.exact()) return std::make_unique<ExactPropagator>(body, sign * control.step);
-  if (std::holds_alternative<Taylor>(method.scheme)) {
-    return std::make_unique<TaylorPropagator>(body, method, control, sign);
+  std::unique_ptr<Propagator::Engine> engine;
+  if (method.exact()) {
+    engine = std::make_unique<ExactPropagator>(body, sign * control.step);
+  } else if (std::holds_alternative<Taylor>(method.scheme->kind)) {
+    engine = std::make_unique<TaylorPropagator>(body, method, control, sign);
+  } else {
+    engine = std::make_unique<StepPropagator>(body, method, control, sign);
   }
-  return std::make_unique<StepPropagator>(body, method, control, sign);
+  return std::make_unique<Propagator>(std::move(engine));
 }
 
 }  // namespace twrench::motion

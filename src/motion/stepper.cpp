@@ -1,6 +1,5 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
-#include <twrench/motion/taylor.h>
 
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "base/require.h"
 #include "math/so3_formulas.h"
+#include "motion/taylor.h"
 #include "motion/unchecked_stepper.h"
 
 namespace twrench::motion {
@@ -157,7 +157,8 @@ Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matr
 }
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
-  return std::visit([&](const auto& scheme) { return step(body, scheme, X, h); }, method.scheme);
+  return std::visit([&](const auto& scheme) { return step(body, scheme, X, h); },
+                    method.scheme->kind);
 }
 
 }  // namespace unchecked

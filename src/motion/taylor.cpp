@@ -1,6 +1,7 @@
+#include "motion/taylor.h"
+
 #include <fmt/format.h>
 #include <twrench/base/error.h>
-#include <twrench/motion/taylor.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>

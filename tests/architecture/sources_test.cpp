@@ -32,6 +32,7 @@ TEST(Sources, IncludeOnlyWhatTheDocumentSaysTheyMay) {
   ASSERT_GT(includes.size(), 500U);  // it looked in the right place
   std::set<std::string> rooms = read_rooms(sources());
   rooms.merge(read_rooms(public_headers()));
+  rooms.erase("");  // twrench.h, which includes all public headers
   EXPECT_THAT(broken_rules(read_include_rules(architecture()), rooms, includes), IsEmpty());
 }
 

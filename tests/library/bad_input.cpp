@@ -1,26 +1,7 @@
 // Calls the public functions of the installed library with arguments that are empty, not finite,
 // out of range or in the wrong order, and expects the error that their headers document. It
 // includes nothing but the public headers.
-#include <twrench/base/error.h>
-#include <twrench/body/mass_properties.h>
-#include <twrench/body/shape.h>
-#include <twrench/body/triangle_mesh.h>
-#include <twrench/math/so3.h>
-#include <twrench/motion/diagnostics.h>
-#include <twrench/motion/error.h>
-#include <twrench/motion/exact.h>
-#include <twrench/motion/exact_many.h>
-#include <twrench/motion/free_body.h>
-#include <twrench/motion/method.h>
-#include <twrench/motion/polhode.h>
-#include <twrench/motion/propagator.h>
-#include <twrench/motion/rotating_frame.h>
-#include <twrench/motion/stability.h>
-#include <twrench/motion/stepper.h>
-#include <twrench/motion/trajectory.h>
-#include <twrench/study/estimate.h>
-#include <twrench/study/flip_search.h>
-#include <twrench/study/study.h>
+#include <twrench/twrench.h>
 
 #include <array>
 #include <cstdio>
@@ -223,11 +204,28 @@ void exact_motions() {
     rejects("ExactMotion::at", "times[1]", [&] { exact.at(times); });
     rejects("ExactMotion::at", "times[1]", [&] { exact.at(times, X, omega); });
     rejects("flip_times", "t_end", [&] { exact.flip_times(bad); });
+    rejects("exact_step", "t", [&] { motion::exact_step(body(), bad); });
+    const Vector3d spin = bad_vector(bad);
+    rejects("FreeBody::with_omega", "omega", [&] { body().with_omega(spin); });
+    rejects("FreeBody::with_start", "omega",
+            [&] { body().with_start(spin, Matrix3d::Identity()); });
+    rejects("FreeBody::with_start", "attitude", [&] {
+      body().with_start({1, 2, 3}, bad_matrix(bad));
+    });
+    rejects("Sample::quaternion", "X", [&] {
+      sample_with(bad_matrix(bad), {1, 2, 3}).quaternion();
+    });
   }
   const std::vector<double> times{0, 1}, wrong(5);
   std::vector<double> short_array(5);
   rejects("ExactMotion::at", "X", [&] { exact.at(times, short_array, omega); });
   rejects("ExactMotion::at", "omega", [&] { exact.at(times, X, short_array); });
+  rejects("attitude_at", "index", [&] { motion::attitude_at(X, 2); });
+  rejects("attitude_at", "index", [] { motion::attitude_at({}, 0); });
+  const Matrix3d reflection = -Matrix3d::Identity(), unit = Matrix3d::Identity();
+  for (const Matrix3d& attitude : {reflection, Matrix3d(2 * unit), Matrix3d(bad_matrix(0.1))}) {
+    rejects("FreeBody", "attitude", [&] { motion::FreeBody(unit, {1, 2, 3}, attitude); });
+  }
   ++calls;
   try {
     exact.flip_times(1e300);
@@ -242,26 +240,33 @@ void exact_motions() {
   const std::vector<double> moments{1, 2, 3}, spin{1, 2, 3};
   for (const double bad : not_positive) {
     const std::vector<double> inertia{1, bad, 3};
-    rejects("exact_many", "inertia[0, 1]",
-            [&] { motion::exact_many(inertia, spin, times, X, omega); });
+    rejects("exact_many", "inertia[0, 1]", [&] {
+      motion::exact_many({inertia, spin}, times, {X, omega});
+    });
     rejects("first_flip_times", "inertia[0, 1]", [&] {
-      motion::first_flip_times(inertia, spin, {short_array.data(), 1});
+      motion::first_flip_times({inertia, spin}, {short_array.data(), 1});
     });
   }
   for (const double bad : not_finite) {
     const std::vector<double> bad_spin{1, bad, 3}, bad_times{0, bad};
-    rejects("exact_many", "omega[0, 1]",
-            [&] { motion::exact_many(moments, bad_spin, times, X, omega); });
-    rejects("exact_many", "times[1]",
-            [&] { motion::exact_many(moments, spin, bad_times, X, omega); });
+    rejects("exact_many", "omega[0, 1]", [&] {
+      motion::exact_many({moments, bad_spin}, times, {X, omega});
+    });
+    rejects("exact_many", "times[1]", [&] {
+      motion::exact_many({moments, spin}, bad_times, {X, omega});
+    });
   }
-  rejects("exact_many", "inertia", [&] { motion::exact_many(wrong, spin, times, X, omega); });
-  rejects("exact_many", "omega", [&] { motion::exact_many(moments, wrong, times, X, omega); });
-  rejects("exact_many", "X", [&] { motion::exact_many(moments, spin, times, short_array, omega); });
-  rejects("exact_many", "velocities",
-          [&] { motion::exact_many(moments, spin, times, X, short_array); });
-  rejects("first_flip_times", "first",
-          [&] { motion::first_flip_times(moments, spin, short_array); });
+  rejects("exact_many", "inertia", [&] { motion::exact_many({wrong, spin}, times, {X, omega}); });
+  rejects("exact_many", "omega", [&] { motion::exact_many({moments, wrong}, times, {X, omega}); });
+  rejects("exact_many", "samples.X", [&] {
+    motion::exact_many({moments, spin}, times, {short_array, omega});
+  });
+  rejects("exact_many", "samples.omega", [&] {
+    motion::exact_many({moments, spin}, times, {X, short_array});
+  });
+  rejects("first_flip_times", "first", [&] {
+    motion::first_flip_times({moments, spin}, short_array);
+  });
 }
 
 void polhodes() {

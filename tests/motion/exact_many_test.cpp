@@ -38,7 +38,7 @@ struct Many {
   Result operator()(unsigned threads = all_processors) const {
     const std::size_t samples = size() * times.size();
     Result result{Numbers(9 * samples), Numbers(3 * samples)};
-    exact_many(inertia, omega, times, result.X, result.velocities, threads);
+    exact_many({inertia, omega}, times, {result.X, result.velocities}, threads);
     return result;
   }
 
@@ -98,7 +98,7 @@ TEST(FirstFlipTimes, AreThoseOfEachBodyAlone) {
   for (const bool alike : {false, true}) {
     if (alike) many.inertia = {3, 5, 9};
     Numbers first(many.size());
-    first_flip_times(many.inertia, many.omega, first);
+    first_flip_times({many.inertia, many.omega}, first);
     for (std::size_t i = 0; i < many.size(); ++i) {
       const auto flips = many.alone(i).flips();
       EXPECT_EQ(first[i], flips ? flips->first : infinity) << i;
@@ -112,9 +112,19 @@ TEST(FirstFlipTimes, DoNotDependOnTheNumberOfThreads) {
   for (int i = 0; i < 3000; ++i) omega.push_back(random.between(-1, 1));
   const Numbers inertia{1, 2, 3};
   Numbers one(1000), several(1000);
-  first_flip_times(inertia, omega, one, 1);
-  first_flip_times(inertia, omega, several, 4);
+  first_flip_times({inertia, omega}, one, 1);
+  first_flip_times({inertia, omega}, several, 4);
   EXPECT_EQ(one, several);
+}
+
+TEST(ExactMany, LeavesOutWhatIsNotWanted) {
+  const Many many(bodies_of_every_kind(), {0, 1, -3.5});
+  const Many::Result both = many();
+  Numbers X(both.X.size()), velocities(both.velocities.size());
+  exact_many({many.inertia, many.omega}, many.times, {.X = X, .omega = {}});
+  exact_many({many.inertia, many.omega}, many.times, {.X = {}, .omega = velocities});
+  EXPECT_EQ(X, both.X);
+  EXPECT_EQ(velocities, both.velocities);
 }
 
 struct Mistake {
@@ -134,8 +144,8 @@ TEST(ExactMany, NamesWhatIsWrongAndWhere) {
            {good, spin, {0, nan}, 36, 12, "times[1]: is nan, but must be finite"},
            {good, {1, 1, 1, 0}, t, 36, 12, "omega: has 4 numbers, but must have three for each"},
            {{1, 2}, spin, t, 36, 12, "inertia: has 2 numbers, but must have 6"},
-           {good, spin, t, 35, 12, "X: has 35 numbers, but must have 36"},
-           {good, spin, t, 36, 11, "velocities: has 11 numbers, but must have 12"},
+           {good, spin, t, 35, 12, "samples.X: has 35 numbers, but must have 36"},
+           {good, spin, t, 36, 11, "samples.omega: has 11 numbers, but must have 12"},
            {{1, 2, 3, 1e-320, 2, 3}, spin, t, 36, 12, "inertia[1]: its inverse is beyond"},
            {good,
             {1, 1, 1, 1e308, 1e308, 1e308},
@@ -145,14 +155,14 @@ TEST(ExactMany, NamesWhatIsWrongAndWhere) {
             "omega[1]: the angular momentum is"}}) {
     Numbers X(m.X_size), velocities(m.velocities_size);
     try {
-      exact_many(m.inertia, m.omega, m.times, X, velocities);
+      exact_many({m.inertia, m.omega}, m.times, {X, velocities});
       ADD_FAILURE() << "nothing was thrown: " << m.message;
     } catch (const InvalidArgument& refused) {
       EXPECT_THAT(refused.what(), testing::HasSubstr(m.message));
     }
   }
   Numbers one(1);
-  EXPECT_THROW(first_flip_times(good, spin, one), InvalidArgument);
+  EXPECT_THROW(first_flip_times({good, spin}, one), InvalidArgument);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
-#include <twrench/motion/method.h>
 
 #include <cmath>
+
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 namespace {
@@ -28,13 +29,13 @@ double quadrature(const TableauRow& weights, const TableauRow& c, int power) {
 }
 
 const Tableau& tableau_of(const Method& method) {
-  return std::get<RungeKutta>(method.scheme).tableau;
+  return std::get<RungeKutta>(method.scheme->kind).tableau;
 }
 
 std::vector<Method> runge_kutta_methods() {
   std::vector<Method> chosen;
   for (const Method& method : methods()) {
-    if (std::holds_alternative<RungeKutta>(method.scheme)) chosen.push_back(method);
+    if (std::holds_alternative<RungeKutta>(method.scheme->kind)) chosen.push_back(method);
   }
   return chosen;
 }

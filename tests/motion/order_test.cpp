@@ -8,6 +8,7 @@
 
 #include "motion/every_method.h"
 #include "motion/reference.h"
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 namespace {
@@ -62,7 +63,8 @@ class TaylorOrder : public testing::TestWithParam<std::pair<int, double>> {};
 TEST_P(TaylorOrder, IsTheSlopeOfTheLocalError) {
   const auto [order, h] = GetParam();
   Method method = find_method("taylor");
-  std::get<Taylor>(method.scheme).order = order;
+  const Scheme scheme{Taylor{order}};
+  method.scheme = &scheme;
   const FreeBody wrench = reference_case("wrench-a").body;
   const auto error = [&](double length) {
     const Step step = take_step(wrench, method, Eigen::Matrix3d::Identity(), length);

@@ -10,6 +10,7 @@
 
 #include "motion/every_method.h"
 #include "motion/reference.h"
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 namespace {
@@ -150,7 +151,8 @@ TEST(Propagator, OfATaylorSeriesOfAnOrderThatCannotBeIsRefused) {
   Method method = find_method("taylor");
   for (const int order : {-2, 0, 1, 7, 31, 32}) {
     try {
-      method.scheme = Taylor{order};
+      const Scheme scheme{Taylor{order}};
+      method.scheme = &scheme;
       make_propagator(body, method, {});
       FAIL() << order;
     } catch (const OutOfRange& error) {

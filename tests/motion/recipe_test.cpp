@@ -11,6 +11,7 @@
 #include <string>
 
 #include "motion/reference.h"
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 namespace {
@@ -21,8 +22,10 @@ constexpr Tableau heun{.stages = 3,
                        .a = {{{}, {1.0 / 3}, {0.0, 2.0 / 3}}},
                        .weights = {1.0 / 4, 0.0, 3.0 / 4}};
 
+constexpr Scheme corrected_heun{RungeKutta{Update::munthe_kaas, heun}};
+
 constexpr Method rkmk3{"rkmk3",
-                       RungeKutta{Update::munthe_kaas, heun},
+                       &corrected_heun,
                        3,
                        false,
                        false,

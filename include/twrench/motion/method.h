@@ -1,95 +1,22 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace twrench::motion {
 
-/// Coefficients of the stages, from the first.
-using TableauRow = std::array<double, 6>;
-
-/// An explicit Runge-Kutta tableau of at most six stages.
-struct Tableau {
-  int stages;                   ///< Number of stages in use.
-  int order;                    ///< in a linear space, of what is carried on; p in the step control
-  std::array<TableauRow, 6> a;  ///< TableauRow k holds a_k1 to a_k(k-1).
-  TableauRow weights;           ///< Weights of the solution that is carried on.
-  TableauRow embedded{};  ///< Weights of the solution that the error estimate compares with it.
-  bool embedded_pair = false;  ///< Whether there are embedded weights, and so an error estimate.
-};
-
-/// How a Runge-Kutta step maps the stage velocities to the group.
-enum class Update {
-  /// W' = W + h W Omega in the space of matrices, eq. (24); leaves SO(3).
-  linear,
-  /// W' = W exp(h sum b_k S_k) without commutators, sections 4.1 to 4.5.
-  averaged,
-  /// The same with dexpinv of the stage velocities, which restores the tableau's order.
-  munthe_kaas,
-};
-
-/// A Runge-Kutta method on the group.
-struct RungeKutta {
-  /// How the step reaches the group.
-  Update update;
-  /// Its coefficients.
-  Tableau tableau;
-};
-
-/// Stages that are products of exponentials of linear combinations of the stage velocities, without
-/// commutators. TableauRow 0 of each product acts first.
-struct CommutatorFree {
-  /// Exponents of two factors.
-  using Product = std::array<TableauRow, 2>;
-  /// Number of stages in use.
-  int stages;
-  /// Exponents of each stage.
-  std::array<Product, 4> stage;
-  /// Exponents of the step.
-  Product update;
-};
-
-/// The implicit trapezoidal rule W' = W exp(h w), where w is the velocity of the mean of the body
-/// momenta at both ends, applied successively to each of the given fractions of the step.
-struct ImplicitTrapezoid {
-  /// Number of fractions in use.
-  int count;
-  /// Fractions of the step, which sum to 1.
-  std::array<double, 5> fractions;
-};
-
-/// A splitting of the energy into its terms m_i^2/(2 I_i) along the principal axes, whose flows are
-/// rotations about the axes: half a step of the first two, a step of the third, and the halves in
-/// reverse order.
-struct StrangSplitting {};
-
-/// The highest order for which TaylorSeries has room.
-inline constexpr std::size_t max_taylor_order = 30;
-
-/// The Taylor series of the motion, motion/taylor.h; its last terms determine the step size.
-struct Taylor {
-  /// Highest order of the series.
-  int order;
-};
-
-/// The exact solution, motion/exact.h; a step of it may have any size.
-struct ClosedForm {};
-
-/// How a method gets from one time to another.
-using Scheme = std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, Taylor,
-                            ClosedForm>;
+/// How a method gets from one time to another. Its definition is private to the library.
+struct Scheme;
 
 /// An integration method: data with its citation. One stepper runs them all.
 struct Method {
   /// Name in scene files and on the command line.
   std::string_view name;
-  /// Coefficients and kind of the method.
-  Scheme scheme;
+  /// Coefficients and kind of the method; never null. What it points to must outlive the method.
+  const Scheme* scheme;
   std::optional<int> order;  ///< observed on SO(3), which may be less than the tableau's own; none
                              ///< for the closed form, whose error knows no step
   /// Whether the energy is conserved to round-off for every step size (`taylor`: up to a tolerance

@@ -39,32 +39,40 @@ struct AcceptedStep {
   double error;            ///< Error estimate E of an adaptive method; otherwise 0.
 };
 
-/// Goes along a motion from t = 0, in the way that its method has: by steps, from series to series,
-/// or at once.
-class Propagator {
+/// Advances a motion from t = 0 with its method: by steps, from series to series, or at once.
+class Propagator final {
  public:
-  virtual ~Propagator() = default;
-  Propagator() = default;
+  /// The implementation of a method; private to the library.
+  class Engine;
+
+  /// For make_propagator().
+  explicit Propagator(std::unique_ptr<Engine> engine);
+  ~Propagator();
   Propagator(const Propagator&) = delete;
   Propagator& operator=(const Propagator&) = delete;
 
-  /// The sample at t, s. Throws InvalidArgument where t is not finite or lies before the last of
-  /// its own steps, and MotionError.
-  virtual Sample sample_at(double t) = 0;
+  /// Returns the sample at t, s. Throws InvalidArgument about "t" if it is not finite or before the
+  /// last of the method's own steps, and MotionError.
+  Sample sample_at(double t);
 
-  /// The samples at `times`, s, one after the other. The closed form evaluates them together, at a
-  /// fraction of the cost; the bits are the same. Throws as sample_at() does.
-  virtual std::vector<Sample> samples_at(std::span<const double> times);
+  /// Returns the samples at `times`, s, one after the other. The closed form evaluates them
+  /// together, at a fraction of the cost; the bits are the same. Throws as sample_at() does.
+  std::vector<Sample> samples_at(std::span<const double> times);
 
-  /// The next of the method's own steps; the closed form, which has none, goes in steps of
+  /// Returns the next of the method's own steps; the closed form, which has none, takes steps of
   /// `control.step`. Throws MotionError.
-  virtual AcceptedStep next_step() = 0;
+  AcceptedStep next_step();
 
-  /// s, where the last of its own steps ends.
-  virtual double t() const = 0;
+  /// Returns the time in s at which the last of the method's own steps ends.
+  double t() const;
 
-  virtual std::int64_t steps() const = 0;        ///< so far, rejected ones too
-  virtual std::int64_t evaluations() const = 0;  ///< of omega, so far
+  /// Returns the number of steps so far, rejected ones too.
+  std::int64_t steps() const;
+  /// Returns the number of evaluations of omega so far.
+  std::int64_t evaluations() const;
+
+ private:
+  std::unique_ptr<Engine> engine_;
 };
 
 /// Whether time increases or decreases along the steps.

@@ -19,8 +19,7 @@ struct Trajectory {
   std::int64_t evaluations = 0;
 };
 
-/// Returns the motion from X(0) = Id, sampled at exactly `times` (in s, in any order, of either
-/// sign).
+/// Returns the motion, sampled at exactly `times` (in s, in any order, of either sign).
 ///
 /// The accepted steps t_k depend only on the method and the step control. A sample between t_k and
 /// t_(k+1) is one shortened step from t_k that does not affect later steps, so that the sample at t

@@ -74,8 +74,7 @@ std::string setting(double value) {
 
 std::string method(const timeline::Solution& solution) {
   const std::string name(solution.method->name);
-  if (std::holds_alternative<motion::ClosedForm>(solution.method->scheme))
-    return name + ", closed form";
+  if (solution.method->exact()) return name + ", closed form";
   if (solution.method->adaptive())
     return name + ", tolerance " + setting(solution.control.tolerance);
   return name + ", step " + setting(solution.control.step) + " s";

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <twrench/motion/free_body.h>
-#include <twrench/motion/method.h>
 
 #include <Eigen/Core>
 #include <array>
+
+#include "motion/scheme.h"
 
 namespace twrench::motion {
 
