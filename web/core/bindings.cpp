@@ -3,6 +3,7 @@
 // there.
 
 #include <fmt/format.h>
+#include <twrench/base/error.h>
 #include <twrench/body/mass_properties.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>

@@ -9,16 +9,18 @@
 
 namespace twrench {
 
+// The destructors are defined in the library, so that it alone has the tables by which a handler
+// recognises an error.
+
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
-///
-/// Errors are copied, not moved. Their destructors are defined in the library, so that it holds the
-/// only copy of what a handler compares.
 class Error : public std::runtime_error {
  public:
   /// `what` failed because of `why`; `remedy` may be empty. The texts may quote input of any length
   /// and content. A long text loses its middle, and a NUL becomes an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
+  /// Copies it.
   Error(const Error&) = default;
+  /// Copies it.
   Error& operator=(const Error&) = default;
   ~Error() override;
 
@@ -40,7 +42,9 @@ class InvalidArgument : public Error {
   InvalidArgument(const std::string& quantity, const std::string& why,
                   const std::string& remedy = {})
       : Error(quantity, why, remedy), quantity_(quoted(quantity)) {}
+  /// Copies it.
   InvalidArgument(const InvalidArgument&) = default;
+  /// Copies it.
   InvalidArgument& operator=(const InvalidArgument&) = default;
   ~InvalidArgument() override;
 
@@ -65,7 +69,9 @@ class OutOfRange : public InvalidArgument {
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
              const std::string& remedy = {})
       : InvalidArgument(quantity, why, remedy), range_(range) {}
+  /// Copies it.
   OutOfRange(const OutOfRange&) = default;
+  /// Copies it.
   OutOfRange& operator=(const OutOfRange&) = default;
   ~OutOfRange() override;
 

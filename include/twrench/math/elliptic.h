@@ -6,6 +6,9 @@
 /// (docs/exact.md, which numbers its equations (E1), (E2) and so on). All functions take the
 /// parameter m = k^2 and its complement mc = 1 - k^2 separately, never the modulus k: close to the
 /// separatrix m rounds to 1, and mc holds all the information.
+///
+/// This header is installed because an ExactMotion contains a Jacobi. It is no part of the
+/// interface: twrench.h does not include it, and a shared library does not export its functions.
 namespace twrench::elliptic {
 
 /// Returns the complete elliptic integral of the first kind, K, for mc in [0, 1]; infinite at mc =

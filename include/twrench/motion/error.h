@@ -21,7 +21,9 @@ class MotionError : public Error {
   /// What failed and why, in words and as one of the reasons.
   MotionError(const std::string& what, const std::string& why, Reason reason)
       : Error(what, why), reason_(reason) {}
+  /// Copies it.
   MotionError(const MotionError&) = default;
+  /// Copies it.
   MotionError& operator=(const MotionError&) = default;
   ~MotionError() override;
 
