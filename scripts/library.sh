@@ -2,7 +2,8 @@
 # library.sh: builds the library of the dynamics alone, static and shared, and tests it; installs it
 # to a folder of its own; and builds and runs examples/cpp against what was installed, through
 # find_package and through pkg-config. It also links tests/library/consumer.cpp, compiled with other
-# flags than the library.
+# flags than the library, and tests/library/bad_input.cpp. Projects that contain the sources build the
+# examples, too, with g++ and with clang++.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,6 +26,63 @@ run_examples() {
   # The error is thrown in the library and caught in the program.
   ! "$1/order" rkmk5 >/dev/null 2>"$1/order.err" || die "$1/order accepted a method that is none"
   expect_line "method: unknown name 'rkmk5'" "$1/order.err"
+}
+
+# check_exports PREFIX LOG: the shared library exports what the headers declare, and nothing else;
+# twrench.h includes all other headers.
+check_exports() {
+  local name
+  nm -DC --defined-only "$1/lib/libtwrench-dynamics.so" | grep -v ' A ' >"$2"
+  ! grep -v ' twrench::\|for twrench::' "$2" >&2 ||
+    die "the shared library exports symbols that are not its own" "see src/dynamics.map"
+  ! grep ' [VWu] ' "$2" | grep -v ' for twrench::' >&2 ||
+    die "the shared library exports copies that others may replace" "see $2"
+  while read -r name; do
+    grep -rqw -- "$name" "$1/include/twrench" ||
+      die "the shared library exports $name, which no header declares" "see src/dynamics.map"
+  done < <(sed 's/^[^:]* twrench::/twrench::/; s/\[abi:[a-z0-9]*\]//; s/(.*//; s/.*:://; s/^~//' "$2" | sort -u)
+  for name in "$1"/include/twrench/*/*.h; do
+    [[ $name != */math/elliptic.h ]] || continue # no part of the interface
+    grep -qF "<twrench/${name#"$1"/include/twrench/}>" "$1/include/twrench/twrench.h" ||
+      die "twrench/twrench.h does not include $name"
+  done
+}
+
+# use_sources FOLDER COMPILER SHARED: builds and runs examples/cpp as a project that contains this one,
+# by add_subdirectory and by FetchContent from this folder.
+use_sources() {
+  local way
+  for way in add_subdirectory FetchContent; do
+    rm -rf "${1:?}/$way"
+    mkdir -p "$1/$way"
+    {
+      printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(contains LANGUAGES CXX)' 'include(CTest)'
+      if [[ $way == add_subdirectory ]]; then
+        echo "add_subdirectory($PWD twrench)"
+      else
+        printf '%s\n' 'include(FetchContent)' "FetchContent_Declare(twrench SOURCE_DIR $PWD)" \
+          'FetchContent_MakeAvailable(twrench)'
+      fi
+      for example in flip_time order; do
+        printf '%s\n' "add_executable($example $PWD/examples/cpp/$example.cpp)" \
+          "target_link_libraries($example PRIVATE twrench::dynamics)"
+      done
+      # No folder of the library's sources, and none of its flags, is for the program.
+      # shellcheck disable=SC2016 # expanded by CMake
+      printf '%s\n' 'get_target_property(folders twrench::dynamics INTERFACE_INCLUDE_DIRECTORIES)' \
+        'get_target_property(options twrench::dynamics INTERFACE_COMPILE_OPTIONS)' \
+        "if(folders MATCHES \"$PWD/src\" OR options)" '  message(FATAL_ERROR "${folders} ${options}")' 'endif()'
+    } >"$1/$way/CMakeLists.txt"
+    cmake -S "$1/$way" -B "$1/$way/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$2" \
+      -DBUILD_SHARED_LIBS="$3" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 >/dev/null
+    cmake --build "$1/$way/build"
+    run_examples "$1/$way/build"
+    [[ $(ctest --test-dir "$1/$way/build" -N | tail -n 1) == "Total Tests: 0" ]] ||
+      die "a project that contains the library gains its tests"
+    cmake --install "$1/$way/build" --prefix "$1/$way/installed" >/dev/null
+    [[ -z $(find "$1/$way/installed" -type f 2>/dev/null) ]] ||
+      die "a project that contains the library installs it"
+  done
 }
 
 # find_component NAME FOLDER: a project in FOLDER that looks for a component of twrench.
@@ -110,19 +168,30 @@ for shared in OFF ON; do
   run_examples "$build-user/by_pkg_config"
 
   [[ $shared == ON ]] || compile_consumers
+  ! nm -C "$consumers"/*.o | grep -E ' [^U] (vtable|typeinfo) for twrench' >&2 ||
+    die "programs have copies of the library's vtables" "each class needs a virtual function in a source"
   mkdir -p "$build-user/consumers"
   run_consumers "$build-user/consumers"
   if [[ $shared == ON ]]; then
-    nm -DC --defined-only "$build-installed/lib/libtwrench-dynamics.so" >"$build-user/exports.log"
-    ! grep -v ' twrench::\|for twrench::' "$build-user/exports.log" >&2 ||
-      die "the shared library exports symbols that are not its own" "see src/dynamics.map"
+    check_exports "$build-installed" "$build-user/exports.log"
+  else
+    ! nm -C "$build-installed/lib/libtwrench-dynamics.a" | grep ' U fmt::' >&2 ||
+      die "the static library needs fmt to be linked"
   fi
+  # shellcheck disable=SC2046 # the flags are words
+  c++ -std=c++20 tests/library/bad_input.cpp -o "$build-user/bad_input" $(pkg-config --cflags --libs twrench)
+  "$build-user/bad_input" >"$build-user/bad_input.log" ||
+    die "bad input was not rejected as documented" "it says: $(tail -n 3 "$build-user/bad_input.log")"
 
   if find_component render "$build-user/none" >"$build-user/none.log" 2>&1; then
     die "a component that is not there was found" "see $build-user/none.log"
   fi
   expect_line "twrench has no component 'render'; it has: dynamics" "$build-user/none.log"
 done
+
+say "the library in projects that contain it"
+use_sources "$PWD/build/library/contained/gcc" c++ OFF
+use_sources "$PWD/build/library/contained/clang" "$(command -v clang++ clang++-14 | head -n 1)" ON
 
 say "the library compiled for this processor, in programs that are not"
 build=$PWD/build/library/native

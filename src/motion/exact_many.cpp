@@ -73,7 +73,7 @@ void exact_many(const ManyBodies& many, std::span<const double> times, const Man
   const Bodies bodies(many.inertia, many.omega);
   require_finite("times", times);
   const std::size_t m = times.size(), samples = bodies.size() * m;
-  const auto [X, omega] = output;
+  const std::span<double> X = output.X, omega = output.omega;
   if (!X.empty()) {
     require_count("samples.X", X.size(), 9 * samples, "3 x 3 for each body and time");
   }

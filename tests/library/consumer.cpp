@@ -179,17 +179,6 @@ void test_methods() {
   }
 }
 
-void test_elliptic_functions() {
-  for (const double mc : {0.6, 1e-3}) {
-    const elliptic::Jacobi jacobi(1 - mc, mc, 0.7);
-    for (double u = -20; u <= 20; u += 0.3) {
-      const auto [sn, cn, dn, re, im, angle] = jacobi.at(u);
-      expect(is_within(sn * sn + cn * cn - 1, tolerance), "sn and cn");
-      expect(is_within(dn * dn + (1 - mc) * sn * sn - 1, tolerance), "dn");
-    }
-  }
-}
-
 /// Calls functions of Eigen that the library calls, too. Without optimisation the linker takes the
 /// copies of this program for both.
 void test_shared_functions() {
@@ -243,7 +232,6 @@ int main() {
   test_copies();
   test_conservation();
   test_methods();
-  test_elliptic_functions();
   test_shared_functions();
   test_errors();
   if (failures == 0) std::puts("all results are right");
