@@ -31,7 +31,7 @@ clang_version() {
 core_sources() {
   printf 'src/%s.cpp\n' base/{color,error,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
-    motion/{diagnostics,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
+    motion/{diagnostics,error,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
     motion/{stability,stepper,taylor,trajectory} study/flip_search \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,mesh,shadow_balls} \
