@@ -3,8 +3,8 @@
 # would write it. They are applied together to a copy of the sources, build/recipes/source, which is
 # built and tested; then tests/recipes uses the examples in a scene file, a film, Python and a page.
 #   recipes.sh                    does that
-#   recipes.sh --forget [RECIPE...]  leaves out each file of each patch in turn, and lists what notices
-#                                 it: a compile error or a failing test. Takes an hour or more
+#   recipes.sh --forget [RECIPE...]  leaves out each file of each patch in turn, and lists the compile
+#                                 error or the failing test that reports it. Takes an hour or more
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -101,7 +101,7 @@ check_all() {
   run_tests && use_examples
 }
 
-# first_complaint LOG: the line of a log that says what was noticed.
+# first_complaint LOG: prints the first line of a log that describes an error.
 first_complaint() {
   grep -m 1 -E 'error: |CMake Error|ninja: error|undefined reference|\*\*\*Failed|^E  |AssertionError' "$1" |
     sed "s|$copy/||g" | cut -c 1-150

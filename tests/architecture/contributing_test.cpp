@@ -115,8 +115,8 @@ std::vector<std::string> folders_in(const std::string& recipe) {
   return folders;
 }
 
-// Whoever follows a recipe need not look for places that it does not name. A new source lies beside
-// one that it names.
+// A recipe names every file that its example changes. A new source lies beside a file that is
+// named.
 TEST(Contributing, HasRecipesThatNameEachFileOfTheirExamples) {
   using testing::Contains;
   for (const char* const name : recipe_names) {

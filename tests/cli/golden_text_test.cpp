@@ -41,7 +41,7 @@ std::vector<Step> steps_of(const std::string& transcript) {
   return steps;
 }
 
-/// What a command prints, without the name of the folder in which it ran.
+/// Returns the output of a command, without the name of the folder in which it ran.
 std::string printed_by(const ScratchFolder& folder, const std::string& command) {
   const Outcome run = run_shell(folder, "twrench() { \"$TWRENCH\" \"$@\"; }; " + command);
   std::string text = run.out + run.err;
@@ -85,8 +85,8 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-/// Whether two lines are equal but for rounding errors of their numbers and, where those have
-/// another length, the spaces beside them.
+/// Returns whether two lines are equal, except for rounding errors of their numbers and, where the
+/// numbers differ in length, for the spaces beside them.
 bool are_alike(const std::string& expected, const std::string& actual) {
   if (expected == actual) return true;
   const Line one = parse(expected), other = parse(actual);

@@ -42,7 +42,7 @@ export function selectOf(id, set) {
 }
 
 /**
- * Radio buttons; set() is called with what is chosen.
+ * Radio buttons; set() is called with the value of the chosen one.
  * @param {string} name @param {(value: any) => void} set
  * @returns {(value: string) => void} shows which is chosen
  */

@@ -1,4 +1,4 @@
-// What the views show, and what can be done to them by hand.
+// The views: their contents, and how they are turned and dragged by hand.
 import { Pictures as CorePictures } from '../core/pictures.js';
 import { BodyView } from '../views/body_view.js';
 import { InsetView } from '../views/inset_view.js';

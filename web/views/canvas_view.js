@@ -67,7 +67,7 @@ export class CanvasView {
   }
 
   /**
-   * What a pointer takes hold of, instead of turning the view: what to do with it as it moves.
+   * Returns what a moving pointer does instead of turning the view, or null.
    * @param {PointerEvent} _event @returns {((event: PointerEvent) => void) | null}
    */
   grab(_event) {

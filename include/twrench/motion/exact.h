@@ -47,7 +47,7 @@ class ExactMotion {
   /// Evaluates the motion at n times in s, of either sign and in any order, in vector registers and
   /// on up to `threads` threads. Writes the attitudes to `X`, n x 3 x 3 numbers in row-major order
   /// (see attitude_at()), and the angular velocities in body axes, rad/s, to `omega`, n x 3
-  /// numbers. What is not wanted is left out if its array is empty. Each has the bits that at(t)
+  /// numbers. An empty array leaves its quantity out. Each has the bits that at(t)
   /// gives for its time alone, whatever the other times and the number of threads. Throws
   /// OutOfRange about "times[i]" unless that is finite, and InvalidArgument about "X" or "omega"
   /// where the size is wrong, before anything is written.

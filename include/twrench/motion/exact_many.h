@@ -14,8 +14,8 @@ struct ManyBodies {
   std::span<const double> omega;
 };
 
-/// Arrays of the caller for the motions of n bodies at m times, in row-major order. What is not
-/// wanted is left out if its array is empty.
+/// Arrays of the caller for the motions of n bodies at m times, in row-major order. An empty
+/// array leaves its quantity out.
 struct ManySamples {
   /// Attitudes, n x m x 3 x 3 numbers (see attitude_at()).
   std::span<double> X;

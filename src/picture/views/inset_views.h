@@ -12,9 +12,9 @@ namespace twrench::picture {
 /// A view of scene::insets.
 struct InsetView {
   scene::View view;
-  /// What it shows, in a few words.
+  /// A line that names the contents.
   const char* heading;
-  /// Returns what it shows, in sentences that are true of the motion.
+  /// Returns sentences that describe the contents for this motion.
   std::string (*description)(const timeline::Solution& solution, const PrincipalFrame& frame);
   /// Creates the view, which shows the first motion in `pane`.
   std::unique_ptr<SolutionView> (*make)(const scene::Scene& scene,

@@ -1,5 +1,5 @@
-// Where a text block puts its lines, bars and readouts. The widths of words are the font's own, so
-// the tests hold for every font.
+// The places of lines, bars and readouts in a text block. The expected widths are measured with the
+// same font, so the tests hold for every font.
 #include "picture/hud/text_block.h"
 
 #include <gtest/gtest.h>
