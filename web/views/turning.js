@@ -75,7 +75,7 @@ export function turnByKey(view, event) {
   const step = event.shiftKey ? turnOfKey / 8 : turnOfKey,
     way = arrows[event.key],
     factor = zooms[event.key];
-  if (way) view.turn(step * way[0], -step * way[1]);
+  if (way) view.turn(step * way[0], step * way[1]);
   else if (factor) view.zoom(factor);
   else if (event.key === '0') view.resetView();
   else return false;
